@@ -1,0 +1,13 @@
+//! Runs LALRPOP over `grammar/`: one block grammar per dialect.
+
+fn main() {
+    if let Err(error) = lalrpop::Configuration::new()
+        .set_in_dir("grammar")
+        .set_out_dir(std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR for build scripts"))
+        .emit_rerun_directives(true)
+        .process()
+    {
+        eprintln!("grammar: {error}");
+        std::process::exit(1);
+    }
+}

@@ -1,0 +1,116 @@
+//! Finds and reads `partc.toml` and the tool table.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::machine::settings::{Compensation, Settings};
+use crate::machine::tree::{Node, Table, Value, overlay, parse};
+use crate::machine::{config, tools};
+
+use super::Trouble;
+use super::args::Common;
+
+/// Name of the configuration file.
+const NAME: &str = "partc.toml";
+/// Longest chain of `extend`.
+const MOST_EXTENDS: usize = 16;
+
+/// The settings that hold for `input`.
+pub(super) fn settings(input: &Path, common: &Common) -> Result<Settings, Trouble> {
+    let file = match &common.config {
+        Some(file) => Some(file.clone()),
+        None if common.isolated => None,
+        None => nearest(input),
+    };
+    let mut tree = Table::new();
+    if let Some(file) = &file {
+        tree = load(file, 0)?;
+    }
+    let table = table_path(&tree, common);
+    let mut settings = config::read(&tree).map_err(|errors| {
+        errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\npartc: ")
+    })?;
+    if let Some(path) = table {
+        read_tools(&path, &mut settings)?;
+    }
+    if let Some(target) = &common.target {
+        settings.output.target.clone_from(target);
+    }
+    match common.compensation.as_deref() {
+        Some("control") => settings.output.compensation = Compensation::Control,
+        Some(_) => settings.output.compensation = Compensation::Resolve,
+        None => {}
+    }
+    Ok(settings)
+}
+
+/// The nearest configuration file at or above the folder of `input`.
+fn nearest(input: &Path) -> Option<PathBuf> {
+    let folder = if input == Path::new("-") { PathBuf::from(".") } else { input.parent()?.to_path_buf() };
+    let folder = fs::canonicalize(if folder.as_os_str().is_empty() { Path::new(".") } else { &folder }).ok()?;
+    folder.ancestors().map(|dir| dir.join(NAME)).find(|file| file.is_file())
+}
+
+/// Reads a file and what it extends.
+fn load(file: &Path, depth: usize) -> Result<Table, Trouble> {
+    let shown = file.display();
+    if depth > MOST_EXTENDS {
+        return Err(format!("{shown}: `extend` goes in circles"));
+    }
+    let text = fs::read_to_string(file).map_err(|error| format!("{shown}: {error}"))?;
+    let mut tree = parse(&text, &shown.to_string()).map_err(|error| error.to_string())?;
+    let folder = file.parent().unwrap_or(Path::new("."));
+    make_absolute(&mut tree, folder);
+    let Some(node) = tree.remove("extend") else { return Ok(tree) };
+    let Value::Text(other) = &node.value else {
+        return Err(node.fail("`extend` names a file").to_string());
+    };
+    let mut base = load(&folder.join(other), depth + 1)?;
+    overlay(&mut base, tree);
+    Ok(base)
+}
+
+/// Paths in a configuration file count from its own folder.
+fn make_absolute(tree: &mut Table, folder: &Path) {
+    let anchor = |node: &mut Node| {
+        if let Value::Text(text) = &mut node.value {
+            *text = folder.join(&text).to_string_lossy().into_owned();
+        }
+    };
+    if let Some(Value::Table(tools)) = tree.get_mut("tools").map(|node| &mut node.value)
+        && let Some(node) = tools.get_mut("table")
+    {
+        anchor(node);
+    }
+    if let Some(Value::Table(include)) = tree.get_mut("include").map(|node| &mut node.value)
+        && let Some(Value::Table(roots)) = include.get_mut("roots").map(|node| &mut node.value)
+    {
+        roots.values_mut().for_each(anchor);
+    }
+}
+
+fn table_path(tree: &Table, common: &Common) -> Option<PathBuf> {
+    if let Some(path) = &common.tools {
+        return Some(path.clone());
+    }
+    let Value::Table(tools) = &tree.get("tools")?.value else { return None };
+    match &tools.get("table")?.value {
+        Value::Text(path) => Some(path.into()),
+        _ => None,
+    }
+}
+
+/// Reads a tool table; tools of the configuration file win over it.
+fn read_tools(path: &Path, settings: &mut Settings) -> Result<(), Trouble> {
+    let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let text = String::from_utf8(bytes).unwrap_or_else(|error| {
+        crate::text::decode::readable_lines(error.as_bytes())
+    });
+    let table = tools::read_table(&text)
+        .map_err(|error| format!("{}:{}: {}", path.display(), error.line, error.message))?;
+    for (key, tool) in table {
+        settings.tools.table.entry(key).or_insert(tool);
+    }
+    settings.tools.complete = true;
+    Ok(())
+}

@@ -1,0 +1,301 @@
+//! Files of this computer: reading programs, and opening called ones inside the include roots only.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::{Component, Path, PathBuf};
+
+use crate::machine::tree::did_you_mean;
+use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request};
+
+/// Longest name of a called program.
+const LONGEST_NAME: usize = 255;
+/// Names that Windows gives to devices.
+const DEVICES: &[&str] = &["CON", "PRN", "AUX", "NUL", "CLOCK$", "CONIN$", "CONOUT$"];
+
+/// A file read where it lies.
+pub(super) struct OnDisk {
+    file: File,
+    len: u64,
+    at: u64,
+}
+
+impl OnDisk {
+    pub(super) fn open(path: &Path) -> io::Result<OnDisk> {
+        let file = File::open(path)?;
+        let meta = file.metadata()?;
+        if meta.is_dir() {
+            return Err(io::Error::other("is a folder"));
+        }
+        Ok(OnDisk { file, len: meta.len(), at: 0 })
+    }
+}
+
+impl ReadAt for OnDisk {
+    fn len(&self) -> u64 {
+        self.len
+    }
+
+    fn read_at(&mut self, at: u64, buf: &mut [u8]) -> io::Result<usize> {
+        if self.at != at {
+            self.file.seek(SeekFrom::Start(at))?;
+            self.at = at;
+        }
+        let n = loop {
+            match self.file.read(buf) {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                other => break other?,
+            }
+        };
+        self.at += n as u64;
+        Ok(n)
+    }
+}
+
+/// A main program: a file, or standard input.
+pub(super) fn open_main(path: &Path, stdin_name: Option<&Path>) -> io::Result<Opened> {
+    if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        io::stdin().lock().read_to_end(&mut bytes)?;
+        let name = stdin_name.map_or_else(|| "stdin".to_owned(), file_name);
+        return Ok(Opened { name, identity: String::new(), text: Box::new(Memory::new(bytes)) });
+    }
+    let identity = fs::canonicalize(path)?.to_string_lossy().into_owned();
+    let meta = fs::metadata(path)?;
+    // A pipe can be read once only.
+    let text: Box<dyn ReadAt> = if meta.is_file() {
+        Box::new(OnDisk::open(path)?)
+    } else if meta.is_dir() {
+        return Err(io::Error::other("is a folder"));
+    } else {
+        Box::new(Memory::new(fs::read(path)?))
+    };
+    Ok(Opened { name: path.to_string_lossy().into_owned(), identity, text })
+}
+
+/// The last part of a path.
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+/// Called programs, from the folder of the caller and the configured roots.
+#[derive(Debug)]
+pub(super) struct IncludeRoots {
+    /// Folder of the main program.
+    base: PathBuf,
+    /// Prefix of the control's path, and folder.
+    roots: BTreeMap<String, PathBuf>,
+}
+
+impl IncludeRoots {
+    pub(super) fn new(base: PathBuf, roots: BTreeMap<String, PathBuf>) -> IncludeRoots {
+        IncludeRoots { base, roots }
+    }
+
+    /// The root whose prefix fits, and the rest of the name.
+    fn rooted<'n>(&self, name: &'n str) -> Option<(&Path, &'n str)> {
+        self.roots
+            .iter()
+            .filter(|(prefix, _)| {
+                let prefix = prefix.replace('\\', "/");
+                let fits = name.get(..prefix.len()).is_some_and(|head| head.eq_ignore_ascii_case(&prefix));
+                let whole = name[prefix.len().min(name.len())..].starts_with('/') || prefix.ends_with(['/', ':']);
+                fits && (whole || name.len() == prefix.len())
+            })
+            .max_by_key(|(prefix, _)| prefix.len())
+            .map(|(prefix, folder)| (folder.as_path(), name[prefix.len()..].trim_start_matches('/')))
+    }
+
+    /// Folders to look in for a name without a drive.
+    fn folders(&self, caller: &str) -> Vec<PathBuf> {
+        let mut folders = Vec::new();
+        let own = Path::new(caller).parent().filter(|dir| dir.is_absolute()).map(Path::to_path_buf);
+        for folder in own.into_iter().chain([self.base.clone()]).chain(self.roots.values().cloned()) {
+            if !folders.contains(&folder) {
+                folders.push(folder);
+            }
+        }
+        folders
+    }
+}
+
+impl Files for IncludeRoots {
+    fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
+        let name = request.name.replace('\\', "/");
+        let forbidden = |why: &str| Err(FileError::Forbidden { why: why.to_owned() });
+        if name.len() > LONGEST_NAME {
+            return forbidden("the name is too long");
+        }
+        if name.starts_with("//") {
+            return forbidden("it names a network share");
+        }
+        let (folders, rest) = match self.rooted(&name) {
+            Some((folder, rest)) => (vec![folder.to_path_buf()], rest.to_owned()),
+            None => {
+                if let Some(at) = name.find(':') {
+                    return Err(FileError::NoRoot { prefix: request.name[..=at].to_owned() });
+                }
+                if name.starts_with('/') {
+                    let first = name[1..].find('/').map_or(name.len(), |at| at + 1);
+                    return Err(FileError::NoRoot { prefix: name[..first].to_owned() });
+                }
+                (self.folders(request.from), name)
+            }
+        };
+        let parts = match parts_of(&rest) {
+            Ok(parts) => parts,
+            Err(why) => return forbidden(why),
+        };
+        let mut tried = Vec::new();
+        let mut similar = Vec::new();
+        for folder in &folders {
+            for candidate in with_extensions(&parts, request.extensions) {
+                match find(folder, &candidate)? {
+                    Some(path) => return open_inside(&path, folder),
+                    None => {
+                        let shown = candidate.join("/");
+                        if !tried.contains(&shown) {
+                            tried.push(shown);
+                        }
+                    }
+                }
+            }
+            similar.extend(like(folder, parts.last().map_or("", String::as_str)));
+        }
+        Err(FileError::NotFound { tried, similar })
+    }
+}
+
+/// The parts of a relative name, if a control would accept them and they lead nowhere else.
+fn parts_of(name: &str) -> Result<Vec<String>, &'static str> {
+    let mut parts = Vec::new();
+    for part in name.split('/') {
+        let stem = part.split('.').next().unwrap_or_default().trim_end();
+        if part.is_empty() || part == "." {
+            continue;
+        }
+        if part == ".." {
+            return Err("`..` leads out of the include roots");
+        }
+        if part.chars().any(|c| c.is_control() || matches!(c, ':' | '*' | '?' | '<' | '>' | '|' | '"')) {
+            return Err("the name holds a character that no file of a control has");
+        }
+        let port = stem.len() == 4 && stem[..3].eq_ignore_ascii_case("COM") || stem.len() == 4 && stem[..3].eq_ignore_ascii_case("LPT");
+        if DEVICES.iter().any(|device| stem.eq_ignore_ascii_case(device)) || port {
+            return Err("it is the name of a device");
+        }
+        parts.push(part.to_owned());
+    }
+    if parts.is_empty() { Err("the name is empty") } else { Ok(parts) }
+}
+
+fn with_extensions(parts: &[String], extensions: &[&str]) -> Vec<Vec<String>> {
+    let mut candidates = vec![parts.to_vec()];
+    let Some(last) = parts.last() else { return candidates };
+    if !last.contains('.') {
+        for extension in extensions {
+            let mut parts = parts.to_vec();
+            if let Some(name) = parts.last_mut() {
+                *name = format!("{last}.{extension}");
+            }
+            candidates.push(parts);
+        }
+    }
+    candidates
+}
+
+/// Finds the file below `folder`; upper and lower case do not matter where one name fits.
+fn find(folder: &Path, parts: &[String]) -> Result<Option<PathBuf>, FileError> {
+    let mut path = folder.to_path_buf();
+    for part in parts {
+        let exact = path.join(part);
+        if exact.symlink_metadata().is_ok() {
+            path = exact;
+            continue;
+        }
+        let Ok(entries) = fs::read_dir(&path) else { return Ok(None) };
+        let mut fitting: Vec<String> = entries
+            .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+            .filter(|name| name.eq_ignore_ascii_case(part))
+            .collect();
+        fitting.sort();
+        match fitting.as_slice() {
+            [] => return Ok(None),
+            [one] => path = path.join(one),
+            _ => return Err(FileError::Ambiguous { names: fitting }),
+        }
+    }
+    Ok(path.is_file().then_some(path))
+}
+
+/// Opens a file after a last look at where it really lies.
+fn open_inside(path: &Path, root: &Path) -> Result<Opened, FileError> {
+    let io = |error: io::Error| FileError::Io { why: error.to_string() };
+    let real = fs::canonicalize(path).map_err(io)?;
+    let root = fs::canonicalize(root).map_err(io)?;
+    if !real.starts_with(&root) {
+        return Err(FileError::Forbidden { why: "it is a link that leads out of the include roots".to_owned() });
+    }
+    let text = Box::new(OnDisk::open(&real).map_err(io)?);
+    Ok(Opened { name: file_name(path), identity: real.to_string_lossy().into_owned(), text })
+}
+
+fn like(folder: &Path, name: &str) -> Option<String> {
+    let mut names: Vec<String> =
+        fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
+    names.sort();
+    did_you_mean(name, names.iter().map(String::as_str)).map(str::to_owned)
+}
+
+/// Part programs at and below `path`, in order of their names.
+pub(super) fn walk(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec<PathBuf>> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_path_buf()]);
+    }
+    let mut found = Vec::new();
+    let mut folders = vec![path.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        let mut entries: Vec<PathBuf> = fs::read_dir(&folder)?.filter_map(|entry| Some(entry.ok()?.path())).collect();
+        entries.sort();
+        for entry in entries {
+            let hidden = matches!(entry.components().next_back(), Some(Component::Normal(name)) if name.to_string_lossy().starts_with('.'));
+            if hidden {
+                continue;
+            }
+            // A link to a folder could lead in circles.
+            if entry.is_dir() && !entry.is_symlink() {
+                folders.push(entry);
+            } else if entry.is_file() && takes(&entry) {
+                found.push(entry);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hostile_names_are_refused() {
+        for name in [
+            "..", "a/../b", "C:x", "a:stream", "NUL", "con.H", "com1", "lpt9.h", "", ".", "a\u{0}b", "x*", "a\nb", "\"q\"",
+        ] {
+            assert!(parts_of(name).is_err(), "{name:?}");
+        }
+        assert_eq!(parts_of("sub/./A.H").unwrap(), ["sub", "A.H"]);
+    }
+
+    #[test]
+    fn drives_need_a_root() {
+        let roots = IncludeRoots::new(PathBuf::from("."), BTreeMap::from([("TNC:".to_owned(), PathBuf::from("/p"))]));
+        assert_eq!(roots.rooted("tnc:/DIR/A.H"), Some((Path::new("/p"), "DIR/A.H")));
+        assert_eq!(roots.rooted("PLC:/A.H"), None);
+        let request = Request { from: "", name: "PLC:\\A.H", extensions: &[] };
+        assert!(matches!(roots.open(&request), Err(FileError::NoRoot { prefix }) if prefix == "PLC:"));
+        let request = Request { from: "", name: "\\\\host\\a.H", extensions: &[] };
+        assert!(matches!(roots.open(&request), Err(FileError::Forbidden { .. })));
+    }
+}

@@ -1,0 +1,74 @@
+//! The command line: arguments, files, exit codes. What it promises stands in the README.
+
+mod args;
+mod config;
+mod disk;
+mod output;
+mod report;
+mod run;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+use args::{Args, Command};
+
+/// What a run came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Exit {
+    /// Clean, or notes and warnings only.
+    Clean = 0,
+    /// Errors in a program; no output was written.
+    Errors = 1,
+    /// The command line, the configuration or the file system is at fault.
+    Usage = 2,
+    /// partc is at fault.
+    Internal = 3,
+}
+
+/// Trouble that is no finding in a program; its text goes to stderr.
+type Trouble = String;
+
+/// Runs the command line of this process.
+pub fn main() -> ExitCode {
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(error) => {
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { Exit::Usage as u8 } else { Exit::Clean as u8 });
+        }
+    };
+    std::panic::set_hook(Box::new(|panic| {
+        eprintln!("partc: internal error: {panic}");
+        eprintln!("Nothing was written. Please report this with the program that caused it.");
+    }));
+    let exit = match catch_unwind(AssertUnwindSafe(|| dispatch(&args))) {
+        Ok(Ok(exit)) => exit,
+        Ok(Err(trouble)) => {
+            eprintln!("partc: {trouble}");
+            Exit::Usage
+        }
+        Err(_) => Exit::Internal,
+    };
+    ExitCode::from(exit as u8)
+}
+
+fn dispatch(args: &Args) -> Result<Exit, Trouble> {
+    match &args.command {
+        Command::Compile(compile) => run::compile(compile),
+        Command::Check(check) => run::check(check),
+        Command::Trace(trace) => run::trace(trace),
+        Command::Explain { code, format } => report::explain(code, *format),
+        Command::Rules { format } => report::rules(*format),
+        Command::Completions { shell } => {
+            clap_complete::generate(*shell, &mut args::command(), "partc", &mut std::io::stdout());
+            Ok(Exit::Clean)
+        }
+        Command::Man => {
+            let page = clap_mangen::Man::new(args::command());
+            page.render(&mut std::io::stdout()).map_err(|error| format!("stdout: {error}"))?;
+            Ok(Exit::Clean)
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! Writing results: into a temporary file that is renamed when all is well, or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, IsTerminal, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use crate::emit::Output;
+
+/// Bytes of standard output kept in memory before a temporary file takes over.
+const IN_MEMORY: usize = 8 << 20;
+/// First line of every output but for the frame.
+const MARK: &[u8] = b"(partc ";
+/// Work shorter than this shows no progress.
+const QUIET: Duration = Duration::from_secs(1);
+
+/// A file that appears under its name only when it is complete.
+#[derive(Debug)]
+pub(super) struct Pending {
+    file: Option<File>,
+    temporary: PathBuf,
+    target: PathBuf,
+}
+
+impl Pending {
+    /// Starts a file that will be `target`.
+    pub(super) fn create(target: &Path) -> io::Result<Pending> {
+        let folder = target.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let name = super::disk::file_name(target);
+        for attempt in 0..100 {
+            let temporary = folder.join(format!(".{name}.{}-{attempt}.tmp", std::process::id()));
+            match File::options().read(true).write(true).create_new(true).open(&temporary) {
+                Ok(file) => return Ok(Pending { file: Some(file), temporary, target: target.to_path_buf() }),
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Err(io::Error::other("no name is left for a temporary file"))
+    }
+
+    fn file(&mut self) -> io::Result<&mut File> {
+        self.file.as_mut().ok_or_else(|| io::Error::other("the file is closed"))
+    }
+
+    /// Gives the file its name.
+    pub(super) fn commit(mut self) -> io::Result<()> {
+        if let Some(file) = self.file.take() {
+            file.sync_all()?;
+        }
+        fs::rename(&self.temporary, &self.target)
+    }
+}
+
+impl Drop for Pending {
+    fn drop(&mut self) {
+        // After a rename there is nothing to remove.
+        let _ = fs::remove_file(&self.temporary);
+    }
+}
+
+impl Write for Pending {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file()?.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file()?.flush()
+    }
+}
+
+/// Where a program goes.
+#[derive(Debug)]
+pub(super) enum Destination {
+    File(Pending),
+    /// Standard output, or a device or pipe: held back until the program is complete.
+    Stream { path: Option<PathBuf>, held: Held },
+    /// The null device.
+    Nowhere,
+}
+
+/// Bytes held back, in memory or, when there are many, in a temporary file.
+#[derive(Debug, Default)]
+pub(super) struct Held {
+    memory: Vec<u8>,
+    file: Option<File>,
+}
+
+impl Held {
+    fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        if self.file.is_none() && self.memory.len() + bytes.len() > IN_MEMORY {
+            let path = std::env::temp_dir().join(format!("partc-{}.tmp", std::process::id()));
+            let mut file = File::options().read(true).write(true).create_new(true).open(&path)?;
+            // Open but without a name: it goes when the process goes.
+            let _ = fs::remove_file(&path);
+            file.write_all(&self.memory)?;
+            self.memory = Vec::new();
+            self.file = Some(file);
+        }
+        match &mut self.file {
+            Some(file) => file.write_all(bytes),
+            None => {
+                self.memory.extend_from_slice(bytes);
+                Ok(())
+            }
+        }
+    }
+
+    fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()> {
+        match &mut self.file {
+            Some(file) => {
+                file.seek(SeekFrom::Start(at))?;
+                file.write_all(bytes)?;
+                file.seek(SeekFrom::End(0)).map(drop)
+            }
+            None => self.memory.patch(at, bytes),
+        }
+    }
+
+    fn release(self, out: &mut dyn Write) -> io::Result<()> {
+        match self.file {
+            Some(mut file) => {
+                file.seek(SeekFrom::Start(0))?;
+                let mut buffer = vec![0; 1 << 20];
+                loop {
+                    let n = file.read(&mut buffer)?;
+                    if n == 0 {
+                        break;
+                    }
+                    out.write_all(&buffer[..n])?;
+                }
+            }
+            None => out.write_all(&self.memory)?,
+        }
+        out.flush()
+    }
+}
+
+impl Destination {
+    /// The destination for `path`; `-` is standard output.
+    pub(super) fn open(path: &Path) -> io::Result<Destination> {
+        if path == Path::new("-") {
+            return Ok(Destination::Stream { path: None, held: Held::default() });
+        }
+        match fs::metadata(path) {
+            Ok(meta) if meta.is_dir() => Err(io::Error::other("is a folder")),
+            Ok(meta) if !meta.is_file() => {
+                if path == Path::new("/dev/null") {
+                    return Ok(Destination::Nowhere);
+                }
+                Ok(Destination::Stream { path: Some(path.to_path_buf()), held: Held::default() })
+            }
+            _ => Pending::create(path).map(Destination::File),
+        }
+    }
+
+    /// All is well: the result becomes visible.
+    pub(super) fn commit(self) -> io::Result<()> {
+        match self {
+            Destination::File(pending) => pending.commit(),
+            Destination::Stream { path: Some(path), held } => held.release(&mut File::options().write(true).open(path)?),
+            Destination::Stream { path: None, held } => held.release(&mut io::stdout().lock()),
+            Destination::Nowhere => Ok(()),
+        }
+    }
+}
+
+impl Output for Destination {
+    fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        match self {
+            Destination::File(pending) => pending.write_all(bytes),
+            Destination::Stream { held, .. } => held.append(bytes),
+            Destination::Nowhere => Ok(()),
+        }
+    }
+
+    fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()> {
+        match self {
+            Destination::File(pending) => {
+                let file = pending.file()?;
+                file.seek(SeekFrom::Start(at))?;
+                file.write_all(bytes)?;
+                file.seek(SeekFrom::End(0)).map(drop)
+            }
+            Destination::Stream { held, .. } => held.patch(at, bytes),
+            Destination::Nowhere => Ok(()),
+        }
+    }
+}
+
+/// Shows on a terminal that long work goes on.
+#[derive(Debug)]
+pub(super) struct Progress<O> {
+    inner: O,
+    start: Instant,
+    shown: Option<Instant>,
+    bytes: u64,
+    terminal: bool,
+}
+
+impl<O> Progress<O> {
+    pub(super) fn new(inner: O) -> Progress<O> {
+        Progress { inner, start: Instant::now(), shown: None, bytes: 0, terminal: io::stderr().is_terminal() }
+    }
+
+    pub(super) fn into_inner(self) -> O {
+        if self.shown.is_some() {
+            eprint!("\r\x1b[K");
+        }
+        self.inner
+    }
+}
+
+impl<O: Output> Output for Progress<O> {
+    fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.bytes += bytes.len() as u64;
+        let now = Instant::now();
+        let due = self.shown.map_or(now - self.start > QUIET, |shown| now - shown > QUIET / 4);
+        if self.terminal && due {
+            self.shown = Some(now);
+            eprint!("\r{} MB written", self.bytes / 1_000_000);
+        }
+        self.inner.append(bytes)
+    }
+
+    fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()> {
+        self.inner.patch(at, bytes)
+    }
+}
+
+/// Is `path` an output of partc, or empty?
+pub(super) fn is_ours(path: &Path) -> bool {
+    let mut head = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(64).read_to_end(&mut head));
+    read.is_ok() && (head.is_empty() || head.windows(MARK.len()).any(|window| window == MARK))
+}
+
+/// An older output must not look like the result of a program that now has errors.
+pub(super) fn set_aside(path: &Path) -> io::Result<Option<PathBuf>> {
+    let regular = fs::symlink_metadata(path).is_ok_and(|meta| meta.is_file() && meta.len() > 0);
+    if !regular || !is_ours(path) {
+        return Ok(None);
+    }
+    let mut name = path.as_os_str().to_owned();
+    name.push(".stale");
+    let stale = PathBuf::from(name);
+    fs::rename(path, &stale)?;
+    Ok(Some(stale))
+}

@@ -1,0 +1,51 @@
+//! `P`: files, configuration, limits of a run.
+
+super::codes! { GENERAL:
+
+P0001 Error "utf16-file" "file is UTF-16"
+"The file has two bytes a character. No control writes that; it comes from a text editor set to \"Unicode\".\n\
+Save the program as UTF-8 or Windows-1252 and compile again."
+
+P0002 Error "file-too-large" "file is over 4 GiB"
+"Places in a program are counted in 32 bits, so one file holds at most 4 GiB. Split the program and call the parts."
+
+P0003 Error "block-too-long" "block is over 1 MiB"
+"No control accepts a block of this length; the file is damaged or is no part program. The block is left out, so no output is written."
+
+P0101 Error "program-not-found" "called program is not in the include roots"
+"The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
+Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\
+Upper and lower case do not matter as long as one file fits."
+
+P0102 Error "path-forbidden" "called program lies outside the include roots"
+"A called program may only come from the folders in `[include] roots` (by default the folder of the main program). \
+Names with `..`, absolute paths of the host, network shares, device names and links that lead out are refused, so that compiling \
+a foreign program can never read other files of this computer."
+
+P0103 Error "file-name-ambiguous" "more than one file fits the called name"
+"Controls ignore upper and lower case in names, this computer does not, and two files differ only in that. \
+Rename one of them: which program the machine would run cannot be guessed."
+
+P0104 Error "include-root-missing" "no include root for this drive or folder of the control"
+"The program is called by a path of the control, such as `TNC:\\\\PARTS\\\\A.H`. partc.toml has to say which folder of this computer that is: \
+`[include] roots = { \"TNC:\" = \"programs\" }`."
+
+P0105 Error "file-unreadable" "called program could not be read"
+"The operating system refused to read the file. Check that it exists, is a file, and may be read."
+
+P0106 Error "too-many-files" "program calls more than 1000 different files"
+"A run opens at most 1000 files. A program that calls more is most likely calling names made up by a loop."
+
+P4001 Error "step-limit" "program runs too many blocks"
+"partc executes the program as the control would, and stops after `[limits] steps` blocks (10 million by default). \
+Most often a loop never ends: the condition of its jump is always true. The message names the jump or repeat that ran most often.\n\
+If the program really is that long, raise the limit."
+
+P4002 Error "output-limit" "program makes too many output blocks"
+"The output reached `[limits] output_blocks` (50 million by default). Check the loop that the message names, or raise the limit."
+
+P4003 Error "call-depth" "calls are nested too deep"
+"Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \
+Often a program calls itself by way of another one."
+
+}

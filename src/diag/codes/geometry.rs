@@ -1,0 +1,68 @@
+//! `G`: geometry, whatever the dialect.
+
+super::codes! { GEOMETRY:
+
+G3001 Error "arc-end-off-circle" "end point does not lie on the circle"
+"Start and end of an arc must have the same distance from its centre, within the tolerance of the control \
+(0.016 mm on HEIDENHAIN controls). The difference is larger, so start, centre or end is wrong."
+
+G3002 Error "radius-too-small" "radius is too small for the distance"
+"An arc by radius reaches at most two radii far. Start and end lie further apart. Check radius and end point; a sign or a decimal point may be lost."
+
+G3003 Error "radius-full-circle" "arc by radius ends where it starts"
+"From a radius alone the centre of a full circle cannot be known. Program the centre, or two half circles."
+
+G3004 Error "tangent-missing" "no element to be tangent to"
+"A tangential arc continues the direction of the contour element before it. Here none stands before it that moves in the plane of the arc, \
+or the coordinate system changed in between."
+
+G3005 Error "tangent-behind" "tangential arc cannot reach its end"
+"The end point lies exactly behind the start, seen in the direction of travel: no circle touches that direction and passes through the point."
+
+G3006 Warning "tangent-straight" "tangential arc is a straight line"
+"The end point lies exactly ahead, so the arc degenerates to a line, which is printed. Program a line if that is meant."
+
+G3007 Error "corner-neighbour" "chamfer or rounding has no neighbour"
+"A chamfer or rounding is put between two contour elements that both move in the working plane. Here one of them is missing: \
+the contour starts or ends with it, or a block in between moves another axis only."
+
+G3008 Error "corner-too-large" "chamfer or rounding does not fit"
+"The corner would cut off more than a neighbouring element is long. Make the radius or chamfer smaller or the elements longer. \
+Where a short element has a corner at both ends, both have to fit on it."
+
+G3009 Warning "corner-straight" "nothing to round or chamfer"
+"The elements before and after continue in the same direction, so there is no corner. Nothing is inserted."
+
+G3010 Error "chamfer-at-arc" "chamfer next to an arc"
+"A chamfer is defined between two straight lines only: on an arc there is no length along which to cut off the corner."
+
+G3011 Error "arc-scaled-unevenly" "arc under unequal scaling"
+"Scaling with different factors in the two axes of the plane turns a circle into an ellipse, which controls refuse and plain G-code cannot say."
+
+G3012 Error "arc-out-of-plane" "arc is turned out of the main planes"
+"After rotation the arc no longer lies in XY, ZX or YZ. Plain G-code has arcs in these planes only."
+
+G3013 Note "center-adjusted" "arc centres were adjusted"
+"Start and end of some arcs have slightly different distances from their programmed centre, within the tolerance of the control. \
+Controls that check more strictly would refuse them. The centre was moved to the nearest point that fits both; \
+start and end are as programmed. The largest shift is stated."
+
+G3014 Error "arc-without-radius" "arc of radius zero"
+"Start, end and centre of the arc coincide. Check the circle centre."
+
+G3015 Error "axis-unknown-in-frame" "position of the other axis is not known"
+"Under a rotation one programmed axis moves two machine axes. The position of the second one is not known yet. Program both axes once."
+
+G3016 Error "corner-plane" "corner between elements of different planes"
+"The elements before and after a chamfer or rounding lie in different planes. There is no common corner."
+
+G3017 Error "corner-reversal" "contour turns back on itself"
+"The contour goes back the way it came. No radius or chamfer fits between the two directions."
+
+G3018 Error "travel-limit" "position is beyond the travel limits"
+"A coordinate lies outside `[machine] limits`. The output is not written."
+
+G3019 Error "corner-frame" "coordinate system changes inside a corner"
+"A datum shift, rotation, mirror or scaling is programmed between a chamfer or rounding and the element that follows it. The corner is undetermined."
+
+}

@@ -1,0 +1,79 @@
+//! Every diagnostic code, with the text behind `partc explain`. Codes are never renumbered or reused.
+//!
+//! Letter: `P` general, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
+//! `O` output. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
+
+mod general;
+mod geometry;
+mod klartext;
+mod output;
+
+pub use general::*;
+pub use geometry::*;
+pub use klartext::*;
+pub use output::*;
+
+use super::Severity;
+
+/// A diagnostic code. Identity is the `id`.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Code {
+    /// Letter and four digits.
+    pub id: &'static str,
+    /// The same in words, for lists and configuration.
+    pub name: &'static str,
+    pub severity: Severity,
+    /// One line: what it is about.
+    pub title: &'static str,
+    /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from.
+    pub explain: &'static str,
+}
+
+/// Writes a table of codes as constants plus the list of them all.
+macro_rules! codes {
+    ($list:ident: $($id:ident $severity:ident $name:literal $title:literal $explain:literal)*) => {
+        $(pub const $id: &$crate::diag::Code = &$crate::diag::Code {
+            id: stringify!($id),
+            name: $name,
+            severity: $crate::diag::Severity::$severity,
+            title: $title,
+            explain: $explain,
+        };)*
+        pub(super) const $list: &[&$crate::diag::Code] = &[$($id),*];
+    };
+}
+use codes;
+
+/// Every code, in order of its id.
+pub fn all() -> Vec<&'static Code> {
+    let mut list: Vec<_> = [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT]
+        .iter()
+        .flat_map(|table| table.iter().copied())
+        .collect();
+    list.sort_by_key(|code| code.id);
+    list
+}
+
+/// Finds a code by its id or name, upper or lower case.
+pub fn find(id: &str) -> Option<&'static Code> {
+    all().into_iter().find(|code| code.id.eq_ignore_ascii_case(id) || code.name.eq_ignore_ascii_case(id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_and_names_are_unique_and_every_code_is_explained() {
+        let all = all();
+        for pair in all.windows(2) {
+            assert_ne!(pair[0].id, pair[1].id);
+        }
+        for code in &all {
+            assert_eq!(all.iter().filter(|c| c.name == code.name).count(), 1, "{}", code.name);
+            assert!(code.id.len() == 5 && code.id[1..].bytes().all(|b| b.is_ascii_digit()), "{}", code.id);
+            assert!(code.explain.len() > 80, "{} needs an explanation", code.id);
+            assert!(!code.title.ends_with('.'), "{}", code.id);
+        }
+    }
+}

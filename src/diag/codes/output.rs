@@ -1,0 +1,27 @@
+//! `O`: what the target can and cannot say.
+
+super::codes! { OUTPUT:
+
+O1001 Error "feed-not-positive" "feed rate is zero or negative"
+"A cutting move with F0 never ends, or raises an alarm. Look where the feed word or its parameter is set."
+
+O1002 Error "value-not-finite" "value is too large to print"
+"A coordinate or feed is beyond 1000 km, or a computation overflowed. Nothing sensible can be printed, so nothing is. \
+Look at the parameters that the block computes with."
+
+O4001 Note "arc-as-lines" "arc is printed as straight lines"
+"The arc is so small or so flat that its printed numbers cannot describe a circle within the tolerance of the target: \
+after rounding, start and end lie at different distances from every possible centre. It is printed as lines that leave the arc \
+by less than half a printed unit."
+
+O4002 Note "arc-rounded-away" "arc is shorter than the last printed digit"
+"Start and end of the arc print as the same numbers. A control would take that for a full circle, so the arc is left out; \
+the path differs by less than the last printed digit."
+
+O9001 Error "word-unknown-to-target" "the target has no word for this"
+"The program asks for something that the selected target cannot express. Choose another target or change the program."
+
+O9002 Error "spindle-speed-negative" "spindle speed is negative"
+"The sense of rotation comes from M3 or M4, the speed is positive. Look where the S word or its parameter is set."
+
+}

@@ -1,0 +1,168 @@
+//! Diagnostics: plain data with a stable code, a place and a text for a machinist.
+//!
+//! Stages push into [`Diags`]; none prints, none stops another. Renderers live in [`render`].
+
+pub mod codes;
+pub mod render;
+pub mod trail;
+
+use std::cell::RefCell;
+
+use rustc_hash::FxHashMap;
+
+use crate::text::Loc;
+
+pub use codes::Code;
+pub use trail::{CallPath, Trail};
+
+/// How bad it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    Note,
+    Warning,
+    Error,
+}
+
+impl Severity {
+    pub fn word(self) -> &'static str {
+        match self {
+            Severity::Note => "note",
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        }
+    }
+}
+
+/// A place with a word on what it has to do with the matter.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Label {
+    pub loc: Loc,
+    pub text: String,
+}
+
+/// One finding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    pub code: &'static Code,
+    /// What is wrong, in the user's words, values quoted.
+    pub message: String,
+    /// Where: the first label is the cause.
+    pub label: Label,
+    /// Places that explain it.
+    pub more: Vec<Label>,
+    /// One action that mends it.
+    pub help: Option<String>,
+    /// How the program got there.
+    pub call: CallPath,
+    /// How often the same was found at the same place.
+    pub times: u32,
+}
+
+impl Diagnostic {
+    pub fn new(code: &'static Code, loc: Loc, message: impl Into<String>) -> Diagnostic {
+        Diagnostic {
+            code,
+            message: message.into(),
+            label: Label { loc, text: String::new() },
+            more: Vec::new(),
+            help: None,
+            call: CallPath::default(),
+            times: 1,
+        }
+    }
+
+    /// Text beside the marked words.
+    pub fn here(mut self, text: impl Into<String>) -> Diagnostic {
+        self.label.text = text.into();
+        self
+    }
+
+    pub fn also(mut self, loc: Loc, text: impl Into<String>) -> Diagnostic {
+        self.more.push(Label { loc, text: text.into() });
+        self
+    }
+
+    pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
+        self.help = Some(text.into());
+        self
+    }
+
+    pub fn called(mut self, call: CallPath) -> Diagnostic {
+        self.call = call;
+        self
+    }
+}
+
+/// Findings kept of one run; more are only counted.
+const KEPT: usize = 500;
+
+/// Collects the findings of one run. Shared by all stages, so it is used through `&`.
+#[derive(Debug, Default)]
+pub struct Diags {
+    inner: RefCell<Inner>,
+}
+
+#[derive(Debug, Default)]
+struct Inner {
+    list: Vec<Diagnostic>,
+    seen: FxHashMap<(&'static str, Loc), usize>,
+    once: Vec<&'static str>,
+    counts: [u32; 3],
+}
+
+impl Diags {
+    /// Takes a finding. The same code at the same place is counted, not repeated.
+    pub fn push(&self, found: Diagnostic) {
+        let inner = &mut *self.inner.borrow_mut();
+        let key = (found.code.id, found.label.loc);
+        if let Some(&at) = inner.seen.get(&key) {
+            inner.list[at].times = inner.list[at].times.saturating_add(1);
+            return;
+        }
+        let severity = found.code.severity;
+        // Notes and warnings leave room for what stops the output.
+        let room = if severity == Severity::Error { KEPT } else { KEPT / 2 };
+        inner.counts[severity as usize] += 1;
+        if inner.list.len() < room {
+            inner.seen.insert(key, inner.list.len());
+            inner.list.push(found);
+        }
+    }
+
+    /// Takes a finding unless one of the same code was taken by this call before: for notes that hold
+    /// for the whole program.
+    pub fn push_once(&self, found: Diagnostic) {
+        if self.first_time(found.code) {
+            self.push(found);
+        }
+    }
+
+    /// True the first time it is asked about `code`.
+    pub fn first_time(&self, code: &'static Code) -> bool {
+        let inner = &mut *self.inner.borrow_mut();
+        let first = !inner.once.contains(&code.id);
+        if first {
+            inner.once.push(code.id);
+        }
+        first
+    }
+
+    pub fn errors(&self) -> u32 {
+        self.inner.borrow().counts[Severity::Error as usize]
+    }
+
+    pub fn warnings(&self) -> u32 {
+        self.inner.borrow().counts[Severity::Warning as usize]
+    }
+
+    pub fn has_errors(&self) -> bool {
+        self.errors() > 0
+    }
+
+    /// The findings, in the order of file and place; those of one place as they were found.
+    pub fn into_sorted(self) -> Vec<Diagnostic> {
+        let mut list = self.inner.into_inner().list;
+        list.sort_by_key(|d| (d.label.loc.file, d.label.loc.span.start));
+        list
+    }
+}

@@ -1,0 +1,246 @@
+//! Findings as text: for people, one line each, or as JSON.
+
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use crate::text::{Loc, Sources};
+
+use super::{Diagnostic, Severity, Trail};
+
+/// `file:line:column: error[K1001]: message`
+pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
+    let line = sources.line(found.label.loc);
+    let mut text = format!(
+        "{}:{}:{}: {}[{}]: {}",
+        sources.name(found.label.loc.file),
+        line.number,
+        line.column,
+        found.code.severity.word(),
+        found.code.id,
+        found.message
+    );
+    if found.times > 1 {
+        let _ = write!(text, " ({} times)", found.times);
+    }
+    if let Some(help) = &found.help {
+        let _ = write!(text, "; {help}");
+    }
+    if let Some(site) = trail.sites(found.call).first() {
+        let _ = write!(text, " (called from {}:{})", sources.name(site.file), site.line);
+    }
+    text
+}
+
+/// The findings of several files as one document.
+#[derive(Debug, Default)]
+pub struct JsonReport {
+    diagnostics: Vec<Value>,
+    files: u32,
+    errors: u32,
+    warnings: u32,
+}
+
+impl JsonReport {
+    /// Adds the findings of one main program.
+    pub fn add(&mut self, list: &[Diagnostic], errors: u32, warnings: u32, sources: &Sources, trail: &Trail) {
+        self.files += 1;
+        self.errors += errors;
+        self.warnings += warnings;
+        self.diagnostics.extend(list.iter().map(|found| object(found, sources, trail)));
+    }
+
+    /// The document, in one line.
+    pub fn finish(self) -> String {
+        json!({
+            "version": 1,
+            "diagnostics": self.diagnostics,
+            "files": self.files,
+            "errors": self.errors,
+            "warnings": self.warnings,
+        })
+        .to_string()
+    }
+}
+
+fn object(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Value {
+    let loc = found.label.loc;
+    let line = sources.line(loc);
+    let stack: Vec<Value> = trail
+        .sites(found.call)
+        .iter()
+        .map(|site| json!({ "file": sources.name(site.file), "line": site.line }))
+        .collect();
+    let related: Vec<Value> = found
+        .more
+        .iter()
+        .map(|label| {
+            let line = sources.line(label.loc);
+            json!({ "message": label.text, "file": sources.name(label.loc.file), "line": line.number, "column": line.column })
+        })
+        .collect();
+    json!({
+        "code": found.code.id,
+        "name": found.code.name,
+        "severity": found.code.severity.word(),
+        "message": found.message,
+        "help": found.help,
+        "file": sources.name(loc.file),
+        "line": line.number,
+        "column": line.column,
+        "end_line": line.end_line,
+        "end_column": line.end_column,
+        "block": sources.block_number(loc),
+        "times": found.times,
+        "related": related,
+        "stack": stack,
+    })
+}
+
+/// Renders for a terminal through miette.
+#[cfg(feature = "cli")]
+pub mod terminal {
+    use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceSpan, SpanContents};
+
+    use super::*;
+
+    /// How findings look.
+    #[derive(Debug)]
+    pub struct Style(GraphicalReportHandler);
+
+    impl Style {
+        /// With or without colours, in lines of `width` characters.
+        pub fn new(color: bool, width: usize) -> Style {
+            let theme = if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+            Style(GraphicalReportHandler::new_themed(theme).with_width(width).with_links(false))
+        }
+
+        pub fn render(&self, found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
+            let mut text = String::new();
+            let shown = Shown::of(found, sources, trail);
+            // Writing into a string cannot fail; a renderer that gives up leaves the short form.
+            if self.0.render_report(&mut text, &shown).is_err() {
+                text = concise(found, sources, trail);
+            }
+            text
+        }
+    }
+
+    /// One line of source as miette wants it.
+    #[derive(Debug)]
+    struct Excerpt {
+        name: String,
+        text: String,
+        number: usize,
+    }
+
+    impl miette::SourceCode for Excerpt {
+        fn read_span<'a>(&'a self, _: &SourceSpan, _: usize, _: usize) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+            let whole = SourceSpan::from((0, self.text.len()));
+            Ok(Box::new(MietteSpanContents::new_named(
+                self.name.clone(),
+                self.text.as_bytes(),
+                whole,
+                self.number.saturating_sub(1),
+                0,
+                1,
+            )))
+        }
+    }
+
+    /// A finding, or one of its explaining places.
+    #[derive(Debug)]
+    struct Shown {
+        title: String,
+        code: Option<String>,
+        severity: miette::Severity,
+        help: Option<String>,
+        excerpt: Excerpt,
+        label: LabeledSpan,
+        related: Vec<Shown>,
+    }
+
+    impl Shown {
+        fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
+            let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
+            let mut title = found.message.clone();
+            if found.times > 1 {
+                let _ = write!(title, " ({} times)", found.times);
+            }
+            let mut related: Vec<Shown> =
+                found.more.iter().map(|label| Shown::place(label.loc, &label.text, sources)).collect();
+            related.extend(trail.sites(found.call).iter().take(4).map(|site| Shown::place(*site, "called from here", sources)));
+            Shown {
+                title,
+                code: Some(format!("{}[{}]", found.code.severity.word(), found.code.id)),
+                severity: match found.code.severity {
+                    Severity::Error => miette::Severity::Error,
+                    Severity::Warning => miette::Severity::Warning,
+                    Severity::Note => miette::Severity::Advice,
+                },
+                help: found.help.clone(),
+                excerpt,
+                label,
+                related,
+            }
+        }
+
+        fn place(loc: Loc, text: &str, sources: &Sources) -> Shown {
+            let (excerpt, label) = excerpt(loc, "", sources);
+            Shown {
+                title: text.to_owned(),
+                code: None,
+                severity: miette::Severity::Advice,
+                help: None,
+                excerpt,
+                label,
+                related: Vec::new(),
+            }
+        }
+    }
+
+    fn excerpt(loc: Loc, text: &str, sources: &Sources) -> (Excerpt, LabeledSpan) {
+        let line = sources.line(loc);
+        let label = (!text.is_empty()).then(|| text.to_owned());
+        let (start, end) = line.marked;
+        let span = LabeledSpan::new(label, start, end.saturating_sub(start).max(1));
+        // A blank more, so that a mark at the end of the line has something under it.
+        let text = format!("{} ", line.text);
+        (Excerpt { name: sources.name(loc.file), text, number: line.number as usize }, span)
+    }
+
+    impl std::fmt::Display for Shown {
+        fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            f.write_str(&self.title)
+        }
+    }
+
+    impl std::error::Error for Shown {}
+
+    impl miette::Diagnostic for Shown {
+        fn code<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
+            self.code.as_ref().map(|code| Box::new(code) as Box<dyn std::fmt::Display>)
+        }
+
+        fn severity(&self) -> Option<miette::Severity> {
+            Some(self.severity)
+        }
+
+        fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
+            self.help.as_ref().map(|help| Box::new(help) as Box<dyn std::fmt::Display>)
+        }
+
+        fn source_code(&self) -> Option<&dyn miette::SourceCode> {
+            Some(&self.excerpt)
+        }
+
+        fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+            Some(Box::new(std::iter::once(self.label.clone())))
+        }
+
+        fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn miette::Diagnostic> + 'a>> {
+            (!self.related.is_empty())
+                .then(|| Box::new(self.related.iter().map(|shown| shown as &dyn miette::Diagnostic)) as Box<_>)
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Call paths: how the program came to a block, kept once per distinct path.
+
+use std::cell::RefCell;
+
+use rustc_hash::FxHashMap;
+
+use crate::text::Loc;
+
+/// A chain of calls; 0 is the main program. Equal chains are equal numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct CallPath(u32);
+
+/// Distinct paths kept. A program that calls in more ways loses the inner calls of its trails, nothing else.
+const MOST_PATHS: usize = 1 << 18;
+
+/// The table behind [`CallPath`]. It grows with call sites in the text, not with execution.
+#[derive(Debug, Default)]
+pub struct Trail {
+    inner: RefCell<Inner>,
+}
+
+#[derive(Debug, Default)]
+struct Inner {
+    links: Vec<(CallPath, Loc)>,
+    known: FxHashMap<(CallPath, Loc), CallPath>,
+}
+
+impl CallPath {
+    /// The main program.
+    pub const MAIN: CallPath = CallPath(0);
+}
+
+impl Trail {
+    /// The path that follows `from` through the call at `site`.
+    pub fn enter(&self, from: CallPath, site: Loc) -> CallPath {
+        let inner = &mut *self.inner.borrow_mut();
+        if let Some(&path) = inner.known.get(&(from, site)) {
+            return path;
+        }
+        if inner.links.len() >= MOST_PATHS {
+            return from;
+        }
+        inner.links.push((from, site));
+        let path = CallPath(u32::try_from(inner.links.len()).unwrap_or(u32::MAX));
+        inner.known.insert((from, site), path);
+        path
+    }
+
+    /// The calls of a path, the innermost first.
+    pub fn sites(&self, path: CallPath) -> Vec<Loc> {
+        let inner = self.inner.borrow();
+        let mut sites = Vec::new();
+        let mut at = path;
+        while at.0 > 0 {
+            let Some(&(from, site)) = inner.links.get(at.0 as usize - 1) else { break };
+            sites.push(site);
+            at = from;
+        }
+        sites
+    }
+}

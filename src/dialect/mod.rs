@@ -1,0 +1,49 @@
+//! The dialects: one table each, registered by one line in [`ALL`].
+
+mod klartext;
+
+use crate::ir::contour::Sink;
+use crate::sema::Job;
+
+/// What the rest of the compiler knows of a control's language.
+pub struct Dialect {
+    /// Name in `--dialect`.
+    pub id: &'static str,
+    pub name: &'static str,
+    /// Extensions of its files, lower case, without the dot.
+    pub extensions: &'static [&'static str],
+    /// Do these first bytes of a file show the language beyond doubt?
+    pub recognizes: fn(&[u8]) -> bool,
+    /// Runs the main program; returns the hash of its text.
+    pub run: fn(&Job<'_>, &mut dyn Sink) -> u64,
+    /// Reads every block, whether it runs or not.
+    pub check_form: fn(&Job<'_>),
+}
+
+impl std::fmt::Debug for Dialect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.id)
+    }
+}
+
+/// All dialects.
+pub const ALL: &[&Dialect] = &[&klartext::DIALECT];
+
+/// The dialect of this name.
+pub fn find(id: &str) -> Option<&'static Dialect> {
+    ALL.iter().copied().find(|dialect| dialect.id == id)
+}
+
+/// Guesses by content, then by extension. `None` if that leaves more or less than one.
+pub fn guess(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
+    let mut by_content = ALL.iter().copied().filter(|dialect| (dialect.recognizes)(head));
+    if let (Some(dialect), None) = (by_content.next(), by_content.next()) {
+        return Some(dialect);
+    }
+    let extension = file_name.rsplit_once('.')?.1.to_ascii_lowercase();
+    let mut by_extension = ALL.iter().copied().filter(|dialect| dialect.extensions.contains(&extension.as_str()));
+    match (by_extension.next(), by_extension.next()) {
+        (Some(dialect), None) => Some(dialect),
+        _ => None,
+    }
+}

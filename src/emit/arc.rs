@@ -1,0 +1,140 @@
+//! Arcs on the printed numbers: the centre is chosen so that start and end, as printed, lie on one circle.
+
+use core::f64::consts::TAU;
+
+use crate::geo::{Point2, arc as geometry};
+
+/// An arc in units of the last printed place.
+#[derive(Debug, Clone, Copy)]
+pub struct Request {
+    /// Printed start and end.
+    pub from: [i64; 2],
+    pub to: [i64; 2],
+    /// Exact centre in units.
+    pub center: Point2,
+    /// Exact sweep in rad, counter-clockwise positive.
+    pub sweep: f64,
+    /// Largest difference of the radii at start and end, in units.
+    pub tolerance: f64,
+}
+
+/// How the arc can be printed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Printed {
+    /// Offsets from the printed start to the centre, and whole turns including the last one.
+    Arc { offset: [i64; 2], turns: u32 },
+    /// Start and end print alike and the arc is short: nothing is left of it.
+    Nothing,
+    /// No centre fits: print lines.
+    Lines,
+}
+
+/// Fits the arc to the printed grid.
+pub fn fit(request: &Request) -> Printed {
+    let Request { from, to, center, sweep, .. } = *request;
+    if from == to {
+        if sweep.abs() < core::f64::consts::PI {
+            return Printed::Nothing;
+        }
+        let offset = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
+        let turns = libm::round(sweep.abs() / TAU).max(1.0);
+        return if offset == [0, 0] { Printed::Lines } else { Printed::Arc { offset, turns: turns as u32 } };
+    }
+    let Some(offset) = best_offset(request) else { return Printed::Lines };
+    // Rounding may carry the end over the start: the printed sweep plus whole turns is the sweep meant.
+    let at = |p: [i64; 2]| Point2::new(p[0] as f64, p[1] as f64);
+    let printed_center = at([from[0] + offset[0], from[1] + offset[1]]);
+    let part = geometry::sweep(at(from), at(to), printed_center, sweep > 0.0).abs();
+    let whole = libm::round((sweep.abs() - part) / TAU);
+    if whole < 0.0 {
+        return Printed::Lines;
+    }
+    Printed::Arc { offset, turns: whole as u32 + 1 }
+}
+
+fn rounded(v: f64) -> i64 {
+    libm::round(v) as i64
+}
+
+/// The rounded centre, or the neighbour on the grid that lies nearest to the exact one and fits.
+fn best_offset(request: &Request) -> Option<[i64; 2]> {
+    let Request { from, to, center, tolerance, .. } = *request;
+    let naive = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
+    if mismatch(from, to, naive) <= tolerance {
+        return Some(naive);
+    }
+    let mut best: Option<(f64, [i64; 2])> = None;
+    for dx in -1..=1 {
+        for dy in -1..=1 {
+            let offset = [naive[0] + dx, naive[1] + dy];
+            if mismatch(from, to, offset) > tolerance {
+                continue;
+            }
+            let off = Point2::new((from[0] + offset[0]) as f64, (from[1] + offset[1]) as f64) - center;
+            let distance = off.norm_squared();
+            if best.is_none_or(|(least, _)| distance < least) {
+                best = Some((distance, offset));
+            }
+        }
+    }
+    best.map(|(_, offset)| offset)
+}
+
+/// Difference of the distances of start and end from the centre; infinite where the centre is an end.
+fn mismatch(from: [i64; 2], to: [i64; 2], offset: [i64; 2]) -> f64 {
+    let second = [from[0] + offset[0] - to[0], from[1] + offset[1] - to[1]];
+    if offset == [0, 0] || second == [0, 0] {
+        return f64::INFINITY;
+    }
+    // Exact squares: (r1 - r2) = (r1² - r2²) / (r1 + r2) does not cancel.
+    let square = |v: [i64; 2]| i128::from(v[0]) * i128::from(v[0]) + i128::from(v[1]) * i128::from(v[1]);
+    let (a, b) = (square(offset), square(second));
+    (a - b).unsigned_abs() as f64 / ((a as f64).sqrt() + (b as f64).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn request(r: f64, start: f64, sweep: f64, cx: f64, cy: f64) -> Request {
+        let center = Point2::new(cx, cy);
+        let point = |a: f64| [rounded(cx + r * libm::cos(a)), rounded(cy + r * libm::sin(a))];
+        Request { from: point(start), to: point(start + sweep), center, sweep, tolerance: 1.5 }
+    }
+
+    #[test]
+    fn turns_are_counted_on_the_printed_numbers() {
+        let full = request(10_000.0, 0.3, TAU, 5.0, 7.0);
+        assert!(matches!(fit(&full), Printed::Arc { turns: 1, .. }));
+        let three = request(10_000.0, 0.3, 2.25 * TAU, 5.0, 7.0);
+        assert!(matches!(fit(&three), Printed::Arc { turns: 3, .. }));
+        // Nearly two turns, ending one unit behind the start: printed as two turns, not three.
+        let nearly = request(10_000.0, 0.3, 2.0 * TAU - 1e-4, 5.0, 7.0);
+        assert!(matches!(fit(&nearly), Printed::Arc { turns: 2, .. }));
+        let short = request(10_000.0, 0.3, 1e-9, 5.0, 7.0);
+        assert_eq!(fit(&short), Printed::Nothing);
+    }
+
+    proptest! {
+        #[test]
+        fn printed_arcs_close_and_turn_as_far_as_meant(
+            r in 30.0f64..1e6, start in 0.0f64..TAU, sweep in -20.0f64..20.0, cx in -1e6f64..1e6, cy in -1e6f64..1e6,
+        ) {
+            let wanted = request(r, start, sweep, cx, cy);
+            match fit(&wanted) {
+                Printed::Arc { offset, turns } => {
+                    prop_assert!(wanted.from == wanted.to || mismatch(wanted.from, wanted.to, offset) <= 1.5);
+                    let at = |p: [i64; 2]| Point2::new(p[0] as f64, p[1] as f64);
+                    let center = at([wanted.from[0] + offset[0], wanted.from[1] + offset[1]]);
+                    prop_assert!((center - wanted.center).amax() <= 1.5 + 1e-9);
+                    let part = geometry::sweep(at(wanted.from), at(wanted.to), center, sweep > 0.0).abs();
+                    let total = part + f64::from(turns - 1) * TAU;
+                    prop_assert!((total - sweep.abs()).abs() < 4.0 / r, "{total} {sweep}");
+                }
+                Printed::Nothing => prop_assert!(sweep.abs() * r < 2.0),
+                Printed::Lines => prop_assert!(r < 60.0 || sweep.abs() * r < 40.0, "r {r} sweep {sweep}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Source comments as comments of the output: plain ASCII, never nested, never active.
+
+use crate::text::decode::to_ascii;
+
+/// Words that make LinuxCNC act on a comment.
+const ACTIVE: &[&[u8]] = &[
+    b"msg", b"debug", b"print", b"log", b"logopen", b"logappend", b"logclose", b"probeopen", b"probeclose", b"abort", b"py",
+];
+
+/// The text of `comment` as it may stand between brackets.
+pub fn harmless(comment: &[u8]) -> Vec<u8> {
+    let mut text = Vec::with_capacity(comment.len() + 2);
+    to_ascii(comment, &mut text);
+    for b in &mut text {
+        *b = match *b {
+            b'(' => b'[',
+            b')' => b']',
+            b'%' => b'#',
+            // A bare control character was turned into a blank before.
+            b if !b.is_ascii_graphic() => b' ',
+            b => b,
+        };
+    }
+    let word = text.trim_ascii_start();
+    let len = word.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let first = word[..len].to_ascii_lowercase();
+    if ACTIVE.iter().any(|active| **active == *first) && !matches!(word.get(len), Some(b' ')) {
+        text.splice(0..0, *b": ");
+    }
+    text
+}
+
+/// Pieces of a text of at most `len` bytes, cut at blanks where there are any.
+pub fn pieces(text: &[u8], len: usize) -> Vec<&[u8]> {
+    let mut rest = text.trim_ascii();
+    let mut out = Vec::new();
+    while rest.len() > len {
+        let cut = rest[..=len].iter().rposition(|b| *b == b' ').filter(|cut| *cut > len / 2).unwrap_or(len);
+        out.push(rest[..cut].trim_ascii_end());
+        rest = rest[cut..].trim_ascii_start();
+    }
+    if !rest.is_empty() {
+        out.push(rest);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_active_comes_through() {
+        assert_eq!(harmless(b"MSG,tool (4) 50 %"), b": MSG,tool [4] 50 #");
+        assert_eq!(harmless(b" debug,#1"), b":  debug,#1");
+        assert_eq!(harmless(b"print this"), b"print this");
+        assert_eq!(harmless(b"PROBEOPEN a.txt"), b"PROBEOPEN a.txt");
+        assert_eq!(harmless("fräsen".as_bytes()), b"fraesen");
+    }
+
+    #[test]
+    fn long_texts_are_cut_at_blanks() {
+        assert_eq!(pieces(b"aaaa bbbb cccc", 9), [&b"aaaa bbbb"[..], b"cccc"]);
+        assert_eq!(pieces(b"aaaaaaaaaaaa", 5), [&b"aaaaa"[..], b"aaaaa", b"aa"]);
+        assert!(pieces(b"  ", 5).is_empty());
+    }
+}

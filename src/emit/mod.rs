@@ -1,0 +1,56 @@
+//! Text for a target: one printer core, one table of traits per target.
+//!
+//! In: motion items. Out: bytes, and optionally the source of every line. Decides nothing about geometry:
+//! it rounds, checks what it rounded, and prints.
+
+pub mod arc;
+pub mod comment;
+pub mod line;
+pub mod number;
+pub mod printer;
+pub mod targets;
+pub mod trace;
+
+use std::io;
+
+use crate::ir::Origin;
+
+pub use printer::Printer;
+pub use targets::Traits;
+
+/// Where the program text goes. The head holds a hash that is known only at the end, hence `patch`.
+pub trait Output {
+    /// Appends.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    fn append(&mut self, bytes: &[u8]) -> io::Result<()>;
+
+    /// Replaces bytes that were appended before.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()>;
+}
+
+impl Output for Vec<u8> {
+    fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()> {
+        let at = at as usize;
+        match self.get_mut(at..at + bytes.len()) {
+            Some(place) => place.copy_from_slice(bytes),
+            None => return Err(io::Error::other("patch outside the output")),
+        }
+        Ok(())
+    }
+}
+
+/// Learns where each printed line comes from.
+pub trait LineMap {
+    /// Line `number` (1-based) of the output was caused by `origin`.
+    fn line(&mut self, number: u64, origin: &Origin);
+}

@@ -1,0 +1,124 @@
+//! Numbers as text: fixed places, trailing zeros cut, no exponent, no minus zero.
+
+/// Values within this distance of a decimal tie count as the tie, in mm: what binary fractions lose of
+/// numbers like 0.00005.
+const TIE: f64 = 1e-9;
+
+/// Largest coordinate that is printed, in mm or degrees.
+const LARGEST: f64 = 1e9;
+
+/// A fixed number of decimal places.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Places(u8);
+
+impl Places {
+    /// 0 to 6 places.
+    pub fn new(places: u8) -> Places {
+        Places(places.min(6))
+    }
+
+    /// Units per millimetre.
+    #[inline]
+    pub fn scale(self) -> f64 {
+        const SCALES: [f64; 7] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
+        SCALES[self.0 as usize]
+    }
+
+    /// `value` in units of the last place, ties away from zero. `None` for what cannot be printed.
+    #[inline]
+    pub fn units(self, value: f64) -> Option<i64> {
+        if value.is_nan() || value.abs() > LARGEST {
+            return None;
+        }
+        let scale = self.scale();
+        let scaled = value * scale;
+        let half = 0.5 + TIE * scale;
+        Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
+    }
+
+    /// Appends `units` as a decimal number.
+    #[inline]
+    pub fn write(self, units: i64, out: &mut Vec<u8>) {
+        const POWERS: [u64; 7] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000];
+        let magnitude = units.unsigned_abs();
+        let power = POWERS[self.0 as usize];
+        let (whole, mut fraction) = (magnitude / power, magnitude % power);
+        if units < 0 {
+            out.push(b'-');
+        }
+        write_whole(whole, out);
+        if fraction == 0 {
+            return;
+        }
+        let mut places = usize::from(self.0);
+        while fraction.is_multiple_of(10) {
+            fraction /= 10;
+            places -= 1;
+        }
+        let mut digits = [0; 7];
+        digits[0] = b'.';
+        for slot in digits[1..=places].iter_mut().rev() {
+            *slot = b'0' + (fraction % 10) as u8;
+            fraction /= 10;
+        }
+        out.extend_from_slice(&digits[..=places]);
+    }
+}
+
+/// Appends a whole number.
+#[inline]
+pub fn write_whole(mut n: u64, out: &mut Vec<u8>) {
+    let mut digits = [0; 20];
+    let mut at = digits.len();
+    loop {
+        at -= 1;
+        digits[at] = b'0' + (n % 10) as u8;
+        n /= 10;
+        if n == 0 {
+            break;
+        }
+    }
+    out.extend_from_slice(&digits[at..]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn text(value: f64, places: u8) -> String {
+        let places = Places::new(places);
+        let mut out = Vec::new();
+        places.write(places.units(value).unwrap(), &mut out);
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn forms() {
+        assert_eq!(text(0.0, 4), "0");
+        assert_eq!(text(-0.00001, 4), "0");
+        assert_eq!(text(-0.5, 4), "-0.5");
+        assert_eq!(text(12.3400, 4), "12.34");
+        assert_eq!(text(100.0, 4), "100");
+        assert_eq!(text(0.0001, 4), "0.0001");
+        assert_eq!(text(21.650_635, 4), "21.6506");
+        // Ties, which binary fractions miss from either side, go away from zero.
+        assert_eq!(text(0.00005, 4), "0.0001");
+        assert_eq!(text(1.00015, 4), "1.0002");
+        assert_eq!(text(-2.00025, 4), "-2.0003");
+        assert_eq!(text(1.5, 0), "2");
+        assert_eq!(Places::new(4).units(f64::NAN), None);
+        assert_eq!(Places::new(4).units(f64::INFINITY), None);
+        assert_eq!(Places::new(4).units(1e10), None);
+    }
+
+    proptest! {
+        #[test]
+        fn printed_is_the_rounded_value(value in -1e6f64..1e6, places in 0u8..=6) {
+            let shown: f64 = text(value, places).parse().unwrap();
+            let unit = 1.0 / Places::new(places).scale();
+            prop_assert!((shown - value).abs() <= unit / 2.0 + 1.1e-9 + value.abs() * 1e-15);
+            prop_assert_eq!(text(shown, places), text(value, places));
+        }
+    }
+}

@@ -1,0 +1,543 @@
+//! The printer core: modal words, one concern a line, arcs on the printed numbers.
+
+use std::io;
+
+use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::geo::{Plane, Point2, turned};
+use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::motion::{Arc, Item, Kind, Move, Path, Sink};
+use crate::ir::{Feed, Function, Origin, Side};
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisSet, OutputSettings};
+
+use super::arc::{self, Printed};
+use super::line::Line;
+use super::number::Places;
+use super::targets::Traits;
+use super::{LineMap, Output, comment};
+
+/// Bytes collected before they are written.
+const CHUNK: usize = 1 << 20;
+/// Digits of the hash in the head.
+const HASH_DIGITS: usize = 16;
+/// Most lines that replace an arc.
+const MOST_CHORDS: f64 = 10_000.0;
+
+/// Prints motion items for one target.
+pub struct Printer<'a> {
+    traits: &'static Traits,
+    settings: &'a OutputSettings,
+    places: Places,
+    diags: &'a Diags,
+    out: &'a mut dyn Output,
+    map: Option<&'a mut dyn LineMap>,
+    buffer: Vec<u8>,
+    /// Bytes written before `buffer`.
+    written: u64,
+    lines: u64,
+    most_lines: u64,
+    hash_at: u64,
+    line: Line,
+    /// Printed position in units, by axis.
+    at: [i64; AXES],
+    known: AxisSet,
+    /// Axes that are printed again even if they do not change.
+    stale: AxisSet,
+    feed: Option<(bool, i64)>,
+    per_revolution: bool,
+    plane: Plane,
+    side: Side,
+    cutter: CutterData,
+    error: Option<io::Error>,
+    ended: bool,
+}
+
+impl std::fmt::Debug for Printer<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Printer").field("lines", &self.lines).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Printer<'a> {
+    /// A printer that has printed the head. `source` is the name of the main program.
+    pub fn new(
+        traits: &'static Traits,
+        settings: &'a OutputSettings,
+        most_lines: u64,
+        source: &str,
+        diags: &'a Diags,
+        out: &'a mut dyn Output,
+        map: Option<&'a mut dyn LineMap>,
+    ) -> Printer<'a> {
+        let mut printer = Printer {
+            traits,
+            settings,
+            places: Places::new(settings.decimals),
+            diags,
+            out,
+            map,
+            buffer: Vec::with_capacity(CHUNK + 4096),
+            written: 0,
+            lines: 0,
+            most_lines,
+            hash_at: 0,
+            line: Line::default(),
+            at: [0; AXES],
+            known: AxisSet::EMPTY,
+            stale: AxisSet::EMPTY,
+            feed: None,
+            per_revolution: false,
+            plane: Plane::Xy,
+            side: Side::None,
+            cutter: CutterData::default(),
+            error: None,
+            ended: false,
+        };
+        printer.head(source);
+        printer
+    }
+
+    fn head(&mut self, source: &str) {
+        let (open, close) = self.traits.comment;
+        self.plain(self.traits.frame.as_bytes());
+        let title = format!("{open}partc {}, target {}{close}", env!("CARGO_PKG_VERSION"), self.traits.name);
+        self.plain(title.as_bytes());
+        let source = source.rsplit(['/', '\\']).next().unwrap_or(source);
+        let mut name = comment::harmless(source.as_bytes());
+        name.truncate(40);
+        let mut text = format!("{open}source {}, hash ", String::from_utf8_lossy(&name)).into_bytes();
+        self.hash_at = self.buffer.len() as u64 + text.len() as u64;
+        text.extend_from_slice(&[b'0'; HASH_DIGITS]);
+        text.extend_from_slice(close.as_bytes());
+        self.plain(&text);
+        for line in self.traits.head {
+            self.plain(line.as_bytes());
+        }
+    }
+
+    /// Ends the text: closing frame, hash of the source in the head.
+    ///
+    /// # Errors
+    /// The first error of the output.
+    pub fn finish(mut self, hash: u64) -> io::Result<()> {
+        if !self.ended {
+            self.plain(b"M2");
+        }
+        self.plain(self.traits.frame.as_bytes());
+        self.write_out();
+        if let Some(error) = self.error {
+            return Err(error);
+        }
+        self.out.patch(self.hash_at, format!("{hash:016x}").as_bytes())
+    }
+
+    fn write_out(&mut self) {
+        if self.error.is_none()
+            && let Err(error) = self.out.append(&self.buffer)
+        {
+            self.error = Some(error);
+        }
+        self.written += self.buffer.len() as u64;
+        self.buffer.clear();
+    }
+
+    /// A line without a source.
+    fn plain(&mut self, text: &[u8]) {
+        self.buffer.extend_from_slice(text);
+        self.buffer.push(b'\n');
+        self.lines += 1;
+    }
+
+    /// Ends the line under construction.
+    #[inline]
+    fn end_line(&mut self, origin: &Origin) {
+        if self.line.len() > self.traits.line_length {
+            self.split_feed(origin);
+        }
+        self.buffer.extend_from_slice(self.line.bytes());
+        self.buffer.push(b'\n');
+        self.line.clear();
+        self.lines += 1;
+        if let Some(map) = &mut self.map {
+            map.line(self.lines, origin);
+        }
+        if self.buffer.len() >= CHUNK {
+            self.write_out();
+        }
+        if self.lines == self.most_lines {
+            self.too_many(origin);
+        }
+    }
+
+    #[cold]
+    fn too_many(&mut self, origin: &Origin) {
+        let message = format!("the output has more than {} lines", self.most_lines);
+        self.report(codes::P4002, origin, &message);
+    }
+
+    /// A line that is too long gives its feed word to a line in front of it.
+    #[cold]
+    fn split_feed(&mut self, origin: &Origin) {
+        let text = self.line.bytes().to_vec();
+        if let Some(at) = text.windows(2).rposition(|pair| pair == b" F") {
+            self.buffer.extend_from_slice(&text[at + 1..]);
+            self.buffer.push(b'\n');
+            self.lines += 1;
+            if let Some(map) = &mut self.map {
+                map.line(self.lines, origin);
+            }
+            self.line.clear();
+            self.line.raw(&text[..at]);
+        }
+    }
+
+    fn words(&mut self, words: &[u8], origin: &Origin) {
+        self.line.word(words);
+        self.end_line(origin);
+    }
+
+    #[cold]
+    fn report(&self, code: &'static Code, origin: &Origin, message: &str) {
+        self.diags.push(Diagnostic::new(code, origin.loc, message).called(origin.call));
+    }
+
+    // Moves.
+
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        if mv.side != self.side {
+            self.switch_side(mv, origin);
+        }
+        match &mv.path {
+            Path::Rapid => self.straight(b"G0", mv, origin),
+            Path::Line => self.straight(b"G1", mv, origin),
+            Path::Arc(arc) => self.arc(arc, mv, origin),
+        }
+    }
+
+    fn switch_side(&mut self, mv: &Move, origin: &Origin) {
+        self.select_plane(mv.plane, origin);
+        let word: &[u8] = match (mv.side, self.cutter.radius) {
+            (Side::None, _) => b"G40",
+            (Side::Left, None) => b"G41",
+            (Side::Left, Some(_)) => b"G41.1",
+            (Side::Right, None) => b"G42",
+            (Side::Right, Some(_)) => b"G42.1",
+        };
+        self.line.word(word);
+        match (mv.side, self.cutter.radius) {
+            (Side::None, _) => {}
+            (_, None) => {
+                self.line.whole(b'D', u64::from(self.cutter.number));
+            }
+            (_, Some(radius)) => {
+                let units = self.places.units(2.0 * radius).unwrap_or(0);
+                self.line.number(b'D', units, self.places);
+            }
+        }
+        self.end_line(origin);
+        self.side = mv.side;
+    }
+
+    fn select_plane(&mut self, plane: Plane, origin: &Origin) {
+        if plane != self.plane {
+            self.plane = plane;
+            self.words(plane_word(plane), origin);
+        }
+    }
+
+    /// The axes of a straight move that change, or nothing.
+    fn straight(&mut self, word: &[u8], mv: &Move, origin: &Origin) {
+        let mut ends = [0; AXES];
+        let mut changed = AxisSet::EMPTY;
+        for axis in mv.axes.iter() {
+            let Some(value) = mv.end.get(axis) else { continue };
+            let Some(units) = self.places.units(value) else { return self.unprintable(origin) };
+            ends[axis.index()] = units;
+            let same = self.known.contains(axis) && self.at[axis.index()] == units && !self.stale.contains(axis);
+            if !same || mv.machine {
+                changed.insert(axis);
+            }
+        }
+        if changed.is_empty() {
+            return;
+        }
+        let feed = match self.feed_word(mv.feed, origin) {
+            Ok(feed) => feed,
+            Err(()) => return,
+        };
+        if mv.machine {
+            self.line.word(b"G53");
+        }
+        self.line.word(word);
+        for axis in changed.iter() {
+            self.line.number(axis.letter() as u8, ends[axis.index()], self.places);
+        }
+        if let Some(units) = feed {
+            self.line.number(b'F', units, self.places);
+        }
+        self.end_line(origin);
+        if mv.machine {
+            self.known = self.known.without(changed);
+            return;
+        }
+        for axis in changed.iter() {
+            self.at[axis.index()] = ends[axis.index()];
+        }
+        self.known = self.known.union(changed);
+        self.stale = self.stale.without(changed);
+    }
+
+    #[cold]
+    fn unprintable(&mut self, origin: &Origin) {
+        self.line.clear();
+        self.report(codes::O1002, origin, "a coordinate of this block is too large to print");
+    }
+
+    /// The F word where it changes; a change of its kind gets a line of its own.
+    #[inline]
+    fn feed_word(&mut self, feed: Option<Feed>, origin: &Origin) -> Result<Option<i64>, ()> {
+        let Some(feed) = feed else { return Ok(None) };
+        let units = self.places.units(feed.value()).filter(|units| *units > 0);
+        let Some(units) = units else {
+            self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
+            return Err(());
+        };
+        let per_revolution = matches!(feed, Feed::PerRevolution(_));
+        if per_revolution != self.per_revolution {
+            self.per_revolution = per_revolution;
+            self.words(if per_revolution { b"G95" } else { b"G94" }, origin);
+        }
+        let new = (per_revolution, units);
+        Ok(if self.feed.replace(new) == Some(new) { None } else { Some(units) })
+    }
+
+    fn arc(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
+        let (first, second, third) = arc.plane.axes();
+        let scale = self.places.scale();
+        let (x, y) = (Axis::ALL[first], Axis::ALL[second]);
+        let (Some(to), true) = (mv.end.in_plane(arc.plane), self.known.contains(x) && self.known.contains(y)) else {
+            // Only a refused block leaves an arc without a start, and that was reported.
+            if !self.diags.has_errors() {
+                self.report(codes::O1002, origin, "the start of this arc was not printed");
+            }
+            return;
+        };
+        let (Some(to_x), Some(to_y)) = (self.places.units(to.x), self.places.units(to.y)) else {
+            return self.unprintable(origin);
+        };
+        let (Some(_), Some(_)) = (self.places.units(arc.center.x), self.places.units(arc.center.y)) else {
+            return self.unprintable(origin);
+        };
+        let request = arc::Request {
+            from: [self.at[first], self.at[second]],
+            to: [to_x, to_y],
+            center: Point2::new(arc.center.x * scale, arc.center.y * scale),
+            sweep: arc.sweep,
+            tolerance: self.traits.arc_tolerance,
+        };
+        let (offset, turns) = match arc::fit(&request) {
+            Printed::Arc { offset, turns } => (offset, turns),
+            Printed::Nothing => {
+                self.report(codes::O4002, origin, "the arc is shorter than the last printed digit and is left out");
+                let straight = Move { path: Path::Line, ..*mv };
+                return self.straight(b"G1", &straight, origin);
+            }
+            Printed::Lines => return self.chords(arc, mv, origin),
+        };
+        self.select_plane(arc.plane, origin);
+        let Ok(feed) = self.feed_word(mv.feed, origin) else { return };
+        let mut ends = self.at;
+        let mut printed = AxisSet::of(x).union(AxisSet::of(y));
+        for axis in mv.axes.without(printed).iter() {
+            let Some(units) = mv.end.get(axis).and_then(|value| self.places.units(value)) else {
+                return self.unprintable(origin);
+            };
+            if !self.known.contains(axis) || self.at[axis.index()] != units || self.stale.contains(axis) {
+                ends[axis.index()] = units;
+                printed.insert(axis);
+            }
+        }
+        (ends[first], ends[second]) = (to_x, to_y);
+        let start = self.at;
+        let blocks = if self.traits.turns_in_one_block { 1 } else { turns };
+        for block in 1..=blocks {
+            let last = block == blocks;
+            self.line.word(if arc.sweep > 0.0 { b"G3" } else { b"G2" });
+            for axis in printed.iter() {
+                let i = axis.index();
+                // Whole turns in front end where they start; the other axes go along in proportion.
+                let units = if last {
+                    ends[i]
+                } else if i == first || i == second {
+                    start[i]
+                } else {
+                    let share = f64::from(block) * core::f64::consts::TAU / arc.sweep.abs();
+                    start[i] + libm::round((ends[i] - start[i]) as f64 * share) as i64
+                };
+                self.line.number(axis.letter() as u8, units, self.places);
+            }
+            let mut offsets = [(first, offset[0]), (second, offset[1])];
+            offsets.sort_by_key(|(axis, _)| *axis);
+            for (axis, units) in offsets {
+                self.line.number(b"IJK"[axis], units, self.places);
+            }
+            if self.traits.turns_in_one_block && turns > 1 {
+                self.line.whole(b'P', u64::from(turns));
+            }
+            if let (1, Some(units)) = (block, feed) {
+                self.line.number(b'F', units, self.places);
+            }
+            self.end_line(origin);
+        }
+        self.at = ends;
+        self.known = self.known.union(printed);
+        self.stale = self.stale.without(printed);
+        let _ = third;
+    }
+
+    /// Straight lines instead of an arc that does not fit the printed grid.
+    #[cold]
+    fn chords(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
+        self.report(codes::O4001, origin, "the arc is too small for its printed numbers and is printed as lines");
+        let radius = crate::geo::distance(arc.from, arc.center);
+        let unit = 1.0 / self.places.scale();
+        // A chord leaves the arc by r·(1 - cos(a/2)).
+        let step = 2.0 * libm::acos((1.0 - unit / (2.0 * radius)).max(0.0));
+        let count = libm::ceil(arc.sweep.abs() / step.max(1e-6)).clamp(1.0, MOST_CHORDS);
+        let (x, y, _) = arc.plane.axes();
+        let (x, y) = (Axis::ALL[x], Axis::ALL[y]);
+        let start: Vec<(Axis, i64)> = mv.axes.iter().map(|axis| (axis, self.at[axis.index()])).collect();
+        for i in 1..=count as u32 {
+            let t = f64::from(i) / count;
+            let mut point = *mv;
+            point.path = Path::Line;
+            if t < 1.0 {
+                let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
+                for &(axis, from) in &start {
+                    let from = from as f64 * unit;
+                    let end = mv.end.get(axis).unwrap_or(from);
+                    let value = match axis {
+                        _ if axis == x => p.x,
+                        _ if axis == y => p.y,
+                        _ => from + (end - from) * t,
+                    };
+                    point.end.set(axis, value);
+                }
+            }
+            self.straight(b"G1", &point, origin);
+        }
+    }
+
+    // Functions.
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        match function {
+            Function::ToolChange { number } => {
+                self.line.whole(b'T', u64::from(*number)).word(b"M6");
+                self.end_line(origin);
+                // The change may have moved any axis.
+                self.stale = AxisSet::MAIN;
+                if self.settings.tool_length && *number != 0 {
+                    self.line.word(b"G43").whole(b'H', u64::from(*number));
+                    self.end_line(origin);
+                }
+            }
+            Function::ToolPrepare { number } => {
+                self.line.whole(b'T', u64::from(*number));
+                self.end_line(origin);
+            }
+            Function::Cutter(cutter) => self.cutter = *cutter,
+            Function::Spindle(spindle) => self.spindle(*spindle, origin),
+            Function::Coolant(coolant) => {
+                let word = match coolant {
+                    Coolant::Mist => b"M7",
+                    Coolant::Flood => b"M8",
+                    Coolant::Off => b"M9",
+                };
+                self.words(word, origin);
+            }
+            Function::Dwell(seconds) => {
+                let units = self.places.units(*seconds).unwrap_or(0);
+                self.line.word(b"G4").number(b'P', units, self.places);
+                self.end_line(origin);
+            }
+            Function::Stop => {
+                self.words(b"M0", origin);
+                self.stale = AxisSet::MAIN;
+            }
+            Function::OptionalStop => {
+                self.words(b"M1", origin);
+                self.stale = AxisSet::MAIN;
+            }
+            Function::Aux(number) => {
+                self.line.whole(b'M', u64::from(*number));
+                self.end_line(origin);
+            }
+            Function::WorkOffset(number) => {
+                const WORDS: [&[u8]; 9] =
+                    [b"G54", b"G55", b"G56", b"G57", b"G58", b"G59", b"G59.1", b"G59.2", b"G59.3"];
+                self.words(WORDS[usize::from(*number).clamp(1, 9) - 1], origin);
+                self.known = AxisSet::EMPTY;
+            }
+            Function::Plane(plane) => self.select_plane(*plane, origin),
+            Function::Comment(text) => self.comment(text, origin),
+            Function::End { rewind } => {
+                if self.side != Side::None {
+                    self.side = Side::None;
+                    self.words(b"G40", origin);
+                }
+                self.words(if *rewind { b"M30" } else { b"M2" }, origin);
+                self.ended = true;
+            }
+        }
+    }
+
+    fn spindle(&mut self, spindle: Spindle, origin: &Origin) {
+        match spindle {
+            Spindle::Start(Turn::Clockwise) => self.words(b"M3", origin),
+            Spindle::Start(Turn::CounterClockwise) => self.words(b"M4", origin),
+            Spindle::Stop => self.words(b"M5", origin),
+            Spindle::Speed(speed) => {
+                let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
+                self.line.number(b'S', units, self.places);
+                self.end_line(origin);
+            }
+            Spindle::Orient(angle) => {
+                let units = self.places.units(angle).unwrap_or(0);
+                self.line.word(b"M19").number(b'R', units, self.places);
+                self.end_line(origin);
+            }
+        }
+    }
+
+    fn comment(&mut self, text: &[u8], origin: &Origin) {
+        let (open, close) = self.traits.comment;
+        let text = comment::harmless(text);
+        let room = self.traits.line_length - open.len() - close.len();
+        for piece in comment::pieces(&text, room) {
+            self.line.raw(open.as_bytes()).raw(piece).raw(close.as_bytes());
+            self.end_line(origin);
+        }
+    }
+}
+
+impl Sink for Printer<'_> {
+    fn item(&mut self, item: Item) {
+        if self.lines >= self.most_lines {
+            return;
+        }
+        match &item.kind {
+            Kind::Move(mv) => self.movement(mv, &item.origin),
+            Kind::Function(function) => self.function(function, &item.origin),
+            Kind::Lost => self.known = AxisSet::EMPTY,
+        }
+    }
+}
+
+fn plane_word(plane: Plane) -> &'static [u8] {
+    match plane {
+        Plane::Xy => b"G17",
+        Plane::Zx => b"G18",
+        Plane::Yz => b"G19",
+    }
+}

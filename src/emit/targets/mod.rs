@@ -1,0 +1,32 @@
+//! The targets: what they call things and what they cannot say. A target is a table.
+
+mod linuxcnc;
+
+/// What a target looks like.
+#[derive(Debug)]
+pub struct Traits {
+    /// Name in `--target` and in the head of the output.
+    pub name: &'static str,
+    /// Extension of output files.
+    pub extension: &'static str,
+    /// First and last line of a program.
+    pub frame: &'static str,
+    /// Lines that state the modes at the start.
+    pub head: &'static [&'static str],
+    /// What stands around a comment.
+    pub comment: (&'static str, &'static str),
+    /// Longest line, end of line not counted.
+    pub line_length: usize,
+    /// Largest difference of the radii at start and end of a printed arc, in units of the last place.
+    pub arc_tolerance: f64,
+    /// Several turns in one block by a `P` word; otherwise one block a turn.
+    pub turns_in_one_block: bool,
+}
+
+/// All targets.
+pub const ALL: &[&Traits] = &[&linuxcnc::TRAITS];
+
+/// The target of this name.
+pub fn find(name: &str) -> Option<&'static Traits> {
+    ALL.iter().copied().find(|traits| traits.name == name)
+}

@@ -1,0 +1,126 @@
+//! The resolved moves as JSON Lines, one move a line.
+
+use std::io::Write;
+
+use serde_json::{Map, Value, json};
+
+use crate::diag::Trail;
+use crate::geo::{Plane, Point2};
+use crate::ir::motion::{Item, Kind, Move, Path, Sink};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::machine::axis::Axis;
+use crate::text::Sources;
+
+/// Writes moves to `out`.
+pub struct Trace<'a> {
+    sources: &'a Sources,
+    trail: &'a Trail,
+    out: &'a mut dyn Write,
+    at: Pos,
+    tool: Option<u32>,
+    error: Option<std::io::Error>,
+}
+
+impl std::fmt::Debug for Trace<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Trace").finish_non_exhaustive()
+    }
+}
+
+impl<'a> Trace<'a> {
+    pub fn new(sources: &'a Sources, trail: &'a Trail, out: &'a mut dyn Write) -> Trace<'a> {
+        Trace { sources, trail, out, at: Pos::UNKNOWN, tool: None, error: None }
+    }
+
+    /// # Errors
+    /// The first error of the output.
+    pub fn finish(self) -> std::io::Result<()> {
+        match self.error {
+            Some(error) => Err(error),
+            None => self.out.flush(),
+        }
+    }
+
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        let mut line = Map::new();
+        let kind = match &mv.path {
+            Path::Rapid => "rapid",
+            Path::Line => "line",
+            Path::Arc(_) => "arc",
+        };
+        line.insert("kind".to_owned(), json!(kind));
+        line.insert("start".to_owned(), position(&self.at));
+        self.at.update(&mv.end);
+        line.insert("end".to_owned(), position(if mv.machine { &mv.end } else { &self.at }));
+        if let Path::Arc(arc) = &mv.path {
+            line.insert("center".to_owned(), center(arc.plane, arc.center));
+            line.insert("plane".to_owned(), json!(plane_name(arc.plane)));
+            line.insert("sweep_deg".to_owned(), json!(arc.sweep.to_degrees()));
+        }
+        match mv.feed {
+            Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(f)),
+            Some(Feed::PerRevolution(f)) => line.insert("feed_per_rev".to_owned(), json!(f)),
+            None => None,
+        };
+        if mv.side != Side::None {
+            line.insert("compensation".to_owned(), json!(if mv.side == Side::Left { "left" } else { "right" }));
+        }
+        if mv.machine {
+            line.insert("machine".to_owned(), json!(true));
+            for axis in mv.axes.iter() {
+                self.at.forget(axis);
+            }
+        }
+        line.insert("tool".to_owned(), json!(self.tool));
+        line.insert("file".to_owned(), json!(self.sources.name(origin.loc.file)));
+        line.insert("line".to_owned(), json!(origin.loc.line));
+        let stack: Vec<Value> = self
+            .trail
+            .sites(origin.call)
+            .iter()
+            .map(|site| json!({ "file": self.sources.name(site.file), "line": site.line }))
+            .collect();
+        line.insert("stack".to_owned(), Value::Array(stack));
+        self.write(&Value::Object(line));
+    }
+
+    fn write(&mut self, line: &Value) {
+        if self.error.is_none()
+            && let Err(error) = writeln!(self.out, "{line}")
+        {
+            self.error = Some(error);
+        }
+    }
+}
+
+fn position(pos: &Pos) -> Value {
+    let coordinates = pos.iter().map(|(axis, value)| (axis.letter().to_string(), json!(value)));
+    Value::Object(coordinates.collect())
+}
+
+fn center(plane: Plane, p: Point2) -> Value {
+    let (first, second, _) = plane.axes();
+    let mut pos = Pos::UNKNOWN;
+    pos.set(Axis::ALL[first], p.x);
+    pos.set(Axis::ALL[second], p.y);
+    position(&pos)
+}
+
+fn plane_name(plane: Plane) -> &'static str {
+    match plane {
+        Plane::Xy => "XY",
+        Plane::Zx => "ZX",
+        Plane::Yz => "YZ",
+    }
+}
+
+impl Sink for Trace<'_> {
+    fn item(&mut self, item: Item) {
+        match &item.kind {
+            Kind::Move(mv) => self.movement(mv, &item.origin),
+            Kind::Function(Function::ToolChange { number }) => self.tool = Some(*number),
+            Kind::Function(Function::WorkOffset(_)) | Kind::Lost => self.at = Pos::UNKNOWN,
+            Kind::Function(_) => {}
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Arcs from the data that part programs give.
+
+use core::f64::consts::TAU;
+
+use super::{Point2, Vec2, cross, distance, left, length};
+
+/// Signed sweep in rad of the arc `from` → `to` about `center`: in `(0, 2π]` counter-clockwise, in
+/// `[-2π, 0)` clockwise. Equal directions give a whole turn.
+pub fn sweep(from: Point2, to: Point2, center: Point2, ccw: bool) -> f64 {
+    let (a, b) = (from - center, to - center);
+    let angle = libm::atan2(cross(a, b), a.dot(&b));
+    match (ccw, angle > 0.0) {
+        (true, true) => angle,
+        (true, false) => angle + TAU,
+        (false, true) => angle - TAU,
+        (false, false) if angle == 0.0 => -TAU,
+        (false, false) => angle,
+    }
+}
+
+/// Centre of the arc of `radius` from `from` to `to`: under half a turn for a positive radius, over half
+/// a turn for a negative one.
+///
+/// `None` if the points coincide within `same`, or lie further apart than twice the radius by more than
+/// `tol`. A half circle that misses its end by rounding (within `tol`) gets the middle as its centre.
+pub fn center_by_radius(from: Point2, to: Point2, radius: f64, ccw: bool, same: f64, tol: f64) -> Option<Point2> {
+    let chord = to - from;
+    let d = length(chord);
+    if d <= same || d > 2.0 * radius.abs() + tol {
+        return None;
+    }
+    let half = d / 2.0;
+    let height = (radius.abs() * radius.abs() - half * half).max(0.0).sqrt();
+    let side = if ccw == (radius > 0.0) { height } else { -height };
+    Some(from + chord / 2.0 + left(chord) * (side / d))
+}
+
+/// The arc that leaves `from` in direction `tangent` (a unit vector) and ends in `to`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TangentArc {
+    Arc {
+        center: Point2,
+        ccw: bool,
+    },
+    /// The end lies straight ahead.
+    Line,
+    /// The end lies straight behind; no arc gets there.
+    Behind,
+    /// Start and end coincide.
+    Nothing,
+}
+
+/// Finds the tangential arc; `tol` is the sideways distance in mm under which the end counts as straight ahead.
+pub fn tangent_arc(from: Point2, tangent: Vec2, to: Point2, same: f64, tol: f64) -> TangentArc {
+    let v = to - from;
+    let d = length(v);
+    if d <= same {
+        return TangentArc::Nothing;
+    }
+    let aside = cross(tangent, v);
+    if aside.abs() <= tol {
+        return if tangent.dot(&v) > 0.0 { TangentArc::Line } else { TangentArc::Behind };
+    }
+    // |to - C| = |from - C| with C = from + k·left(tangent) gives k = |v|² / (2·v·left(tangent)).
+    let k = d * d / (2.0 * aside);
+    TangentArc::Arc { center: from + left(tangent) * k, ccw: k > 0.0 }
+}
+
+/// Moves `center` onto the perpendicular bisector of `from` and `to`, so that both have the same distance.
+/// The points must not coincide.
+pub fn centered_between(from: Point2, to: Point2, center: Point2) -> Point2 {
+    let chord = to - from;
+    let middle = from + chord / 2.0;
+    let along = (center - middle).dot(&chord) / chord.dot(&chord);
+    center - chord * along
+}
+
+/// Direction of travel at `at` on an arc about `center`.
+pub fn tangent_at(at: Point2, center: Point2, ccw: bool) -> Option<Vec2> {
+    let radius = at - center;
+    let r = length(radius);
+    (r > 0.0).then(|| if ccw { left(radius) / r } else { -left(radius) / r })
+}
+
+/// Difference of the distances of two points from a centre.
+pub fn radius_difference(from: Point2, to: Point2, center: Point2) -> f64 {
+    distance(to, center) - distance(from, center)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn radius_arcs_of_the_manual() {
+        // (40,40) to (70,40), R 20: the four arcs of the manual's figure.
+        let (a, b) = (Point2::new(40.0, 40.0), Point2::new(70.0, 40.0));
+        let y = |r, ccw| center_by_radius(a, b, r, ccw, 1e-6, 0.0).unwrap().y;
+        assert!(y(20.0, false) < 40.0 && y(20.0, true) > 40.0);
+        assert!(y(-20.0, false) > 40.0 && y(-20.0, true) < 40.0);
+        assert!(center_by_radius(a, b, 14.9, true, 1e-6, 0.01).is_none());
+    }
+
+    proptest! {
+        #[test]
+        fn a_tangent_arc_is_tangent_and_ends_at_its_end(angle in 0.0f64..360.0, x in -100.0f64..100.0, y in -100.0f64..100.0) {
+            let from = Point2::new(3.0, -4.0);
+            let t = super::super::Deg(angle).unit();
+            let to = Point2::new(x, y);
+            if let TangentArc::Arc { center, ccw } = tangent_arc(from, t, to, 1e-6, 1e-6) {
+                let r = distance(from, center);
+                prop_assert!((distance(to, center) - r).abs() <= 1e-9 * (1.0 + r));
+                prop_assert!((tangent_at(from, center, ccw).unwrap() - t).norm() < 1e-9);
+            }
+        }
+
+        #[test]
+        fn a_centre_between_has_equal_distances(cx in -50.0f64..50.0, cy in -50.0f64..50.0, x in 1.0f64..9.0) {
+            let (a, b) = (Point2::new(0.0, 0.0), Point2::new(x, 2.0));
+            let c = centered_between(a, b, Point2::new(cx, cy));
+            prop_assert!(radius_difference(a, b, c).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Rounding and chamfering the corner between two contour elements.
+
+use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, distance, intersect, left};
+
+/// What replaces a corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cut {
+    /// Where the element before ends now.
+    pub leave: Point2,
+    /// Where the element after starts now.
+    pub join: Point2,
+    /// Centre and sense of the arc between; `None` for a chamfer.
+    pub arc: Option<(Point2, bool)>,
+}
+
+/// Why there is no cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoCut {
+    /// The elements continue in the same direction.
+    Straight,
+    /// The second element goes back the way of the first.
+    Reversal,
+    /// The cut would be longer than an element.
+    TooLarge,
+    /// A chamfer beside an arc.
+    Arc,
+    /// An element has no length.
+    Degenerate,
+}
+
+/// Rounds the corner with `radius`. `tol` is how much an element may fall short, in mm.
+///
+/// # Errors
+/// See [`NoCut`].
+pub fn rounding(before: &Element, after: &Element, radius: f64, tol: f64) -> Result<Cut, NoCut> {
+    let (u, w) = directions(before, after)?;
+    let side = if cross(u, w) > 0.0 { 1.0 } else { -1.0 };
+    let corner = before.to();
+    if let (Element::Line { .. }, Element::Line { .. }) = (before, after) {
+        // tan(φ/2) = sin φ / (1 + cos φ): no trigonometry, so right angles stay exact.
+        let back = radius * cross(u, w).abs() / (1.0 + u.dot(&w));
+        fits(back, before, after, tol)?;
+        let leave = corner - u * back;
+        return Ok(Cut { leave, join: corner + w * back, arc: Some((leave + left(u) * (side * radius), side > 0.0)) });
+    }
+    let mut best: Option<(f64, Cut)> = None;
+    for center in centers(before, after, u, w, side * radius, tol) {
+        let (Some(leave), Some(join)) = (foot(before, center), foot(after, center)) else { continue };
+        let lost = before.length() - before.way_to(leave);
+        let used = after.way_to(join);
+        let inside = lost >= -tol && used >= -tol && before.way_to(leave) >= -tol && used <= after.length() + tol;
+        let lost_all = lost + used;
+        if inside && best.is_none_or(|(least, _)| lost_all < least) {
+            best = Some((lost_all, Cut { leave, join, arc: Some((center, side > 0.0)) }));
+        }
+    }
+    best.map(|(_, cut)| cut).ok_or(NoCut::TooLarge)
+}
+
+/// Chamfers the corner between two lines by `side` along each of them.
+///
+/// # Errors
+/// See [`NoCut`].
+pub fn chamfer(before: &Element, after: &Element, side: f64, tol: f64) -> Result<Cut, NoCut> {
+    let (Element::Line { .. }, Element::Line { .. }) = (before, after) else { return Err(NoCut::Arc) };
+    let (u, w) = directions(before, after)?;
+    fits(side, before, after, tol)?;
+    Ok(Cut { leave: before.to() - u * side, join: after.from() + w * side, arc: None })
+}
+
+fn directions(before: &Element, after: &Element) -> Result<(Vec2, Vec2), NoCut> {
+    let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else {
+        return Err(NoCut::Degenerate);
+    };
+    if cross(u, w).abs() <= SAME_DIRECTION {
+        return Err(if u.dot(&w) > 0.0 { NoCut::Straight } else { NoCut::Reversal });
+    }
+    Ok((u, w))
+}
+
+fn fits(back: f64, before: &Element, after: &Element, tol: f64) -> Result<(), NoCut> {
+    if back > before.length() + tol || back > after.length() + tol { Err(NoCut::TooLarge) } else { Ok(()) }
+}
+
+/// Points at the distance `|shift|` from both elements, on the left for a positive shift.
+fn centers(before: &Element, after: &Element, u: Vec2, w: Vec2, shift: f64, tol: f64) -> Vec<Point2> {
+    let found = match (shifted(before, u, shift), shifted(after, w, shift)) {
+        (Some(Curve::Line(p, u)), Some(Curve::Line(q, w))) => {
+            intersect::lines(p, u, q, w, SAME_DIRECTION).map(|(s, _)| [p + u * s; 2])
+        }
+        (Some(Curve::Line(p, u)), Some(Curve::Circle(c, r))) | (Some(Curve::Circle(c, r)), Some(Curve::Line(p, u))) => {
+            intersect::line_circle(p, u, c, r, tol)
+        }
+        (Some(Curve::Circle(a, ra)), Some(Curve::Circle(b, rb))) => intersect::circles(a, ra, b, rb, tol),
+        _ => None,
+    };
+    found.map(|pair| pair.to_vec()).unwrap_or_default()
+}
+
+enum Curve {
+    Line(Point2, Vec2),
+    Circle(Point2, f64),
+}
+
+/// The curve beside an element. `None` where an arc has no room for it.
+fn shifted(element: &Element, dir: Vec2, shift: f64) -> Option<Curve> {
+    match *element {
+        Element::Line { to, .. } => Some(Curve::Line(to + left(dir) * shift, dir)),
+        Element::Arc { from, center, sweep, .. } => {
+            let radius = distance(from, center) - if sweep > 0.0 { shift } else { -shift };
+            (radius > 0.0).then_some(Curve::Circle(center, radius))
+        }
+    }
+}
+
+/// The point of an element's curve nearest to `p`.
+fn foot(element: &Element, p: Point2) -> Option<Point2> {
+    match *element {
+        Element::Line { from, to } => super::direction(to - from, 0.0).map(|u| from + u * (p - from).dot(&u)),
+        Element::Arc { from, center, .. } => {
+            super::direction(p - center, 0.0).map(|d| center + d * distance(from, center))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geo::arc;
+    use proptest::prelude::*;
+
+    fn line(a: (f64, f64), b: (f64, f64)) -> Element {
+        Element::Line { from: Point2::new(a.0, a.1), to: Point2::new(b.0, b.1) }
+    }
+
+    fn tangent(cut: &Cut, before: &Element, after: &Element, radius: f64) -> bool {
+        let (center, ccw) = cut.arc.unwrap();
+        let a = before.ending_at(cut.leave).end_direction();
+        let b = after.starting_at(cut.join).start_direction();
+        let near = |d: Option<Vec2>, at| {
+            d.is_none_or(|d| arc::tangent_at(at, center, ccw).is_some_and(|t| (t - d).norm() < 1e-6))
+        };
+        (distance(cut.leave, center) - radius).abs() < 1e-7
+            && (distance(cut.join, center) - radius).abs() < 1e-7
+            && near(a, cut.leave)
+            && near(b, cut.join)
+    }
+
+    #[test]
+    fn rounding_of_the_manual() {
+        // (10,40) -> (40,25) -> (10,5), R5.
+        let cut = rounding(&line((10.0, 40.0), (40.0, 25.0)), &line((40.0, 25.0), (10.0, 5.0)), 5.0, 1e-9).unwrap();
+        let near = |p: Point2, x: f64, y: f64| (p - Point2::new(x, y)).norm() < 1e-4;
+        assert!(near(cut.leave, 32.2937, 28.8531) && near(cut.join, 32.8311, 20.2208), "{cut:?}");
+        assert!(!cut.arc.unwrap().1);
+    }
+
+    #[test]
+    fn refusals() {
+        let a = line((0.0, 0.0), (10.0, 0.0));
+        assert_eq!(rounding(&a, &line((10.0, 0.0), (20.0, 0.0)), 1.0, 1e-9), Err(NoCut::Straight));
+        assert_eq!(rounding(&a, &line((10.0, 0.0), (5.0, 0.0)), 1.0, 1e-9), Err(NoCut::Reversal));
+        assert_eq!(rounding(&a, &line((10.0, 0.0), (10.0, 3.0)), 4.0, 1e-9), Err(NoCut::TooLarge));
+        assert_eq!(chamfer(&a, &line((10.0, 0.0), (10.0, 3.0)), 4.0, 1e-9), Err(NoCut::TooLarge));
+        assert_eq!(rounding(&a, &line((10.0, 0.0), (10.0, 0.0)), 4.0, 1e-9), Err(NoCut::Degenerate));
+    }
+
+    proptest! {
+        #[test]
+        fn a_rounding_is_tangent_to_lines(angle in 5.0f64..175.0, flip in any::<bool>(), radius in 0.1f64..3.0) {
+            let w = crate::geo::Deg(if flip { -angle } else { angle }).unit() * 100.0;
+            let (a, b) = (line((-100.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (w.x, w.y)));
+            let cut = rounding(&a, &b, radius, 1e-9).unwrap();
+            prop_assert!(tangent(&cut, &a, &b, radius));
+        }
+
+        #[test]
+        fn a_rounding_is_tangent_to_arcs(sweep_deg in 20.0f64..170.0, ccw in any::<bool>(), turn in 20.0f64..160.0,
+                                         left_turn in any::<bool>(), radius in 0.05f64..1.0, both in any::<bool>()) {
+            let center = Point2::new(0.0, if ccw { 20.0 } else { -20.0 });
+            let sweep = if ccw { 1.0 } else { -1.0 } * sweep_deg.to_radians();
+            let to = center + crate::geo::turned(Point2::origin() - center, sweep);
+            let before = Element::Arc { from: Point2::origin(), to, center, sweep };
+            let u = before.end_direction().unwrap();
+            let w = crate::geo::turned(u, if left_turn { 1.0 } else { -1.0 } * turn.to_radians());
+            let after = if both {
+                let center = to + left(w) * 15.0;
+                Element::Arc { from: to, to: center + crate::geo::turned(to - center, 1.2), center, sweep: 1.2 }
+            } else {
+                Element::Line { from: to, to: to + w * 30.0 }
+            };
+            if let Ok(cut) = rounding(&before, &after, radius, 1e-9) {
+                prop_assert!(tangent(&cut, &before, &after, radius), "{cut:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! A contour element in the plane: a line or an arc with its ends.
+
+use super::{Point2, Vec2, arc, direction, distance, turned};
+
+/// A line or arc of a contour. `sweep` is signed, counter-clockwise positive, and may exceed a turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Element {
+    Line { from: Point2, to: Point2 },
+    Arc { from: Point2, to: Point2, center: Point2, sweep: f64 },
+}
+
+impl Element {
+    pub fn from(&self) -> Point2 {
+        match *self {
+            Element::Line { from, .. } | Element::Arc { from, .. } => from,
+        }
+    }
+
+    pub fn to(&self) -> Point2 {
+        match *self {
+            Element::Line { to, .. } | Element::Arc { to, .. } => to,
+        }
+    }
+
+    /// Direction of travel at the start; `None` for an element of no length.
+    pub fn start_direction(&self) -> Option<Vec2> {
+        match *self {
+            Element::Line { from, to } => direction(to - from, 0.0),
+            Element::Arc { from, center, sweep, .. } => arc::tangent_at(from, center, sweep > 0.0),
+        }
+    }
+
+    /// Direction of travel at the end; `None` for an element of no length.
+    ///
+    /// For an arc it is the start direction turned by the sweep, so that it does not depend on how well
+    /// the programmed end lies on the circle.
+    pub fn end_direction(&self) -> Option<Vec2> {
+        match *self {
+            Element::Line { from, to } => direction(to - from, 0.0),
+            Element::Arc { to, center, sweep, .. } => arc::tangent_at(to, center, sweep > 0.0),
+        }
+    }
+
+    pub fn length(&self) -> f64 {
+        match *self {
+            Element::Line { from, to } => distance(from, to),
+            Element::Arc { from, center, sweep, .. } => distance(from, center) * sweep.abs(),
+        }
+    }
+
+    /// Way along the element from its start to `p`, a point on it; negative in front of the start.
+    pub fn way_to(&self, p: Point2) -> f64 {
+        match *self {
+            Element::Line { from, to } => direction(to - from, 0.0).map_or(0.0, |u| (p - from).dot(&u)),
+            Element::Arc { from, center, sweep, .. } => {
+                let turn = arc::sweep(from, p, center, sweep > 0.0).abs();
+                let turn = if turn > core::f64::consts::TAU - 1e-9 { 0.0 } else { turn };
+                turn * distance(from, center)
+            }
+        }
+    }
+
+    /// The part from the start to `p`.
+    pub fn ending_at(&self, p: Point2) -> Element {
+        match *self {
+            Element::Line { from, .. } => Element::Line { from, to: p },
+            Element::Arc { from, to, center, sweep } => {
+                let cut = arc::sweep(p, to, center, sweep > 0.0);
+                let cut = if cut.abs() > sweep.abs() { 0.0 } else { cut };
+                Element::Arc { from, to: p, center, sweep: sweep - cut }
+            }
+        }
+    }
+
+    /// The part from `p` to the end.
+    pub fn starting_at(&self, p: Point2) -> Element {
+        match *self {
+            Element::Line { to, .. } => Element::Line { from: p, to },
+            Element::Arc { from, to, center, sweep } => {
+                let cut = arc::sweep(from, p, center, sweep > 0.0);
+                let cut = if cut.abs() > sweep.abs() { 0.0 } else { cut };
+                Element::Arc { from: p, to, center, sweep: sweep - cut }
+            }
+        }
+    }
+
+    /// Point at half the way.
+    pub fn middle(&self) -> Point2 {
+        match *self {
+            Element::Line { from, to } => from + (to - from) / 2.0,
+            Element::Arc { from, center, sweep, .. } => center + turned(from - center, sweep / 2.0),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Plane and space geometry with no idea of blocks, words or controls.
+//!
+//! Every function is total: degenerate input gives `None` or a variant that names the case. Lengths are
+//! millimetres, angles in the unit of their type; tolerances are parameters.
+
+pub mod angle;
+pub mod arc;
+pub mod corner;
+pub mod element;
+pub mod intersect;
+pub mod plane;
+
+pub use angle::Deg;
+pub use element::Element;
+pub use plane::Plane;
+
+/// A point of the working plane: first and second axis.
+pub type Point2 = nalgebra::Point2<f64>;
+/// A direction or distance in the working plane.
+pub type Vec2 = nalgebra::Vector2<f64>;
+
+/// Two points closer than this are the same point, in mm: less than the smallest circle a HEIDENHAIN
+/// control makes (0.0016 µm), and far above what double arithmetic loses on a machine's travel.
+pub const SAME_POINT: f64 = 1e-6;
+
+/// Two directions closer than this are parallel, in rad.
+pub const SAME_DIRECTION: f64 = 1e-9;
+
+/// Length of `v`.
+pub fn length(v: Vec2) -> f64 {
+    libm::hypot(v.x, v.y)
+}
+
+/// Distance of two points.
+pub fn distance(a: Point2, b: Point2) -> f64 {
+    length(b - a)
+}
+
+/// `v` turned a quarter counter-clockwise: the left side of the direction `v`.
+pub fn left(v: Vec2) -> Vec2 {
+    Vec2::new(-v.y, v.x)
+}
+
+/// z part of the cross product: positive if `b` lies left of `a`.
+pub fn cross(a: Vec2, b: Vec2) -> f64 {
+    a.x * b.y - a.y * b.x
+}
+
+/// Direction of `v`; `None` for a vector shorter than `tol`.
+pub fn direction(v: Vec2, tol: f64) -> Option<Vec2> {
+    let len = length(v);
+    (len > tol).then(|| v / len)
+}
+
+/// `v` turned counter-clockwise by `angle` radians.
+pub fn turned(v: Vec2, angle: f64) -> Vec2 {
+    let (sin, cos) = libm::sincos(angle);
+    Vec2::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
+}

@@ -1,0 +1,126 @@
+//! What was programmed, without its dialect: absolute coordinates in the programmed frame, millimetres,
+//! radius values; arcs by whatever data the program gave, corners still to be cut.
+
+use std::rc::Rc;
+
+use crate::geo::{Deg, Plane, Point2};
+
+use super::{Feed, Frame, Function, Origin, Pos, Side};
+
+/// One item of the contour stream.
+#[derive(Debug, Clone)]
+pub struct Item {
+    pub kind: Kind,
+    pub ctx: CtxRef,
+    pub origin: Origin,
+}
+
+/// State that holds for many items; a new one is made only when something in it changes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Ctx {
+    /// Working plane.
+    pub plane: Plane,
+    pub frame: Frame,
+}
+
+pub type CtxRef = Rc<Ctx>;
+
+#[derive(Debug, Clone)]
+pub enum Kind {
+    Move(Move),
+    Corner(Corner),
+    Function(Function),
+    /// The position is no longer what the moves so far say (an error was reported, or the program moved
+    /// in a way that is not in the stream).
+    Lost,
+}
+
+/// A programmed path element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Move {
+    /// Programmed axes only; the others stay.
+    pub end: EndPoint,
+    pub path: Path,
+    /// `None` for rapid traverse.
+    pub feed: Option<Feed>,
+    pub side: Side,
+    pub coords: Coords,
+}
+
+/// In which system the end point counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Coords {
+    /// The frame of the context.
+    #[default]
+    Frame,
+    /// Machine coordinates; frame and work offset do not apply.
+    Machine,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EndPoint {
+    Cartesian(Pos),
+    Polar(Polar),
+}
+
+/// End point by pole, radius and angle, plus further axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Polar {
+    pub pole: Point2,
+    pub plane: Plane,
+    pub radius: f64,
+    /// From the first axis of `plane`, counter-clockwise.
+    pub angle: Deg,
+    pub rest: Pos,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    Rapid,
+    Line,
+    Arc(Arc),
+}
+
+/// An arc or helix in `plane`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    pub plane: Plane,
+    pub shape: ArcShape,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ArcShape {
+    /// About `center` to the end point, which may miss the circle by `tol` mm. End on start: a full circle.
+    Center { center: Point2, ccw: bool, tol: f64 },
+    /// About `center` by exactly `sweep` degrees, counter-clockwise positive, any number of turns. The end
+    /// point is the one that follows from it.
+    Sweep { center: Point2, sweep: Deg },
+    /// By radius; a negative one takes the longer arc. The end may lie `tol` mm too far.
+    Radius { radius: f64, ccw: bool, tol: f64 },
+    /// Tangential to the element before.
+    Tangent,
+}
+
+/// What happens at the corner between the element before and the next one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corner {
+    pub shape: CornerShape,
+    /// Feed on the inserted element.
+    pub feed: Feed,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CornerShape {
+    Rounding {
+        radius: f64,
+    },
+    /// Chamfer by the length cut off each neighbour.
+    Chamfer {
+        side: f64,
+    },
+}
+
+/// Takes the items of a program, in order.
+pub trait Sink {
+    fn item(&mut self, item: Item);
+}

@@ -1,0 +1,64 @@
+//! Everything a program does besides moving. The same items pass through both languages.
+
+use crate::geo::Plane;
+
+/// Sense of rotation of a spindle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    Clockwise,
+    CounterClockwise,
+}
+
+/// What a spindle does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spindle {
+    Start(Turn),
+    Stop,
+    /// Speed in rev/min.
+    Speed(f64),
+    /// Stop at an angle in degrees.
+    Orient(f64),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coolant {
+    Mist,
+    Flood,
+    Off,
+}
+
+/// What radius compensation needs to know of the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct CutterData {
+    /// Number of the tool whose radius the target looks up.
+    pub number: u32,
+    /// Radius in mm where the program changes it (oversizes), so that the target's own must not be used.
+    pub radius: Option<f64>,
+}
+
+/// Something other than a move.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Function {
+    /// Change to this tool; 0 empties the spindle.
+    ToolChange { number: u32 },
+    /// Tell the changer which tool comes next.
+    ToolPrepare { number: u32 },
+    Cutter(CutterData),
+    Spindle(Spindle),
+    Coolant(Coolant),
+    /// Wait, seconds.
+    Dwell(f64),
+    /// Program stop.
+    Stop,
+    OptionalStop,
+    /// M function that is printed as it stands.
+    Aux(u32),
+    /// Work offset, 1 (G54) to 9 (G59.3).
+    WorkOffset(u8),
+    /// Working plane, stated by the program.
+    Plane(Plane),
+    /// Text of the source, any bytes.
+    Comment(Vec<u8>),
+    /// End of the program.
+    End { rewind: bool },
+}

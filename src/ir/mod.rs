@@ -1,0 +1,69 @@
+//! The two shared languages of the compiler. Dialects end at [`contour`]; targets start at [`motion`].
+//!
+//! Both are streams of items with an [`Origin`]. Nothing here knows a dialect or a target.
+
+pub mod contour;
+pub mod frame;
+pub mod function;
+pub mod motion;
+pub mod pos;
+pub mod verify;
+
+use crate::diag::CallPath;
+use crate::text::Loc;
+
+pub use frame::Frame;
+pub use function::Function;
+pub use pos::Pos;
+
+/// Where an item comes from: the block, and how the program got there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Origin {
+    pub loc: Loc,
+    pub call: CallPath,
+}
+
+/// Side on which a tool compensates its radius, seen in the direction of travel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    #[default]
+    None,
+    Left,
+    Right,
+}
+
+impl Side {
+    /// The other side; what a mirror makes of it.
+    pub fn mirrored(self) -> Side {
+        match self {
+            Side::None => Side::None,
+            Side::Left => Side::Right,
+            Side::Right => Side::Left,
+        }
+    }
+}
+
+/// Feed of a cutting move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Feed {
+    /// mm/min (degrees/min for moves of rotary axes alone).
+    PerMinute(f64),
+    /// mm per revolution of the spindle.
+    PerRevolution(f64),
+}
+
+impl Feed {
+    pub fn value(self) -> f64 {
+        match self {
+            Feed::PerMinute(f) | Feed::PerRevolution(f) => f,
+        }
+    }
+
+    /// The same kind of feed with another value.
+    pub fn with_value(self, value: f64) -> Feed {
+        match self {
+            Feed::PerMinute(_) => Feed::PerMinute(value),
+            Feed::PerRevolution(_) => Feed::PerRevolution(value),
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! What the machine shall do: absolute millimetres, radius values, workpiece coordinates, nothing inherited.
+
+use crate::geo::{Plane, Point2};
+use crate::machine::axis::AxisSet;
+
+use super::{Feed, Function, Origin, Pos, Side};
+
+/// One item of the motion stream.
+#[derive(Debug, Clone)]
+pub struct Item {
+    pub kind: Kind,
+    pub origin: Origin,
+}
+
+#[derive(Debug, Clone)]
+pub enum Kind {
+    Move(Move),
+    Function(Function),
+    /// What the target believes of its position no longer holds.
+    Lost,
+}
+
+/// A move from the end of the move before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Move {
+    /// All axes whose position is known after the move.
+    pub end: Pos,
+    /// Axes this move is about: programmed ones, and those a frame turned with them.
+    pub axes: AxisSet,
+    pub path: Path,
+    /// `None` for rapid traverse.
+    pub feed: Option<Feed>,
+    pub side: Side,
+    /// Working plane, which compensation refers to.
+    pub plane: Plane,
+    /// `end` is in machine coordinates.
+    pub machine: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    Rapid,
+    Line,
+    Arc(Arc),
+}
+
+/// Arc or helix. `sweep` in rad, counter-clockwise positive seen against the plane normal; it may exceed
+/// a turn. `from` is where the arc starts, so that no printer has to remember.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    pub plane: Plane,
+    pub from: Point2,
+    pub center: Point2,
+    pub sweep: f64,
+}
+
+/// Takes the items of a path, in order.
+pub trait Sink {
+    fn item(&mut self, item: Item);
+}

@@ -1,0 +1,68 @@
+//! Positions of which some axes may be unknown.
+
+use crate::geo::{Plane, Point2};
+use crate::machine::axis::{AXES, Axis, AxisSet};
+
+/// Coordinates by axis, mm or degrees, with the set of those that are known.
+///
+/// An unknown coordinate is stored as 0 and never read.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pos {
+    values: [f64; AXES],
+    known: AxisSet,
+}
+
+impl Pos {
+    /// Nothing known.
+    pub const UNKNOWN: Pos = Pos { values: [0.0; AXES], known: AxisSet::EMPTY };
+
+    #[inline]
+    pub fn get(&self, axis: Axis) -> Option<f64> {
+        self.known.contains(axis).then_some(self.values[axis.index()])
+    }
+
+    #[inline]
+    pub fn set(&mut self, axis: Axis, value: f64) {
+        self.values[axis.index()] = value;
+        self.known.insert(axis);
+    }
+
+    pub fn forget(&mut self, axis: Axis) {
+        self.values[axis.index()] = 0.0;
+        self.known.remove(axis);
+    }
+
+    #[inline]
+    pub fn known(&self) -> AxisSet {
+        self.known
+    }
+
+    /// The known axes in order.
+    pub fn iter(&self) -> impl Iterator<Item = (Axis, f64)> + '_ {
+        self.known.iter().map(|axis| (axis, self.values[axis.index()]))
+    }
+
+    /// Takes over every known coordinate of `other`.
+    #[inline]
+    pub fn update(&mut self, other: &Pos) {
+        for axis in other.known.iter() {
+            self.values[axis.index()] = other.values[axis.index()];
+        }
+        self.known = self.known.union(other.known);
+    }
+
+    /// First and second coordinate of a plane, if both are known.
+    #[inline]
+    pub fn in_plane(&self, plane: Plane) -> Option<Point2> {
+        let (first, second, _) = plane.axes();
+        Some(Point2::new(self.get(Axis::ALL[first])?, self.get(Axis::ALL[second])?))
+    }
+
+    /// Sets first and second coordinate of a plane.
+    #[inline]
+    pub fn set_in_plane(&mut self, plane: Plane, p: Point2) {
+        let (first, second, _) = plane.axes();
+        self.set(Axis::ALL[first], p.x);
+        self.set(Axis::ALL[second], p.y);
+    }
+}

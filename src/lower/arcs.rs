@@ -1,0 +1,243 @@
+//! Pass 2: every arc gets its centre and sweep.
+//!
+//! A full circle is decided here, in exact arithmetic; nobody derives it from rounded numbers later.
+
+use core::f64::consts::TAU;
+
+use crate::diag::{Diagnostic, Diags, codes};
+use crate::geo::arc::{self, TangentArc};
+use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
+use crate::ir::Origin;
+use crate::ir::contour::{self, ArcShape};
+
+use super::at;
+use super::step::{Path, Step, plane_axes};
+
+/// Sideways distance under which a tangential end counts as straight ahead, in mm.
+const STRAIGHT: f64 = 1e-6;
+/// Shifts of a centre up to this much are rounding of the source and not worth a note, in mm.
+const UNNOTED: f64 = 0.0005;
+
+/// Direction of the contour so far.
+#[derive(Debug, Default)]
+pub struct Last {
+    tangent: Option<(Vec2, Plane)>,
+    why: Why,
+}
+
+/// Why there is no direction.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+enum Why {
+    #[default]
+    Start,
+    Corner,
+    OtherAxis,
+}
+
+impl Last {
+    pub fn forget(&mut self) {
+        *self = Last::default();
+    }
+
+    /// After a corner the direction is the one of the next element.
+    pub fn corner(&mut self) {
+        *self = Last { tangent: None, why: Why::Corner };
+    }
+
+    /// Takes over the direction at the end of `step`.
+    #[inline]
+    pub fn follow(&mut self, step: &Step) {
+        let plane = step.plane();
+        let Some(element) = step.element(plane) else { return self.forget() };
+        if step.leaves(plane) {
+            *self = Last { tangent: None, why: Why::OtherAxis };
+        } else if element.length() > SAME_POINT {
+            self.tangent = element.end_direction().map(|dir| (dir, plane));
+        }
+        // An element of no length leaves the direction as it was.
+    }
+}
+
+/// How far centres were moved, for one note at the end.
+#[derive(Debug, Default)]
+pub struct Adjusted {
+    count: u32,
+    largest: f64,
+    origin: Option<Origin>,
+}
+
+impl Adjusted {
+    fn note(&mut self, shift: f64, origin: Origin) {
+        if shift > UNNOTED {
+            self.count += 1;
+            if shift > self.largest {
+                self.largest = shift;
+                self.origin = Some(origin);
+            }
+        }
+    }
+
+    pub fn report(&self, diags: &Diags) {
+        if let Some(origin) = self.origin {
+            let (count, largest) = (self.count, self.largest);
+            diags.push(at(
+                codes::G3013,
+                origin,
+                format!("{count} arc centres were adjusted, this one most: by {largest:.4} mm"),
+            ));
+        }
+    }
+}
+
+/// A refusal, or nothing to say because a start that is not known was reported before.
+type Refused = Option<Diagnostic>;
+
+/// What comes with a completed element.
+#[derive(Debug)]
+pub enum Extra {
+    None,
+    /// A second element that ends on the programmed point.
+    Second(Box<Step>),
+    /// Something worth a word.
+    Word(Box<Diagnostic>),
+}
+
+/// Completes `step` with the geometry of `path`.
+///
+/// # Errors
+/// Geometry that does not exist.
+#[inline]
+pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
+    match path {
+        contour::Path::Rapid => step.path = Path::Rapid,
+        contour::Path::Line => step.path = Path::Line,
+        contour::Path::Arc(arc) => return resolve_arc(arc, step, last, adjusted),
+    }
+    Ok(Extra::None)
+}
+
+fn resolve_arc(
+    shape: &contour::Arc,
+    step: &mut Step,
+    last: &Last,
+    adjusted: &mut Adjusted,
+) -> Result<Extra, Refused> {
+    let plane = shape.plane;
+    let (Some(from), Some(to)) = (step.start.in_plane(plane), step.end.in_plane(plane)) else { return Err(None) };
+    step.axes = step.axes.union(plane_axes(plane));
+    let refuse = |step: &Step, code, message: String| Err(Some(at(code, step.origin, message)));
+    match shape.shape {
+        ArcShape::Center { center, ccw, tol } => return by_center(step, plane, from, to, center, ccw, tol, adjusted),
+        ArcShape::Sweep { center, sweep } => {
+            if distance(from, center) <= SAME_POINT {
+                return refuse(step, codes::G3014, "the arc starts in its centre".to_owned());
+            }
+            step.path = Path::Arc { plane, center, sweep: sweep.radians() };
+        }
+        ArcShape::Radius { radius, ccw, tol } => {
+            let d = distance(from, to);
+            if d <= SAME_POINT {
+                return refuse(step, codes::G3003, "the arc ends where it starts, so its centre is not determined".to_owned());
+            }
+            let Some(center) = arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol) else {
+                return Err(Some(
+                    at(codes::G3002, step.origin, format!("the points are {d:.4} mm apart, the radius reaches {:.4} mm", 2.0 * radius.abs()))
+                        .help(format!("the radius has to be at least {:.4}", d / 2.0)),
+                ));
+            };
+            adjusted.note((d / 2.0 - radius.abs()).max(0.0), step.origin);
+            step.path = Path::Arc { plane, center, sweep: arc::sweep(from, to, center, ccw) };
+        }
+        ArcShape::Tangent => {
+            let Some((tangent, _)) = last.tangent.filter(|(_, in_plane)| *in_plane == plane) else {
+                let why = match last.why {
+                    Why::Start => "no element with a direction precedes the tangential arc",
+                    Why::Corner => "a chamfer or rounding directly before a tangential arc leaves its direction open",
+                    Why::OtherAxis => "the element before the tangential arc moves out of the plane",
+                };
+                return refuse(step, codes::G3004, why.to_owned());
+            };
+            match arc::tangent_arc(from, tangent, to, SAME_POINT, STRAIGHT) {
+                TangentArc::Arc { center, ccw } => {
+                    step.path = Path::Arc { plane, center, sweep: arc::sweep(from, to, center, ccw) };
+                }
+                TangentArc::Nothing => step.path = Path::Line,
+                TangentArc::Line => {
+                    step.path = Path::Line;
+                    let word = at(codes::G3006, step.origin, "the end lies straight ahead, so the arc is a line");
+                    return Ok(Extra::Word(Box::new(word)));
+                }
+                TangentArc::Behind => {
+                    return refuse(step, codes::G3005, "the end point lies exactly behind the start".to_owned());
+                }
+            }
+        }
+    }
+    Ok(Extra::None)
+}
+
+#[allow(clippy::too_many_arguments)]
+fn by_center(
+    step: &mut Step,
+    plane: Plane,
+    from: Point2,
+    to: Point2,
+    center: Point2,
+    ccw: bool,
+    tol: f64,
+    adjusted: &mut Adjusted,
+) -> Result<Extra, Refused> {
+    let (r1, r2) = (distance(from, center), distance(to, center));
+    if r1 <= SAME_POINT || r2 <= SAME_POINT {
+        return Err(Some(at(codes::G3014, step.origin, "the centre of the arc lies on its start or end")));
+    }
+    if distance(from, to) <= SAME_POINT {
+        step.end.set_in_plane(plane, from);
+        step.path = Path::Arc { plane, center, sweep: if ccw { TAU } else { -TAU } };
+        return Ok(Extra::None);
+    }
+    let off = (r2 - r1).abs();
+    if off > tol + 1e-9 {
+        return Err(Some(
+            at(
+                codes::G3001,
+                step.origin,
+                format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed"),
+            )
+            .help("check start, centre and end of the arc"),
+        ));
+    }
+    let moved = arc::centered_between(from, to, center);
+    let sweep = arc::sweep(from, to, moved, ccw);
+    if deviation(from, moved, sweep, center, r1, r2) <= tol {
+        adjusted.note(distance(moved, center), step.origin);
+        step.path = Path::Arc { plane, center: moved, sweep };
+        return Ok(Extra::None);
+    }
+    // Nearly a full circle that does not close: no single arc fits. The arc about the programmed centre is
+    // followed by the rest of the way to the programmed end, which is shorter than the tolerance.
+    adjusted.note(off, step.origin);
+    let sweep = arc::sweep(from, to, center, ccw);
+    let foot = center + (to - center) * (r1 / r2);
+    let mut rest = step.clone();
+    step.end.set_in_plane(plane, foot);
+    step.path = Path::Arc { plane, center, sweep };
+    rest.start = step.end;
+    rest.path = Path::Line;
+    rest.axes = plane_axes(plane);
+    Ok(Extra::Second(Box::new(rest)))
+}
+
+/// Largest distance between the arc about `moved` and the programmed one, whose radius goes from `r1` to `r2`.
+fn deviation(from: Point2, moved: Point2, sweep: f64, center: Point2, r1: f64, r2: f64) -> f64 {
+    if moved == center {
+        return 0.0;
+    }
+    (1..8)
+        .map(|i| {
+            let t = f64::from(i) / 8.0;
+            let p = moved + crate::geo::turned(from - moved, sweep * t);
+            (distance(p, center) - (r1 + (r2 - r1) * t)).abs()
+        })
+        .fold(0.0, f64::max)
+}

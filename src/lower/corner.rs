@@ -1,0 +1,186 @@
+//! Pass 3: chamfers and roundings between two elements. Holds back one element.
+
+use crate::diag::{Diagnostic, Diags, codes};
+use crate::geo::corner::{self, Cut, NoCut};
+use crate::geo::{SAME_POINT, arc, distance};
+use crate::ir::contour::{Corner, CornerShape};
+use crate::ir::{Function, Origin};
+
+use super::at;
+use super::step::{Path, Step, plane_axes};
+
+/// How much an element may fall short of the cut, in mm: what rounding of the source loses.
+const SHORT: f64 = 1e-6;
+/// Functions that may stand between a corner and the element behind it.
+const MOST_BETWEEN: usize = 32;
+
+/// What comes out of the pass.
+#[derive(Debug)]
+pub enum Event {
+    Step(Step),
+    Function(Function, Origin),
+}
+
+/// The element that waits for its successor, and the corner between them.
+#[derive(Debug, Default)]
+pub struct Corners {
+    held: Option<Step>,
+    corner: Option<(Corner, Origin)>,
+    between: Vec<(Function, Origin)>,
+}
+
+impl Corners {
+    #[inline]
+    pub fn step(&mut self, step: Step, diags: &Diags, out: &mut impl FnMut(Event)) {
+        if self.corner.is_some() {
+            self.cut(step, diags, out);
+            return;
+        }
+        if let Some(held) = self.held.replace(step) {
+            out(Event::Step(held));
+        }
+    }
+
+    pub fn corner(&mut self, corner: Corner, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event)) {
+        if self.held.is_none() {
+            diags.push(at(codes::G3007, origin, "no contour element stands before this chamfer or rounding"));
+            return;
+        }
+        if let Some((_, first)) = self.corner {
+            diags.push(at(codes::G3007, origin, "two chamfers or roundings follow each other").also(first.loc, "the first one"));
+            self.drop_corner(out);
+            return;
+        }
+        self.corner = Some((corner, origin));
+    }
+
+    pub fn function(&mut self, function: Function, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event)) {
+        let breaks = matches!(
+            function,
+            Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Plane(_)
+        );
+        if self.corner.is_some() && !breaks && self.between.len() < MOST_BETWEEN {
+            self.between.push((function, origin));
+            return;
+        }
+        self.flush(diags, out);
+        out(Event::Function(function, origin));
+    }
+
+    /// Sends what is held; a corner that waits has no second neighbour.
+    pub fn flush(&mut self, diags: &Diags, out: &mut impl FnMut(Event)) {
+        if let Some((_, origin)) = self.corner {
+            diags.push(at(codes::G3007, origin, "no contour element stands behind this chamfer or rounding"));
+        }
+        self.drop_corner(out);
+    }
+
+    fn drop_corner(&mut self, out: &mut impl FnMut(Event)) {
+        self.corner = None;
+        if let Some(held) = self.held.take() {
+            out(Event::Step(held));
+        }
+        for (function, origin) in self.between.drain(..) {
+            out(Event::Function(function, origin));
+        }
+    }
+
+    /// The second neighbour is here.
+    fn cut(&mut self, after: Step, diags: &Diags, out: &mut impl FnMut(Event)) {
+        let (Some((corner, origin)), Some(before)) = (self.corner.take(), self.held.take()) else { return };
+        let mut pieces = [None, None, None];
+        match cut(&before, &after, &corner, origin) {
+            Ok((shortened, inserted, rest)) => pieces = [Some(shortened), inserted, Some(rest)],
+            Err(found) => {
+                diags.push(found);
+                pieces[0] = Some(before);
+                pieces[2] = Some(after);
+            }
+        }
+        let [first, inserted, rest] = pieces;
+        for step in [first, inserted].into_iter().flatten() {
+            out(Event::Step(step));
+        }
+        for (function, origin) in self.between.drain(..) {
+            out(Event::Function(function, origin));
+        }
+        self.held = rest;
+    }
+}
+
+/// The element before, what is put between, and the element after.
+fn cut(before: &Step, after: &Step, corner: &Corner, origin: Origin) -> Result<(Step, Option<Step>, Step), Diagnostic> {
+    let plane = after.ctx.plane;
+    let name = match corner.shape {
+        CornerShape::Rounding { .. } => "rounding",
+        CornerShape::Chamfer { .. } => "chamfer",
+    };
+    let refuse = |code, message: String| Err(at(code, origin, message).also(before.origin.loc, "element before").also(after.origin.loc, "element after"));
+    if before.ctx.frame != after.ctx.frame {
+        return refuse(codes::G3019, format!("the coordinate system changes at the {name}"));
+    }
+    if before.plane() != plane || after.plane() != plane {
+        return refuse(codes::G3016, format!("the elements at the {name} lie in different planes"));
+    }
+    if before.machine || after.machine {
+        return refuse(codes::G3007, format!("a block in machine coordinates cannot be next to a {name}"));
+    }
+    for (step, which) in [(before, "before"), (after, "after")] {
+        if step.leaves(plane) {
+            return refuse(codes::G3007, format!("the block {which} the {name} moves an axis outside the working plane"));
+        }
+    }
+    let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
+        return refuse(codes::G3007, format!("the start of the element before the {name} is not known"));
+    };
+    let result = match corner.shape {
+        CornerShape::Rounding { radius } => corner::rounding(&a, &b, radius, SHORT),
+        CornerShape::Chamfer { side } => corner::chamfer(&a, &b, side, SHORT),
+    };
+    let made = match result {
+        Ok(made) => made,
+        Err(NoCut::TooLarge) => {
+            return refuse(codes::G3008, format!("the {name} is larger than a neighbouring element"));
+        }
+        Err(NoCut::Arc) => return refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned()),
+        Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
+        Err(NoCut::Degenerate) => return refuse(codes::G3007, format!("an element at the {name} has no length in the plane")),
+        Err(NoCut::Straight) => {
+            return refuse(codes::G3009, format!("there is no corner to put a {name} in"));
+        }
+    };
+    Ok(pieces(before, after, corner, origin, &made))
+}
+
+fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &Cut) -> (Step, Option<Step>, Step) {
+    let plane = after.ctx.plane;
+    let trim = |step: &Step, element: crate::geo::Element| {
+        let mut step = step.clone();
+        step.start.set_in_plane(plane, element.from());
+        step.end.set_in_plane(plane, element.to());
+        step.axes = step.axes.union(plane_axes(plane));
+        if let (Path::Arc { sweep, .. }, crate::geo::Element::Arc { sweep: rest, .. }) = (&mut step.path, element) {
+            *sweep = rest;
+        }
+        step
+    };
+    // Both were looked at in this plane before the cut was made.
+    let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
+        return (before.clone(), None, after.clone());
+    };
+    let first = trim(before, a.ending_at(made.leave));
+    let rest = trim(after, b.starting_at(made.join));
+    let mut inserted = first.clone();
+    inserted.start = first.end;
+    inserted.end = first.end;
+    inserted.end.set_in_plane(plane, made.join);
+    inserted.axes = plane_axes(plane);
+    inserted.feed = Some(corner.feed);
+    inserted.origin = origin;
+    inserted.path = match made.arc {
+        Some((center, ccw)) => Path::Arc { plane, center, sweep: arc::sweep(made.leave, made.join, center, ccw) },
+        None => Path::Line,
+    };
+    let any = distance(made.leave, made.join) > SAME_POINT;
+    (first, any.then_some(inserted), rest)
+}

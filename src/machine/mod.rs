@@ -1,0 +1,16 @@
+//! What is known besides the program: axes, tools, datums, limits, and the wishes of the user.
+//!
+//! In: `partc.toml`, tool tables. Out: [`Settings`], read-only for the whole run. Knows no dialect's grammar.
+
+pub mod axis;
+pub mod config;
+pub mod settings;
+pub mod tools;
+pub mod tree;
+
+pub use axis::{Axis, AxisSet};
+pub use settings::{
+    CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings, PolarMissing,
+    Settings, ShiftAxes, Unit,
+};
+pub use tools::{Tool, ToolKey, Tools};

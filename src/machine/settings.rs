@@ -1,0 +1,210 @@
+//! The settings of a run, with their defaults.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use super::axis::Axis;
+use super::tools::Tools;
+
+/// Everything the user can say about a run.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Settings {
+    pub machine: Machine,
+    pub control: Control,
+    pub tools: Tools,
+    pub datums: Datums,
+    pub include: Include,
+    /// Start values of parameters, by upper-case name (`Q50`, `R1`, `@50`).
+    pub variables: BTreeMap<String, f64>,
+    pub output: OutputSettings,
+    pub limits: Limits,
+}
+
+/// Turning technology or not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MachineKind {
+    #[default]
+    Mill,
+    Lathe,
+}
+
+/// `[machine]`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Machine {
+    pub kind: MachineKind,
+    /// Names of the first, second and third geometry axis (MD 20050, MD 20080).
+    pub geometry_axes: [Axis; 3],
+    /// MD 20100; `None` for no diameter axis.
+    pub diameter_axis: Option<Axis>,
+    pub power_on_diameter: bool,
+    /// Smallest and largest printed coordinate, by axis.
+    pub limits: BTreeMap<Axis, (f64, f64)>,
+    pub kinematics: String,
+}
+
+impl Default for Machine {
+    fn default() -> Machine {
+        Machine {
+            kind: MachineKind::Mill,
+            geometry_axes: [Axis::X, Axis::Y, Axis::Z],
+            diameter_axis: None,
+            power_on_diameter: true,
+            limits: BTreeMap::new(),
+            kinematics: "3axis".to_owned(),
+        }
+    }
+}
+
+/// HEIDENHAIN control generations, in order of age.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Generation {
+    Tnc426,
+    #[default]
+    Itnc530,
+    Tnc640,
+    Tnc7,
+}
+
+/// Unit of length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Unit {
+    #[default]
+    Mm,
+    Inch,
+}
+
+impl Unit {
+    /// Millimetres in one unit.
+    pub fn mm(self) -> f64 {
+        match self {
+            Unit::Mm => 1.0,
+            Unit::Inch => 25.4,
+        }
+    }
+}
+
+/// What a missing coordinate of a CC block is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CcMissing {
+    #[default]
+    Position,
+    Previous,
+}
+
+/// What a missing PR or PA is after a block that was not polar.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PolarMissing {
+    #[default]
+    Position,
+    Programmed,
+}
+
+/// Along which axes a datum shift counts while a rotation, mirror or scaling is active.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ShiftAxes {
+    #[default]
+    Original,
+    Transformed,
+}
+
+/// What happens when IPA and DR of a CP block disagree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CpSign {
+    #[default]
+    Refuse,
+    Dr,
+}
+
+/// `[control]`
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Control {
+    pub klartext: Generation,
+    pub sinumerik: String,
+    pub heidenhain_turning: String,
+    /// Skip levels that are switched on.
+    pub skip_blocks: Vec<u8>,
+    /// Unit of a Klartext file without BEGIN PGM.
+    pub unit: Option<Unit>,
+    /// Feed in force at the start and for F AUTO without a TOOL CALL, in mm/min.
+    pub feed: Option<f64>,
+    /// Feed of arcs programmed at rapid traverse, in mm/min.
+    pub rapid_feed: Option<f64>,
+    pub cc_missing: CcMissing,
+    pub polar_missing: PolarMissing,
+    pub shift_axes: ShiftAxes,
+    pub cp_sign: CpSign,
+    /// Scaling (cycle 11) leaves the tool axis alone.
+    pub scaling_in_plane: bool,
+    /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
+    pub retract_max: Option<f64>,
+}
+
+/// `[datums]`
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Datums {
+    /// Work offset values the program may read, by name (`G54`).
+    pub offsets: BTreeMap<String, BTreeMap<Axis, f64>>,
+    /// Work offset word of a preset number, 1 (G54) to 9 (G59.3).
+    pub presets: BTreeMap<u32, u8>,
+}
+
+/// `[include]`
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Include {
+    /// Prefix of the control's path and the folder of this computer; the longest prefix wins.
+    pub roots: BTreeMap<String, PathBuf>,
+}
+
+/// How radius compensation is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Compensation {
+    /// Tool-centre path.
+    #[default]
+    Resolve,
+    /// Programmed contour with G41/G42.
+    Control,
+}
+
+/// `[output]`
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OutputSettings {
+    pub target: String,
+    pub decimals: u8,
+    pub compensation: Compensation,
+    pub diameter: bool,
+    pub comments: bool,
+    /// M functions that are printed as they stand.
+    pub pass_m: Vec<u32>,
+    /// `G43 H` behind a tool change.
+    pub tool_length: bool,
+}
+
+impl Default for OutputSettings {
+    fn default() -> OutputSettings {
+        OutputSettings {
+            target: "linuxcnc".to_owned(),
+            decimals: 4,
+            compensation: Compensation::Resolve,
+            diameter: false,
+            comments: true,
+            pass_m: Vec::new(),
+            tool_length: false,
+        }
+    }
+}
+
+/// `[limits]`
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Blocks that may be executed.
+    pub steps: u64,
+    /// Lines that may be printed.
+    pub output_blocks: u64,
+    pub call_depth: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits { steps: 10_000_000, output_blocks: 50_000_000, call_depth: 64 }
+    }
+}

@@ -1,0 +1,195 @@
+//! Klartext blocks: number, skip mark, comment and structure marks by hand, the statement by the grammar,
+//! plain path blocks by a fast loop over the bytes that yields the same.
+
+pub mod ast;
+pub mod build;
+pub mod literal;
+pub mod problem;
+
+#[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
+mod grammar {
+    include!(concat!(env!("OUT_DIR"), "/klartext.rs"));
+}
+
+use crate::diag::codes;
+use crate::lexer::klartext::{Tokens, Value};
+use crate::text::{Span, SplitRules};
+
+use ast::{Addr, Block, Op, Stmt};
+use build::Build;
+use problem::Problem;
+
+/// Largest literal that is taken for a number of a part program.
+const LARGEST: f64 = 1e9;
+/// Most digits of a literal.
+const MOST_DIGITS: usize = 16;
+
+/// How Klartext joins lines: by a `~` at the end, or in front of the comment.
+pub const SPLIT: SplitRules = SplitRules { mark: b'~', continues };
+
+fn continues(line: &[u8], continued: bool) -> bool {
+    let mut quoted = false;
+    let comment = line.iter().position(|b| {
+        quoted ^= *b == b'"';
+        *b == b';' && !quoted
+    });
+    let code = line[..comment.unwrap_or(line.len())].trim_ascii_end();
+    // A line that is nothing but a comment joins nothing, unless it stands inside a joined block.
+    let only_comment = comment.is_some() && head(code).from >= code.len();
+    code.ends_with(b"~") || (line.trim_ascii_end().ends_with(b"~") && (continued || !only_comment))
+}
+
+/// What stands in front of the statement.
+#[derive(Debug, Clone, Copy, Default)]
+struct Head {
+    number: Option<u32>,
+    skip: bool,
+    /// First byte of the statement.
+    from: usize,
+}
+
+fn head(text: &[u8]) -> Head {
+    let mut head = Head::default();
+    let mut at = blanks(text, 0);
+    if text.get(at) == Some(&b'/') {
+        head.skip = true;
+        at = blanks(text, at + 1);
+    }
+    let digits = at + usize::from(matches!(text.get(at), Some(b'N' | b'n')));
+    let len = text[digits.min(text.len())..].iter().take_while(|b| b.is_ascii_digit()).count();
+    if len > 0 {
+        let number = text[digits..digits + len].iter().try_fold(0u32, |n, d| {
+            n.checked_mul(10)?.checked_add(u32::from(d - b'0'))
+        });
+        head.number = Some(number.unwrap_or(u32::MAX));
+        at = blanks(text, digits + len);
+        if text.get(at) == Some(&b'/') {
+            head.skip = true;
+            at = blanks(text, at + 1);
+        }
+    }
+    head.from = at;
+    head
+}
+
+fn blanks(text: &[u8], from: usize) -> usize {
+    text[from.min(text.len())..].iter().position(|b| !is_blank(*b)).map_or(text.len(), |n| from + n)
+}
+
+fn is_blank(b: u8) -> bool {
+    matches!(b, b' ' | b'\t' | b'\r' | b'\n' | 0 | 0x0b | 0x0c | 0x1a)
+}
+
+/// Reads one logical block into `block`; what is wrong with it goes to `problems`.
+pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
+    block.clear();
+    let head = head(text);
+    block.number = head.number;
+    block.skip = head.skip;
+    let Some(&first) = text.get(head.from) else { return };
+    match first {
+        b';' => block.comment = Some(comment_at(text, head.from + 1)),
+        // A heading, or a line of a set-up sheet.
+        b'*' | b'(' => block.comment = Some(comment_at(text, head.from + 1)),
+        _ if literal::parse(text, head.from, block) => {}
+        _ => parse_statement(text, head.from, block, problems),
+    }
+}
+
+fn comment_at(text: &[u8], start: usize) -> Span {
+    let end = text[start..].iter().position(|b| *b == b'\n').map_or(text.len(), |n| start + n);
+    Span { start: start as u32, end: end as u32 }
+}
+
+/// Reads the statement by the grammar, whatever it is. The only caller of the generated parser, so that it
+/// is compiled once.
+pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &mut Vec<Problem>) {
+    thread_local! {
+        static PARSER: grammar::BlockParser = grammar::BlockParser::new();
+    }
+    let repaired = without_typographic_minus(text, from, problems);
+    let text = repaired.as_deref().unwrap_or(text);
+    let mut tokens = Tokens::new(text, from);
+    let mut build = Build::new(text, block);
+    let result = PARSER.with(|parser| parser.parse(&mut build, &mut tokens));
+    let misspelled = build.misspelled;
+    block.comment = tokens.comment;
+    block.span = Span { start: from as u32, end: tokens.end.max(from as u32) };
+    if let Err(error) = result {
+        problems.push(problem::of_parse_error(error, text, block.span.start));
+        block.stmt = Stmt::Bad;
+        return;
+    }
+    if misspelled {
+        problems.push(
+            Problem::new(codes::K1003, block.span, "`CYCLE` is read as `CYCL`").help("the control writes `CYCL`"),
+        );
+    }
+    if let Some(problem) = number_problem(text, block) {
+        problems.push(problem);
+        block.stmt = Stmt::Bad;
+    }
+}
+
+/// A copy in which dashes of printed text are minus signs; spans stay as they are.
+fn without_typographic_minus(text: &[u8], from: usize, problems: &mut Vec<Problem>) -> Option<Vec<u8>> {
+    let end = text.iter().position(|b| *b == b';').unwrap_or(text.len());
+    let code = text.get(from..end)?;
+    if code.is_ascii() || code.contains(&b'"') {
+        return None;
+    }
+    let mut copy = None;
+    for (at, window) in code.windows(3).enumerate() {
+        if matches!(window, [0xe2, 0x80, 0x93] | [0xe2, 0x88, 0x92]) {
+            let copy = copy.get_or_insert_with(|| text.to_vec());
+            copy[from + at..from + at + 3].copy_from_slice(b"-  ");
+            let span = Span::at((from + at) as u32, 3);
+            problems.push(Problem::new(codes::K0002, span, "a printed dash is read as `-`").help("replace it by `-`"));
+        }
+    }
+    copy
+}
+
+/// Literals that no control accepts.
+fn number_problem(text: &[u8], block: &Block) -> Option<Problem> {
+    let too_large = |value: f64| value.abs() > LARGEST;
+    let bad = |span| {
+        Problem::new(codes::K0003, span, "number is out of range")
+            .help("at most 9 digits before and 6 after the decimal point")
+    };
+    for word in &block.words {
+        if matches!(word.value, Value::Number(n) if too_large(n)) {
+            return Some(bad(word.span));
+        }
+        if matches!(word.addr, Addr::M(n) if n > 9999) {
+            return Some(Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M9999"));
+        }
+    }
+    if block.ops.iter().any(|op| matches!(op, Op::Number(n) if too_large(*n))) {
+        return Some(bad(block.span));
+    }
+    if matches!(block.stmt, Stmt::Begin { .. } | Stmt::End { .. } | Stmt::Refused(..) | Stmt::FnOther { .. }) {
+        return None;
+    }
+    longest_number(block.span.of(text)).map(|(start, len)| bad(Span::at(block.span.start + start as u32, len as u32)))
+}
+
+/// A run of digits longer than a literal may be, outside texts and comments.
+fn longest_number(code: &[u8]) -> Option<(usize, usize)> {
+    let mut start = None;
+    let mut quoted = false;
+    for (at, b) in code.iter().chain(b" ").enumerate() {
+        quoted ^= *b == b'"';
+        if !quoted && (b.is_ascii_digit() || (start.is_some() && matches!(b, b'.' | b','))) {
+            start.get_or_insert(at);
+        } else if let Some(from) = start.take()
+            && code[from..at].iter().filter(|b| b.is_ascii_digit()).count() > MOST_DIGITS
+        {
+            return Some((from, at - from));
+        }
+        if *b == b';' && !quoted {
+            return None;
+        }
+    }
+    None
+}

@@ -1,0 +1,6 @@
+//! Blocks: one entry per dialect, one LALRPOP grammar each.
+//!
+//! In: the text of one logical block. Out: the block as data, spans counted from its start. Parsing never
+//! fails as a whole: a block that cannot be read is reported and has no statement.
+
+pub mod klartext;

@@ -1,0 +1,487 @@
+//! Program flow: labels, subprograms, section repeats, jumps, called programs, the program frame.
+
+use crate::diag::{CallPath, Diagnostic, codes};
+use crate::ir::{Function, Side};
+use crate::lexer::klartext::{QKind, QRef};
+use crate::machine::{Generation, Unit};
+use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
+use crate::text::blocks::Place;
+use crate::text::{Loc, Next, Span, decode::readable};
+
+use super::super::exec::open_program;
+use super::labels::{Label, Labels};
+use super::vars::Locals;
+use super::{Outcome, ProgramHead, Reported, Run};
+use crate::sema::klartext::formula::Val;
+
+/// Most repeats of a section.
+const MOST_REPEATS: f64 = 65534.0;
+
+/// A level of the call stack.
+#[derive(Debug)]
+pub(super) struct Level {
+    pub kind: LevelKind,
+    /// Index of the program that runs on this level.
+    pub program: usize,
+    /// Where the caller goes on.
+    back: Place,
+    pub unit: Unit,
+    /// QL parameters, on levels that are programs.
+    pub locals: Option<Locals>,
+    pub call: CallPath,
+    /// Section repeats under way: offset of the call block and repeats left.
+    repeats: Vec<(u32, u32)>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LevelKind {
+    Main,
+    /// CALL PGM.
+    Program {
+        call_site: Loc,
+    },
+    /// CALL LBL; offset of the label.
+    Subprogram {
+        label_at: u32,
+        call_site: Loc,
+    },
+}
+
+impl Level {
+    pub fn main(program: usize, unit: Unit, locals: Locals) -> Level {
+        Level {
+            kind: LevelKind::Main,
+            program,
+            back: Place::default(),
+            unit,
+            locals: Some(locals),
+            call: CallPath::MAIN,
+            repeats: Vec::new(),
+        }
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn begin(&mut self, name: &[u8], unit: Option<Unit>, block: &Block) -> Outcome {
+        let loc = self.loc(block.span);
+        if let Some(first) = &self.program().head
+            && first.loc != loc
+        {
+            let first = first.loc;
+            self.report(
+                Diagnostic::new(codes::K1013, loc, "a second program begins in this file")
+                    .also(first, "the first one begins here")
+                    .help("put each program into a file of its own"),
+            );
+            return Err(Reported);
+        }
+        self.program().head = Some(ProgramHead { name: name.to_vec(), unit, loc });
+        let Some(unit) = unit else {
+            self.error(codes::K1007, "BEGIN PGM states neither MM nor INCH");
+            return Err(Reported);
+        };
+        if let LevelKind::Program { call_site } = self.level().kind
+            && self.levels[..self.levels.len() - 1].iter().any(|level| level.unit != unit)
+        {
+            self.report(
+                Diagnostic::new(codes::K2209, loc, "the called program has another unit than its caller")
+                    .also(call_site, "called here"),
+            );
+        }
+        self.level().unit = unit;
+        Ok(())
+    }
+
+    pub(super) fn end(&mut self, name: &[u8], unit: Option<Unit>) -> Outcome {
+        let here = self.here.origin.loc;
+        if let Some(head) = self.program().head.clone() {
+            if head.unit.is_some() && unit.is_some() && head.unit != unit {
+                self.report(
+                    Diagnostic::new(codes::K1009, here, "END PGM states another unit than BEGIN PGM")
+                        .also(head.loc, "the program begins here"),
+                );
+            }
+            if !head.name.eq_ignore_ascii_case(name) {
+                let (begin, end) = (readable(&head.name).into_owned(), readable(name).into_owned());
+                self.report(
+                    Diagnostic::new(codes::K1010, here, format!("END PGM names `{end}`, BEGIN PGM `{begin}`"))
+                        .also(head.loc, "the program begins here"),
+                );
+            }
+        }
+        self.look_behind_end();
+        self.program_over(true)
+    }
+
+    /// The file has no further block.
+    pub(super) fn end_of_file(&mut self) {
+        let place = self.program().cursor.place();
+        let file = self.program().file;
+        let loc = Loc { file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at.saturating_sub(1), 1) };
+        self.here.origin.loc = loc;
+        if self.cycles.is_open() {
+            self.finish_cycle();
+        }
+        if let Some(head) = &self.program().head {
+            let begin = head.loc;
+            self.report(
+                Diagnostic::new(codes::K1011, loc, "the file ends without END PGM")
+                    .also(begin, "the program begins here")
+                    .help("the file may have been cut off in transfer; if it is complete, add END PGM"),
+            );
+        }
+        let _ = self.program_over(false);
+    }
+
+    /// Warns about blocks behind END PGM.
+    fn look_behind_end(&mut self) {
+        let sources = self.job.sources;
+        let program = self.program();
+        let file = program.file;
+        let place = program.cursor.place();
+        let found = loop {
+            match program.cursor.next(sources) {
+                Ok(Next::Block(block)) if block.text.iter().all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x1a)) => {}
+                Ok(Next::Block(block)) => {
+                    break Some(Loc { file, line: block.line, span: Span::at(block.at, block.text.len() as u32) });
+                }
+                _ => break None,
+            }
+        };
+        if program.cursor.is_whole() {
+            program.cursor.resume(place);
+        }
+        if let Some(loc) = found {
+            self.report(Diagnostic::new(codes::K1012, loc, "this stands behind END PGM and is not part of the program"));
+        }
+    }
+
+    /// The end of a program file was reached: return to the caller, or end the run.
+    fn program_over(&mut self, regular: bool) -> Outcome {
+        if let LevelKind::Subprogram { label_at, call_site } = self.level().kind {
+            let file = self.program().file;
+            let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
+            self.report(
+                Diagnostic::new(codes::K2203, call_site, "the subprogram has no LBL 0 at its end")
+                    .here("called here")
+                    .also(label, "it begins here"),
+            );
+            self.ended = true;
+            return Err(Reported);
+        }
+        if matches!(self.level().kind, LevelKind::Program { .. }) {
+            self.leave();
+            return Ok(());
+        }
+        self.warn_without_head(regular);
+        self.function(Function::End { rewind: false });
+        self.ended = true;
+        Ok(())
+    }
+
+    fn line_of(&mut self, at: u32) -> u32 {
+        let file = self.program().file;
+        let text = self.job.sources.bytes(file, Span { start: 0, end: at });
+        text.iter().filter(|b| **b == b'\n').count() as u32 + 1
+    }
+
+    pub(super) fn warn_without_head(&mut self, _regular: bool) {
+        if self.programs[self.levels[0].program].head.is_none() && self.job.settings.control.unit.is_none() {
+            let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
+            self.job.diags.push(
+                Diagnostic::new(codes::K1008, loc, "no BEGIN PGM block: lengths are taken as millimetres")
+                    .help("set `[control] unit` in partc.toml, or add the block"),
+            );
+        }
+    }
+
+    /// M2, M30.
+    pub(super) fn program_end(&mut self, rewind: bool) -> Outcome {
+        if self.in_called_program() {
+            self.error(codes::K2208, "a called program ends the job with M2 or M30");
+            self.ended = true;
+            return Err(Reported);
+        }
+        self.warn_without_head(true);
+        self.function(Function::End { rewind });
+        self.ended = true;
+        Ok(())
+    }
+
+    // Labels.
+
+    fn resolve_label(&mut self, label: LabelRef, text: &[u8]) -> Outcome<Label> {
+        Ok(match label {
+            LabelRef::Number(n) => Label::Number(n),
+            LabelRef::Name(span) => Label::Name(readable(span.of(text)).into()),
+            LabelRef::Param(q) => {
+                let span = self.block_span();
+                match self.read(q, span)? {
+                    Val::Text(name) => Label::Name(name.as_ref().into()),
+                    Val::Number(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Label::Number(n as u32),
+                    Val::Number(n) => {
+                        return self.fail(codes::K2202, span, format!("{q} = {n} is no label number"));
+                    }
+                }
+            }
+        })
+    }
+
+    fn find_label(&mut self, label: &Label) -> Outcome<Place> {
+        let (job, here) = (self.job, self.here.origin.loc);
+        let program = self.program();
+        let file = program.file;
+        let labels = program.labels.get_or_insert_with(|| Labels::scan(&job, file, here));
+        if let Some(place) = labels.place(label) {
+            return Ok(place);
+        }
+        let found = Diagnostic::new(codes::K2202, here, format!("{label} is not set in this program"));
+        let found = match labels.like(label) {
+            Some(like) => found.help(format!("did you mean `{like}`?")),
+            None => found,
+        };
+        self.report(found);
+        Err(Reported)
+    }
+
+    fn seek(&mut self, place: Place) -> Outcome {
+        let sources = self.job.sources;
+        if let Err(error) = self.program().cursor.seek(sources, place) {
+            self.error(codes::P0105, format!("the file cannot be read: {error}"));
+            self.ended = true;
+            return Err(Reported);
+        }
+        Ok(())
+    }
+
+    /// `LBL n` in passing.
+    pub(super) fn label(&mut self, label: LabelRef) -> Outcome {
+        if label == LabelRef::Number(0)
+            && let LevelKind::Subprogram { .. } = self.level().kind
+        {
+            self.leave();
+        }
+        Ok(())
+    }
+
+    pub(super) fn call_label(&mut self, label: LabelRef, repeat: Option<Repeat>, text: &[u8]) -> Outcome {
+        let label = self.resolve_label(label, text)?;
+        if label == Label::Number(0) {
+            self.error(codes::K2202, "LBL 0 ends a subprogram and cannot be called");
+            return Err(Reported);
+        }
+        let count = match repeat {
+            None | Some(Repeat::Empty) => None,
+            Some(Repeat::Count(n)) => Some(n),
+            Some(Repeat::Param(q)) => {
+                let span = self.block_span();
+                Some(self.parameter(q, span)?)
+            }
+        };
+        match count {
+            None => self.call_subprogram(&label),
+            Some(count) => self.repeat_section(&label, count),
+        }
+    }
+
+    fn call_subprogram(&mut self, label: &Label) -> Outcome {
+        let place = self.find_label(label)?;
+        let call_site = self.here.origin.loc;
+        let kind = LevelKind::Subprogram { label_at: place.at, call_site };
+        let program = self.level().program;
+        let running = self.levels.iter().rev().take_while(|level| level.program == program).any(
+            |level| matches!(level.kind, LevelKind::Subprogram { label_at, .. } if label_at == place.at),
+        );
+        if running {
+            self.error(codes::K2204, format!("{label} calls itself"));
+            self.ended = true;
+            return Err(Reported);
+        }
+        self.enter(kind, program, place)
+    }
+
+    /// `CALL LBL n REP count`: back to the label, `count` more times.
+    fn repeat_section(&mut self, label: &Label, count: f64) -> Outcome {
+        let place = self.find_label(label)?;
+        let call_at = self.here.at;
+        if place.at > call_at {
+            self.report(
+                Diagnostic::new(codes::K2206, self.here.origin.loc, format!("{label} lies behind this block"))
+                    .help("a repeated section lies in front of its call; leave out REP to call a subprogram"),
+            );
+            self.ended = true;
+            return Err(Reported);
+        }
+        if count.fract() != 0.0 || count > MOST_REPEATS {
+            self.report(
+                Diagnostic::new(codes::K2205, self.here.origin.loc, format!("REP {count} is no number of repeats"))
+                    .help("REP takes a whole number from 0 to 65534; round the parameter with INT"),
+            );
+            self.ended = true;
+            return Err(Reported);
+        }
+        let repeats = &mut self.level().repeats;
+        let left = match repeats.iter().position(|(at, _)| *at == call_at) {
+            Some(i) => &mut repeats[i].1,
+            None => {
+                // REP counts additional passes.
+                repeats.push((call_at, count.max(0.0) as u32));
+                &mut repeats.last_mut().expect("just pushed").1
+            }
+        };
+        if *left == 0 {
+            self.level().repeats.retain(|(at, _)| *at != call_at);
+            return Ok(());
+        }
+        *left -= 1;
+        self.budget.jump(self.here.origin.loc);
+        self.seek(place)
+    }
+
+    /// Conditional jump whose condition holds.
+    pub(super) fn jump(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
+        let label = self.resolve_label(label, text)?;
+        let place = match self.find_label(&label) {
+            Ok(place) => place,
+            Err(reported) => {
+                // Going on past a jump that should be taken would run blocks that never run.
+                self.ended = true;
+                return Err(reported);
+            }
+        };
+        if let LevelKind::Subprogram { label_at, .. } = self.level().kind {
+            let end = self.program().labels.as_ref().and_then(|labels| labels.zero_after(label_at));
+            if place.at < label_at || end.is_some_and(|end| place.at > end) {
+                self.report(
+                    Diagnostic::new(codes::K2207, self.here.origin.loc, format!("the jump to {label} leaves the subprogram"))
+                        .help("leave a subprogram by its LBL 0"),
+                );
+            }
+        }
+        self.budget.jump(self.here.origin.loc);
+        self.seek(place)
+    }
+
+    // Levels.
+
+    fn enter(&mut self, kind: LevelKind, program: usize, to: Place) -> Outcome {
+        let site = self.here.origin.loc;
+        self.check_depth(kind)?;
+        let back = self.program().cursor.place();
+        let call = self.job.trail.enter(self.level().call, site);
+        let unit = self.level().unit;
+        let locals = matches!(kind, LevelKind::Program { .. }).then(Locals::default);
+        self.levels.push(Level { kind, program, back, unit, locals, call, repeats: Vec::new() });
+        self.budget.jump(site);
+        self.seek(to)
+    }
+
+    /// Nesting the control allows, and the configured limit.
+    fn check_depth(&mut self, kind: LevelKind) -> Outcome {
+        let old = self.job.settings.control.klartext == Generation::Tnc426;
+        let same = |level: &&Level| matches!(level.kind, LevelKind::Program { .. }) == matches!(kind, LevelKind::Program { .. });
+        let depth = self.levels[1..].iter().filter(same).count() + 1;
+        let (what, most) = match kind {
+            LevelKind::Program { .. } => ("programs", if old { 6 } else { 19 }),
+            _ => ("subprograms", if old { 8 } else { 19 }),
+        };
+        let limit = self.job.settings.limits.call_depth;
+        let message = if depth > most {
+            format!("{what} are nested deeper than {most} levels, which the control does not allow")
+        } else if self.levels.len() > limit {
+            format!("calls are nested deeper than {limit} levels")
+        } else {
+            return Ok(());
+        };
+        self.error(codes::P4003, message);
+        self.ended = true;
+        Err(Reported)
+    }
+
+    /// Returns from the current level.
+    fn leave(&mut self) {
+        if let Some(level) = self.levels.pop() {
+            let _ = self.seek(level.back);
+        }
+    }
+
+    // Programs.
+
+    pub(super) fn call_program(&mut self, name: &[u8]) -> Outcome {
+        let name = self.program_name(name)?;
+        self.call_program_named(&name)
+    }
+
+    pub(super) fn select_program(&mut self, name: &[u8]) -> Outcome {
+        self.selected = Some(self.program_name(name)?);
+        Ok(())
+    }
+
+    pub(super) fn call_selected(&mut self) -> Outcome {
+        match self.selected.clone() {
+            Some(name) => self.call_program_named(&name),
+            None => {
+                self.error(codes::P0101, "no program is selected: SEL PGM comes first");
+                self.ended = true;
+                Err(Reported)
+            }
+        }
+    }
+
+    /// The name as written: bare, in quotes, or in a text parameter.
+    pub(super) fn program_name(&mut self, name: &[u8]) -> Outcome<String> {
+        let name = readable(name.trim_ascii()).into_owned();
+        if let Some(digits) = name.strip_prefix("QS").or_else(|| name.strip_prefix("qs"))
+            && let Ok(number) = digits.parse()
+        {
+            let span = self.block_span();
+            return match self.read(QRef { kind: QKind::Qs, number }, span)? {
+                Val::Text(text) => Ok(text.to_string()),
+                Val::Number(_) => self.fail(codes::K2307, span, "a text parameter is needed"),
+            };
+        }
+        let name = name.trim_matches('"').trim().to_owned();
+        if name.is_empty() {
+            self.error(codes::K1006, "the name of the program is missing");
+            return Err(Reported);
+        }
+        Ok(name)
+    }
+
+    pub(super) fn call_program_named(&mut self, name: &str) -> Outcome {
+        let site = self.here.origin.loc;
+        if self.st.side != Side::None {
+            self.report(
+                Diagnostic::new(codes::K2603, site, "a program call ends the radius compensation")
+                    .help("program a block with R0 first"),
+            );
+            self.st.side = Side::None;
+        }
+        let call = self.here.origin.call;
+        let opened = if name.to_ascii_uppercase().ends_with(".I") {
+            self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
+            None
+        } else {
+            open_program(&self.job, name, &["H", "h"], site, call).and_then(|file| self.open(file, site))
+        };
+        let Some(program) = opened else {
+            // What the program would have done is unknown: nothing after it can be trusted.
+            self.st.lose(crate::machine::AxisSet::MAIN);
+            self.item(crate::ir::contour::Kind::Lost);
+            return Err(Reported);
+        };
+        if self.levels.iter().any(|level| level.program == program) {
+            self.error(codes::K2204, format!("program `{name}` calls itself"));
+            self.ended = true;
+            return Err(Reported);
+        }
+        // The return place needs the caller in memory.
+        let sources = self.job.sources;
+        if self.program().cursor.load(sources).is_err() {
+            self.ended = true;
+            return Err(Reported);
+        }
+        let start = self.programs[program].cursor.start();
+        self.enter(LevelKind::Program { call_site: site }, program, start)
+    }
+}

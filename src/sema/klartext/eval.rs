@@ -1,0 +1,310 @@
+//! Parameters and formulas: reading, computing, assigning, conditional jumps.
+
+use std::rc::Rc;
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::function::Turn;
+use crate::lexer::klartext::{QKind, QRef, Value};
+use crate::machine::{Axis, Generation, Unit};
+use crate::parser::klartext::ast::{Block, LabelRef, Op, Operand, Relation, Test};
+use crate::text::{Span, decode::readable};
+
+use super::calls::LevelKind;
+use super::formula::{self, Val};
+use super::vars::{Slot, exists};
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// The number that stands behind an address.
+    #[inline]
+    pub(super) fn number(&mut self, value: Value, span: Span) -> Outcome<f64> {
+        match value {
+            Value::Number(n) => Ok(n),
+            Value::Param { negative, q } => {
+                let n = self.parameter(q, span)?;
+                Ok(if negative { -n } else { n })
+            }
+            Value::None | Value::FeedMax | Value::FeedAuto => self.fail(codes::K1006, span, "a number is missing"),
+        }
+    }
+
+    /// A number where one is written, else `None`.
+    pub(super) fn number_if(&mut self, value: Value, span: Span) -> Outcome<Option<f64>> {
+        match value {
+            Value::None => Ok(None),
+            value => self.number(value, span).map(Some),
+        }
+    }
+
+    /// Value of a number parameter.
+    pub(super) fn parameter(&mut self, q: QRef, span: Span) -> Outcome<f64> {
+        match self.read(q, span)? {
+            Val::Number(n) => Ok(n),
+            Val::Text(_) => self.fail(codes::K2307, span, format!("{q} holds a text, a number is needed")),
+        }
+    }
+
+    pub(super) fn read(&mut self, q: QRef, span: Span) -> Outcome<Val> {
+        if !exists(q) {
+            return self.fail(codes::K2308, span, format!("{q} does not exist"));
+        }
+        if q.kind == QKind::Q && (100..200).contains(&q.number) {
+            if let Some(value) = self.control_value(q.number, span)? {
+                return Ok(Val::Number(value));
+            }
+        }
+        match self.vars.get(self.locals(), q) {
+            Some(Slot::Number(n)) => Ok(Val::Number(*n)),
+            Some(Slot::Text(text)) => Ok(Val::Text(Rc::clone(text))),
+            Some(Slot::Lost) => Err(Reported),
+            None => self.undefined(q, span),
+        }
+    }
+
+    fn undefined(&mut self, q: QRef, span: Span) -> Outcome<Val> {
+        if q.kind == QKind::Q && (100..200).contains(&q.number) {
+            return self.fail_help(
+                codes::K2304,
+                span,
+                format!("{q} is set by the control at the machine"),
+                &format!("give its value in partc.toml: `[variables]` with `{q} = …`"),
+            );
+        }
+        if q.is_text() {
+            return self.fail(codes::K2301, span, format!("{q} is read before a text is assigned to it"));
+        }
+        if self.job.settings.control.klartext > Generation::Tnc426 {
+            return self.fail_help(
+                codes::K2301,
+                span,
+                format!("{q} is read before a value is assigned to it"),
+                &format!("assign a value, or give one in partc.toml: `[variables]` with `{q} = …`"),
+            );
+        }
+        self.report(Diagnostic::new(codes::K2302, self.loc(span), format!("{q} was never set and is read as 0")));
+        Ok(Val::Number(0.0))
+    }
+
+    /// Q100 to Q199, as far as the compiler knows them.
+    fn control_value(&mut self, number: u32, span: Span) -> Outcome<Option<f64>> {
+        let mm = self.level().unit.mm();
+        Ok(match number {
+            108 => match self.st.tool.as_ref().and_then(|tool| tool.effective_radius()) {
+                Some(radius) => Some(radius / mm),
+                None => return self.tool_data_missing(codes::K2008, "radius", span).map(Some),
+            },
+            109 => Some(match self.st.tool_axis {
+                None => -1.0,
+                Some(Axis::X) => 0.0,
+                Some(Axis::Y) => 1.0,
+                Some(Axis::Z) => 2.0,
+                Some(Axis::U) => 6.0,
+                Some(Axis::V) => 7.0,
+                _ => 8.0,
+            }),
+            110 => Some(match (self.st.spindle, self.st.spindle_used) {
+                (Some(Turn::Clockwise), _) => 0.0,
+                (Some(Turn::CounterClockwise), _) => 1.0,
+                (None, Some(Turn::Clockwise)) => 2.0,
+                (None, Some(Turn::CounterClockwise)) => 3.0,
+                (None, None) => -1.0,
+            }),
+            111 => Some(f64::from(u8::from(self.st.coolant))),
+            113 => Some(match self.levels[0].unit {
+                Unit::Mm => 0.0,
+                Unit::Inch => 1.0,
+            }),
+            114 => match self.st.tool.as_ref().and_then(|tool| tool.length) {
+                Some(length) => Some(length / mm),
+                None => return self.tool_data_missing(codes::K2012, "length", span).map(Some),
+            },
+            _ => None,
+        })
+    }
+
+    /// Radius or length of the tool is needed and not known; a configured start value helps out.
+    fn tool_data_missing(&self, code: &'static crate::diag::Code, what: &str, span: Span) -> Outcome<f64> {
+        let q = QRef { kind: QKind::Q, number: if what == "radius" { 108 } else { 114 } };
+        if let Some(Slot::Number(value)) = self.vars.get(self.locals(), q) {
+            return Ok(*value);
+        }
+        match &self.st.tool {
+            Some(tool) => self.fail_help(
+                code,
+                span,
+                format!("the {what} of tool {} is not known", tool.called),
+                &format!("add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block", tool.called),
+            ),
+            None => self.fail_help(code, span, format!("no tool is called, so it has no {what}"), "program TOOL CALL first"),
+        }
+    }
+
+    /// Computes the formula of the block.
+    fn formula(&mut self, block: &Block, text: &[u8]) -> Outcome<Val> {
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.clear();
+        let result = self.run_ops(&mut stack, block, text);
+        let value = stack.pop();
+        self.stack = stack;
+        result?;
+        match value {
+            Some(value) => Ok(value),
+            None => self.fail(codes::K1006, block.span, "a value is missing"),
+        }
+    }
+
+    fn run_ops(&mut self, stack: &mut Vec<Val>, block: &Block, text: &[u8]) -> Outcome {
+        let generation = self.job.settings.control.klartext;
+        for op in &block.ops {
+            let value = match *op {
+                Op::Number(n) => Ok(Val::Number(n)),
+                Op::Param(q) => Ok(self.read(q, block.span)?),
+                Op::Text(span) => Ok(Val::Text(readable(span.of(text)).into())),
+                Op::Negate => pop(stack).map(|x| Val::Number(-x)),
+                Op::Unary(f) => pop(stack).and_then(|x| formula::unary(f, x, generation)).map(Val::Number),
+                Op::Binary(f) => {
+                    let (b, a) = (pop(stack), pop(stack));
+                    a.and_then(|a| b.and_then(|b| formula::binary(f, a, b))).map(Val::Number)
+                }
+                Op::TextFn(crate::parser::klartext::ast::TextFn::Unknown) => {
+                    return self.fail(codes::K9017, block.span, "this string function reads from the control");
+                }
+                Op::TextFn(f) => formula::text_fn(f, stack),
+                Op::Join => match (stack.pop(), stack.pop()) {
+                    (Some(Val::Text(b)), Some(Val::Text(a))) => formula::join(&a, &b),
+                    _ => Err("a text is needed".to_owned()),
+                },
+                Op::DoubtfulPower(span) => {
+                    if generation < Generation::Tnc7 {
+                        self.report(
+                            Diagnostic::new(codes::K2306, self.loc(span), "older controls may compute this power differently")
+                                .help("write brackets"),
+                        );
+                    }
+                    continue;
+                }
+            };
+            match value {
+                Ok(value) => stack.push(value),
+                Err(why) => return self.fail(codes::K2303, block.span, why),
+            }
+        }
+        Ok(())
+    }
+
+    /// `Q1 = …` and FN 0 to 8, 13.
+    pub(super) fn assign(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
+        let value = self.formula(block, text).and_then(|value| match value {
+            Val::Number(n) => match formula::checked(n) {
+                Ok(n) => Ok(Slot::Number(n)),
+                Err(why) => self.fail(codes::K2303, block.span, why),
+            },
+            Val::Text(_) => self.fail(codes::K2307, block.span, format!("{q} takes a number, not a text")),
+        });
+        if block.number.is_none()
+            && let Ok(Slot::Number(n)) = value
+        {
+            self.note_cycle_parameter(q, n, block.span);
+        }
+        self.set(q, value.unwrap_or(Slot::Lost), block.span)
+    }
+
+    pub(super) fn assign_text(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
+        let value = self.formula(block, text).and_then(|value| match value {
+            Val::Text(text) => Ok(Slot::Text(text)),
+            Val::Number(_) => self.fail(codes::K2307, block.span, format!("{q} takes a text, not a number")),
+        });
+        self.set(q, value.unwrap_or(Slot::Lost), block.span)
+    }
+
+    pub(super) fn set(&mut self, q: QRef, value: Slot, span: Span) -> Outcome {
+        if !exists(q) {
+            return self.fail(codes::K2308, span, format!("{q} does not exist"));
+        }
+        if q.kind == QKind::Q && (100..200).contains(&q.number) {
+            self.report(
+                Diagnostic::new(codes::K2305, self.loc(span), format!("{q} belongs to the control"))
+                    .help("use Q0 to Q99 or Q1600 to Q1999"),
+            );
+        }
+        let locals = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut());
+        let locals = locals.expect("the main level has locals");
+        self.vars.set(locals, q, value);
+        Ok(())
+    }
+
+    /// FN 9 to 12.
+    pub(super) fn jump_if(&mut self, test: Test, target: LabelRef, text: &[u8]) -> Outcome {
+        let whole = Span::at(0, 0);
+        let taken = match test {
+            Test::Defined { q, defined } => {
+                if !exists(q) {
+                    return self.fail(codes::K2308, whole, format!("{q} does not exist"));
+                }
+                self.vars.get(self.locals(), q).is_some() == defined
+            }
+            Test::Compare { relation, left, right } => {
+                let (a, b) = (self.operand(left, text)?, self.operand(right, text)?);
+                match (&a, &b) {
+                    (Val::Number(a), Val::Number(b)) => match relation {
+                        Relation::Equal => a == b,
+                        Relation::NotEqual => a != b,
+                        Relation::Greater => a > b,
+                        Relation::Less => a < b,
+                    },
+                    (Val::Text(a), Val::Text(b)) if relation == Relation::Equal => a == b,
+                    (Val::Text(a), Val::Text(b)) if relation == Relation::NotEqual => a != b,
+                    _ => {
+                        self.error(codes::K2307, "the comparison mixes text and number, or orders texts");
+                        return Err(Reported);
+                    }
+                }
+            }
+        };
+        if taken { self.jump(target, text) } else { Ok(()) }
+    }
+
+    fn operand(&mut self, operand: Operand, text: &[u8]) -> Outcome<Val> {
+        let span = self.block_span();
+        Ok(match operand {
+            Operand::Number(n) => Val::Number(n),
+            Operand::Text(span) => Val::Text(readable(span.of(text)).into()),
+            Operand::Param { negative, q } => match self.read(q, span)? {
+                Val::Number(n) => Val::Number(if negative { -n } else { n }),
+                text => text,
+            },
+        })
+    }
+
+    /// Span of the whole block, counted from its start.
+    pub(super) fn block_span(&self) -> Span {
+        let span = self.here.origin.loc.span;
+        Span { start: span.start - self.here.at, end: span.end - self.here.at }
+    }
+
+    /// FN 37: EXPORT copies a local parameter to the caller.
+    pub(super) fn export(&mut self, number: u32) -> Outcome {
+        let q = QRef { kind: QKind::Ql, number };
+        let value = match self.vars.get(self.locals(), q) {
+            Some(value) => value.clone(),
+            None => {
+                self.error(codes::K2301, format!("{q} has no value to export"));
+                return Err(Reported);
+            }
+        };
+        let inner = self.levels.iter().rposition(|level| matches!(level.kind, LevelKind::Program { .. }));
+        let outer = inner.and_then(|at| self.levels[..at].iter_mut().rev().find_map(|level| level.locals.as_mut()));
+        if let Some(locals) = outer {
+            locals.insert(number, value);
+        }
+        Ok(())
+    }
+}
+
+fn pop(stack: &mut Vec<Val>) -> Result<f64, String> {
+    match stack.pop() {
+        Some(Val::Number(n)) => Ok(n),
+        Some(Val::Text(_)) => Err("a number is needed, not a text".to_owned()),
+        None => Err("a value is missing".to_owned()),
+    }
+}

@@ -1,0 +1,110 @@
+//! The labels of one program, found in one pass over its text.
+
+use rustc_hash::FxHashMap;
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::klartext::ast::{Block, LabelRef, Stmt};
+use crate::parser::klartext::{SPLIT, parse_block};
+use crate::text::blocks::Place;
+use crate::text::{FileId, Loc, Next, Span, decode::readable};
+
+use super::super::Job;
+use super::super::exec::open_cursor;
+
+/// A label as programs call it.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(super) enum Label {
+    Number(u32),
+    Name(Box<str>),
+}
+
+impl std::fmt::Display for Label {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Label::Number(n) => write!(f, "LBL {n}"),
+            Label::Name(name) => write!(f, "LBL \"{name}\""),
+        }
+    }
+}
+
+/// Where the labels stand.
+#[derive(Debug, Default)]
+pub(super) struct Labels {
+    places: FxHashMap<Label, Place>,
+    /// Offsets of LBL 0, ascending.
+    zeros: Vec<u32>,
+}
+
+impl Labels {
+    /// Scans `file`; a label set twice is reported.
+    pub fn scan(job: &Job<'_>, file: FileId, from: Loc) -> Labels {
+        let mut labels = Labels::default();
+        let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return labels };
+        let mut block = Block::default();
+        let mut ignored = Vec::new();
+        loop {
+            let found = match cursor.next(job.sources) {
+                Ok(Next::Block(found)) => found,
+                Ok(Next::TooLong { .. }) => continue,
+                Ok(Next::End) | Err(_) => return labels,
+            };
+            if !may_be_label(found.text) {
+                continue;
+            }
+            parse_block(found.text, &mut block, &mut ignored);
+            ignored.clear();
+            let place = Place { at: found.at, line: found.line };
+            match block.stmt {
+                Stmt::Label(LabelRef::Number(0)) => labels.zeros.push(place.at),
+                Stmt::Label(label) => {
+                    let span = block.span.shifted(found.at);
+                    labels.add(job, label, found.text, place, Loc { file, line: place.line, span });
+                }
+                Stmt::End { .. } => return labels,
+                _ => {}
+            }
+        }
+    }
+
+    fn add(&mut self, job: &Job<'_>, label: LabelRef, text: &[u8], place: Place, loc: Loc) {
+        let label = match label {
+            LabelRef::Number(n) => Label::Number(n),
+            LabelRef::Name(span) => Label::Name(readable(span.of(text)).into()),
+            LabelRef::Param(_) => return,
+        };
+        if let Some(&first) = self.places.get(&label) {
+            let first = Loc { line: first.line, span: Span::at(first.at, 1), ..loc };
+            job.diags.push(
+                Diagnostic::new(codes::K2201, loc, format!("{label} is set twice"))
+                    .also(first, "first set here")
+                    .help("give one of them another number"),
+            );
+            return;
+        }
+        self.places.insert(label, place);
+    }
+
+    pub fn place(&self, label: &Label) -> Option<Place> {
+        self.places.get(label).copied()
+    }
+
+    /// Offset of the first LBL 0 behind `at`.
+    pub fn zero_after(&self, at: u32) -> Option<u32> {
+        self.zeros.get(self.zeros.partition_point(|zero| *zero <= at)).copied()
+    }
+
+    /// The label most like `label`, for a hint.
+    pub fn like(&self, label: &Label) -> Option<String> {
+        let shown = label.to_string();
+        let mut names: Vec<String> = self.places.keys().map(ToString::to_string).collect();
+        names.sort();
+        crate::machine::tree::did_you_mean(&shown, names.iter().map(String::as_str)).map(str::to_owned)
+    }
+}
+
+/// Could this block set a label or end the program? Looks at the first bytes only.
+fn may_be_label(text: &[u8]) -> bool {
+    let from = text.iter().position(|b| !matches!(b, b' ' | b'\t' | b'/' | b'0'..=b'9' | b'N' | b'n'));
+    matches!(from.and_then(|at| text.get(at)), Some(b'L' | b'l' | b'E' | b'e'))
+        && from.and_then(|at| text.get(at + 1)).is_some_and(|b| matches!(b, b'B' | b'b' | b'N' | b'n'))
+}

@@ -1,0 +1,337 @@
+//! M functions: one table says what each does, when it acts, and what it takes.
+//!
+//! Source: reference section 2.14.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::function::{Coolant, Spindle, Turn};
+use crate::ir::{Function, Side};
+use crate::machine::{AxisSet, Unit};
+use crate::text::Span;
+
+use super::words::{MWord, Words};
+use super::{Outcome, Run};
+
+/// What follows an M function.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Args {
+    pub feed: Option<f64>,
+    pub feed_max: bool,
+    pub value: Option<f64>,
+    pub max: bool,
+    pub axes: AxisSet,
+    /// A value, or MAX, was given.
+    pub given: bool,
+}
+
+/// What an M function may be followed by.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Takes {
+    pub feed: bool,
+    pub axes: bool,
+    /// A name with a value: `LA 5`, `T0.01`.
+    pub named: bool,
+    /// `MB 50`, `MB MAX`.
+    pub retract: bool,
+}
+
+/// When an M function acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum When {
+    Start,
+    End,
+}
+
+/// What an M function does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Act {
+    Spindle(Turn),
+    SpindleAndCoolant(Turn),
+    SpindleStop,
+    CoolantOn,
+    CoolantOff,
+    Stop,
+    OptionalStop,
+    ProgramEnd { rewind: bool },
+    ToolChange,
+    Orient,
+    /// Handled where the block moves: M89, M91, M99.
+    Block,
+    /// Smoothing, supervision: no influence on the programmed path.
+    Nothing,
+    /// The same, and worth a note.
+    Note,
+    /// Changes the compensated path: nothing without compensation.
+    CompensationOnly,
+    PlungeShare,
+    EdgeFeed(bool),
+    RotaryFeed(bool),
+    ShortWay(bool),
+    PerRevolution(bool),
+    ModuloRotary,
+    Retract,
+    Refused,
+}
+
+/// The table. Everything that is not in it is the machine builder's.
+fn entry(number: u32) -> Option<(Act, When)> {
+    use Act::*;
+    use When::*;
+    Some(match number {
+        0 => (Stop, End),
+        1 => (OptionalStop, End),
+        2 => (ProgramEnd { rewind: false }, End),
+        30 => (ProgramEnd { rewind: true }, End),
+        3 => (Spindle(Turn::Clockwise), Start),
+        4 => (Spindle(Turn::CounterClockwise), Start),
+        5 => (SpindleStop, End),
+        6 => (ToolChange, End),
+        8 => (CoolantOn, Start),
+        9 => (CoolantOff, End),
+        13 => (SpindleAndCoolant(Turn::Clockwise), Start),
+        14 => (SpindleAndCoolant(Turn::CounterClockwise), Start),
+        19 => (Orient, End),
+        89 | 91 | 99 => (Block, Start),
+        // Constant path speed, replacement tools, kv factors, oversize errors, handwheel, short points,
+        // exact stop, tilt axes, probe supervision, lift-off, limit switch messages.
+        90 | 101 | 102 | 105..=108 | 118 | 124 | 130 | 134 | 135 | 138 | 141 | 148..=150 => (Nothing, Start),
+        // Rounding of transitions, look-ahead, basic rotation of the setup.
+        112 | 113 | 120 | 143 => (Note, Start),
+        97 | 98 | 197 => (CompensationOnly, End),
+        103 => (PlungeShare, Start),
+        109 | 110 => (EdgeFeed(true), Start),
+        111 => (EdgeFeed(false), Start),
+        116 => (RotaryFeed(true), Start),
+        117 => (RotaryFeed(false), Start),
+        126 => (ShortWay(true), Start),
+        127 => (ShortWay(false), Start),
+        136 => (PerRevolution(true), Start),
+        137 => (PerRevolution(false), Start),
+        94 => (ModuloRotary, Start),
+        140 => (Retract, Start),
+        // Switched off is how every program starts.
+        115 | 129 | 145 => (Nothing, Start),
+        92 | 93 | 95 | 96 | 104 | 114 | 128 | 142 | 144 => (Refused, Start),
+        _ => return None,
+    })
+}
+
+pub(super) fn takes(number: u32) -> Takes {
+    let none = Takes::default();
+    match number {
+        103 | 128 => Takes { feed: true, ..none },
+        94 | 118 | 138 => Takes { axes: true, ..none },
+        112 => Takes { named: true, axes: true, ..none },
+        120 | 124 | 197 => Takes { named: true, ..none },
+        140 => Takes { retract: true, feed: true, ..none },
+        _ => none,
+    }
+}
+
+/// Two functions of one block that contradict each other.
+pub(super) fn conflict(a: u32, b: u32) -> bool {
+    let group = |n: u32| match n {
+        3..=5 | 13 | 14 => 1,
+        8 | 9 => 2,
+        2 | 30 => 3,
+        126 | 127 => 4,
+        136 | 137 => 5,
+        116 | 117 => 6,
+        _ => 0,
+    };
+    let coolant = |n: u32| matches!(n, 13 | 14);
+    (group(a) != 0 && group(a) == group(b)) || (coolant(a) && b == 9) || (coolant(b) && a == 9)
+}
+
+impl Run<'_> {
+    /// Refuses M functions that no path can be computed with, before anything of the block acts.
+    pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
+        for m in w.m() {
+            match entry(m.number) {
+                Some((Act::Refused, _)) => {
+                    let (what, help) = refusal(m.number);
+                    return self.fail_help(codes::K9008, m.span, format!("M{} {what}", m.number), help);
+                }
+                Some((Act::CompensationOnly, _)) if self.st.side != Side::None => {
+                    return self.fail_help(
+                        codes::K9008,
+                        m.span,
+                        format!("M{} changes the compensated path, which the target computes", m.number),
+                        "remove it, or program the contour so that it is not needed",
+                    );
+                }
+                Some(_) => {}
+                None if self.job.settings.output.pass_m.contains(&m.number) => {}
+                None => {
+                    return self.fail_help(
+                        codes::K2701,
+                        m.span,
+                        format!("M{} is a function of the machine builder", m.number),
+                        &format!("if the target machine understands it, add `[output] pass_m = [{}]`", m.number),
+                    );
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// M functions that act at the start of the block. `moves` tells whether the block moves.
+    pub(super) fn m_at_start(&mut self, w: &Words, moves: bool) -> Outcome {
+        for m in w.m() {
+            match entry(m.number) {
+                Some((act, When::Start)) => self.act(act, m)?,
+                Some((_, When::End)) => {}
+                None => {
+                    if moves {
+                        self.job.diags.push_once(
+                            Diagnostic::new(codes::K2706, self.loc(m.span), format!("M{} is printed before the move", m.number)),
+                        );
+                    }
+                    self.function(Function::Aux(m.number));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
+        for m in w.m() {
+            if let Some((act, When::End)) = entry(m.number) {
+                self.act(act, m)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn act(&mut self, act: Act, m: &MWord) -> Outcome {
+        match act {
+            Act::Spindle(turn) => self.start_spindle(turn),
+            Act::SpindleAndCoolant(turn) => {
+                self.start_spindle(turn);
+                self.coolant(true);
+            }
+            Act::SpindleStop => self.stop_spindle(),
+            Act::CoolantOn => self.coolant(true),
+            Act::CoolantOff => self.coolant(false),
+            Act::Stop => self.stop_all(),
+            Act::OptionalStop => self.function(Function::OptionalStop),
+            Act::ProgramEnd { rewind } => return self.program_end(rewind),
+            Act::ToolChange => self.m6(m.span),
+            Act::Orient => {
+                let angle = self.st.orientation.unwrap_or(0.0);
+                self.st.spindle = None;
+                self.function(Function::Spindle(Spindle::Orient(angle)));
+            }
+            Act::PlungeShare => {
+                if let Some(share) = m.args.feed
+                    && !(share > 0.0 && share <= 100.0)
+                {
+                    return self.fail(codes::K2707, m.span, format!("M103 F{share} is no share of the feed in %"));
+                }
+                self.st.plunge_share = m.args.feed.map(|percent| percent / 100.0);
+            }
+            Act::EdgeFeed(on) => self.st.edge_feed = on,
+            Act::RotaryFeed(on) => self.st.rotary_feed = on,
+            Act::ShortWay(on) => self.st.short_way = on,
+            Act::PerRevolution(on) => {
+                if on && self.level().unit == Unit::Inch {
+                    return self.fail(codes::K9008, m.span, "the unit of F under M136 in an INCH program is not documented");
+                }
+                if self.st.per_revolution != on {
+                    self.st.feed = None;
+                }
+                self.st.per_revolution = on;
+            }
+            Act::ModuloRotary => self.reduce_rotary(m.args.axes),
+            Act::Retract => return self.retract(m),
+            Act::Note | Act::CompensationOnly => {
+                let found = Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
+                self.report(found);
+            }
+            Act::Block | Act::Nothing | Act::Refused => {}
+        }
+        Ok(())
+    }
+
+    fn start_spindle(&mut self, turn: Turn) {
+        self.st.spindle = Some(turn);
+        self.st.spindle_used = Some(turn);
+        self.function(Function::Spindle(Spindle::Start(turn)));
+    }
+
+    pub(super) fn stop_spindle(&mut self) {
+        self.st.spindle = None;
+        self.function(Function::Spindle(Spindle::Stop));
+    }
+
+    fn coolant(&mut self, on: bool) {
+        self.st.coolant = on;
+        self.function(Function::Coolant(if on { Coolant::Flood } else { Coolant::Off }));
+    }
+
+    /// M0: program stop, spindle stop, coolant off.
+    fn stop_all(&mut self) {
+        if self.st.spindle.is_some() || self.st.coolant {
+            self.job.diags.push_once(
+                Diagnostic::new(codes::K2708, self.here.origin.loc, "M0 also stops the spindle and the coolant"),
+            );
+        }
+        if self.st.spindle.is_some() {
+            self.stop_spindle();
+        }
+        if self.st.coolant {
+            self.coolant(false);
+        }
+        self.function(Function::Stop);
+    }
+
+    /// M6 belongs to the TOOL CALL before it, whose change is printed already, or announces a change by hand.
+    fn m6(&mut self, span: Span) {
+        if self.st.spindle.is_some() {
+            self.stop_spindle();
+        }
+        let text = if self.st.change_printed {
+            "this M6 belongs to the tool change printed for the TOOL CALL"
+        } else {
+            "this M6 stops the spindle; the change is printed at the next TOOL CALL"
+        };
+        self.st.change_printed = false;
+        self.report(Diagnostic::new(codes::K2702, self.loc(span), text));
+    }
+
+    /// STOP with its M functions. STOP itself does not stop the spindle.
+    pub(super) fn stop_block(&mut self, block: &crate::parser::klartext::ast::Block) -> Outcome {
+        let w = self.gather(block, "STOP", super::words::Admits::M)?;
+        self.check_m(&w)?;
+        self.m_at_start(&w, false)?;
+        if w.has_m(0) {
+            return self.m_at_end(&w);
+        }
+        self.m_at_end(&w)?;
+        if !self.ended {
+            self.function(Function::Stop);
+        }
+        Ok(())
+    }
+}
+
+/// Why an M function is refused, and what to do.
+fn refusal(number: u32) -> (&'static str, &'static str) {
+    match number {
+        92 => ("counts from a position that the machine builder sets", "program workpiece coordinates, or M91"),
+        93 | 95 | 96 => ("is an approach function of old controls", "program the approach as blocks"),
+        104 => ("sets the workpiece datum back", "select the datum with cycle 247"),
+        114 | 128 | 144 => ("makes the control follow the tool tip with the rotary axes", "use 3-axis output of the CAM system"),
+        _ => ("resets functions that partc cannot know of", "reset them one by one"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contradictions() {
+        assert!(conflict(3, 4) && conflict(8, 9) && conflict(13, 9) && conflict(3, 5) && conflict(13, 3));
+        assert!(!conflict(3, 8) && !conflict(5, 9) && !conflict(13, 91) && !conflict(99, 30));
+    }
+}

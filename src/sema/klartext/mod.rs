@@ -1,0 +1,409 @@
+//! Runs a HEIDENHAIN Klartext program: an explicit program counter and call stack, parameters, modal state.
+//!
+//! Every block is resolved completely in its turn, so the programmed position is always known here.
+//! Source: `reference/heidenhain-klartext` sections 1 to 5; the order inside a block is: M functions at the
+//! start, motion, M functions at the end, cycle call (Appendix B).
+
+mod calls;
+mod cycle;
+mod eval;
+mod formula;
+mod labels;
+mod mfunc;
+mod other;
+mod path;
+mod state;
+mod system;
+mod tool;
+mod transform;
+mod vars;
+mod words;
+
+use std::rc::Rc;
+
+use crate::diag::{CallPath, Code, Diagnostic, codes};
+use crate::ir::contour::{CtxRef, Item, Kind, Sink};
+use crate::ir::{Function, Origin};
+use crate::machine::Unit;
+use crate::parser::klartext::ast::{Block, Stmt};
+use crate::parser::klartext::{SPLIT, parse_block, problem::Problem};
+use crate::text::blocks::Place;
+use crate::text::{Cursor, FileId, Loc, Next, Span};
+
+use super::Job;
+use super::exec::{Budget, Cache, open_cursor};
+use calls::{Level, LevelKind};
+use cycle::Cycles;
+use formula::Val;
+use labels::Labels;
+use state::State;
+use vars::{Locals, Vars};
+
+/// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
+pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
+    let (vars, locals) = Vars::new(&job.settings.variables);
+    let mut run = Run {
+        job: *job,
+        out,
+        st: State::new(job.settings),
+        vars,
+        programs: Vec::new(),
+        levels: Vec::new(),
+        budget: Budget::new(job.settings.limits.steps),
+        cycles: Cycles::default(),
+        defined: tool::Defined::default(),
+        selected: None,
+        stack: Vec::new(),
+        here: Here::default(),
+        problems: Vec::new(),
+        scratch: Block::default(),
+        text: Vec::new(),
+        ended: false,
+    };
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let Some(program) = run.open(job.main, start) else { return 0 };
+    run.levels.push(Level::main(program, job.settings.control.unit.unwrap_or_default(), locals));
+    while !run.ended {
+        run.step();
+    }
+    run.finish();
+    run.programs[program].cursor.content_hash(job.sources).unwrap_or(0)
+}
+
+/// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
+pub fn check_form(job: &Job<'_>) {
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
+    let mut block = Block::default();
+    let mut problems = Vec::new();
+    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
+        parse_block(text.text, &mut block, &mut problems);
+        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        for problem in problems.drain(..) {
+            job.diags.push(here.diagnostic(job, problem));
+        }
+        // What follows END PGM is reported as a whole.
+        if matches!(block.stmt, Stmt::End { .. }) {
+            break;
+        }
+    }
+}
+
+/// A program file and what is known of it.
+#[derive(Debug)]
+struct Program {
+    file: FileId,
+    cursor: Cursor,
+    labels: Option<Labels>,
+    cache: Cache<Parsed>,
+    /// BEGIN PGM, once it was met.
+    head: Option<ProgramHead>,
+}
+
+#[derive(Debug, Clone)]
+struct ProgramHead {
+    name: Vec<u8>,
+    unit: Option<Unit>,
+    loc: Loc,
+}
+
+/// A block as the cache keeps it.
+#[derive(Debug)]
+struct Parsed {
+    block: Block,
+    text: Vec<u8>,
+    lines: u32,
+    next: Place,
+}
+
+/// The block that is being executed.
+#[derive(Debug, Clone, Copy, Default)]
+struct Here {
+    file: FileId,
+    at: u32,
+    line: u32,
+    lines: u32,
+    origin: Origin,
+}
+
+impl Here {
+    fn new(file: FileId, at: u32, line: u32, lines: u32, call: CallPath) -> Here {
+        Here { file, at, line, lines, origin: Origin { loc: Loc { file, line, span: Span::at(at, 0) }, call } }
+    }
+
+    /// A place in the block.
+    fn loc(&self, job: &Job<'_>, span: Span) -> Loc {
+        let mut line = self.line;
+        if self.lines > 1 {
+            let before = job.sources.bytes(self.file, Span::at(self.at, span.start));
+            line += before.iter().filter(|b| **b == b'\n').count() as u32;
+        }
+        Loc { file: self.file, line, span: span.shifted(self.at) }
+    }
+
+    fn diagnostic(&self, job: &Job<'_>, problem: Problem) -> Diagnostic {
+        let found = Diagnostic::new(problem.code, self.loc(job, problem.span), problem.message);
+        let found = match problem.help {
+            Some(help) => found.help(help),
+            None => found,
+        };
+        found.called(self.origin.call)
+    }
+}
+
+/// A run of a program.
+struct Run<'a> {
+    job: Job<'a>,
+    out: &'a mut dyn Sink,
+    st: State,
+    vars: Vars,
+    programs: Vec<Program>,
+    levels: Vec<Level>,
+    budget: Budget,
+    cycles: Cycles,
+    /// Tools of TOOL DEF.
+    defined: tool::Defined,
+    /// Program of SEL PGM.
+    selected: Option<String>,
+    stack: Vec<Val>,
+    here: Here,
+    problems: Vec<Problem>,
+    scratch: Block,
+    text: Vec<u8>,
+    ended: bool,
+}
+
+/// A block that could not be executed; the reason was reported.
+#[derive(Debug, Clone, Copy)]
+struct Reported;
+
+type Outcome<T = ()> = Result<T, Reported>;
+
+impl Run<'_> {
+    fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
+        if let Some(at) = self.programs.iter().position(|program| program.file == file) {
+            return Some(at);
+        }
+        let cursor = open_cursor(&self.job, file, SPLIT, from)?;
+        self.programs.push(Program { file, cursor, labels: None, cache: Cache::default(), head: None });
+        Some(self.programs.len() - 1)
+    }
+
+    fn level(&mut self) -> &mut Level {
+        self.levels.last_mut().expect("the main level is popped only when the run ends")
+    }
+
+    fn program(&mut self) -> &mut Program {
+        let at = self.level().program;
+        &mut self.programs[at]
+    }
+
+    /// Executes one block.
+    fn step(&mut self) {
+        let (at, call) = (self.level().program, self.level().call);
+        if !self.budget.step() {
+            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+            self.ended = true;
+            return;
+        }
+        let program = &mut self.programs[at];
+        let place = program.cursor.place();
+        if program.cursor.is_whole()
+            && let Some(parsed) = program.cache.get(place.at)
+        {
+            program.cursor.resume(parsed.next);
+            self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
+            self.execute(&parsed.block, &parsed.text);
+            return;
+        }
+        let mut block = std::mem::take(&mut self.scratch);
+        let mut text = std::mem::take(&mut self.text);
+        text.clear();
+        match program.cursor.next(self.job.sources) {
+            Ok(Next::Block(found)) => {
+                parse_block(found.text, &mut block, &mut self.problems);
+                if needs_text(&block) {
+                    text.extend_from_slice(found.text);
+                }
+                let lines = found.lines;
+                self.here = Here::new(program.file, place.at, place.line, lines, call);
+                if program.cursor.is_whole() {
+                    let next = program.cursor.place();
+                    let parsed = Parsed { block: block.clone(), text: text.clone(), lines, next };
+                    program.cache.insert(place.at, Rc::new(parsed));
+                }
+                self.report_problems();
+                self.execute(&block, &text);
+            }
+            Ok(Next::TooLong { at, line }) => {
+                let loc = Loc { file: program.file, line, span: Span::at(at, 1) };
+                self.job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB"));
+            }
+            Ok(Next::End) => self.end_of_file(),
+            Err(error) => {
+                let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
+                self.job.diags.push(Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}")));
+                self.ended = true;
+            }
+        }
+        self.scratch = block;
+        self.text = text;
+    }
+
+    fn report_problems(&mut self) {
+        for problem in self.problems.drain(..) {
+            self.job.diags.push(self.here.diagnostic(&self.job, problem));
+        }
+    }
+
+    fn execute(&mut self, block: &Block, text: &[u8]) {
+        self.here.origin.loc.span = block.span.shifted(self.here.at);
+        if block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1) {
+            return;
+        }
+        if self.job.settings.output.comments
+            && let Some(comment) = block.comment
+            && !matches!(block.stmt, Stmt::Cycle { .. })
+        {
+            self.comment(comment.of(text));
+        }
+        match block.stmt {
+            Stmt::Empty => return,
+            Stmt::Bad => {
+                self.st.lose(crate::machine::AxisSet::MAIN);
+                self.item(Kind::Lost);
+                return;
+            }
+            _ => {}
+        }
+        if self.cycles.is_open() && !self.continues_cycle(block) {
+            self.finish_cycle();
+        }
+        // What went wrong was reported; the next block may show more.
+        let _ = self.statement(block, text);
+    }
+
+    fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        match block.stmt {
+            Stmt::Empty | Stmt::Bad => Ok(()),
+            Stmt::Path(function) => self.path_block(function, block),
+            Stmt::Pole => self.pole_block(block),
+            Stmt::Paraxial => self.paraxial_block(block),
+            Stmt::Functions => self.functions_block(block),
+            Stmt::Rounding | Stmt::Chamfer => self.corner_block(block),
+            Stmt::Stop => self.stop_block(block),
+            Stmt::Begin { name, unit } => self.begin(name.of(text), unit, block),
+            Stmt::End { name, unit } => self.end(name.of(text), unit),
+            Stmt::BlkForm => self.blank_form(block, text),
+            Stmt::ToolDef => self.tool_def(block, text),
+            Stmt::ToolCall => self.tool_call(block, text),
+            Stmt::Label(label) => self.label(label),
+            Stmt::CallLabel { label, repeat } => self.call_label(label, repeat, text),
+            Stmt::CallProgram(name) => self.call_program(name.of(text)),
+            Stmt::SelectProgram(name) => self.select_program(name.of(text)),
+            Stmt::CallSelected => self.call_selected(),
+            Stmt::Assign(q) => self.assign(q, block, text),
+            Stmt::AssignText(q) => self.assign_text(q, block, text),
+            Stmt::Fn { target, .. } => self.assign(target, block, text),
+            Stmt::If { test, target, .. } => self.jump_if(test, target, text),
+            Stmt::SystemRead(target) => self.system_read(target, block, text),
+            Stmt::FnOther { number, rest } => self.fn_other(number, rest.of(text)),
+            Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
+            Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
+            Stmt::Transform(kind) => self.transform_block(kind, block, text),
+            Stmt::PlaneReset(rest) => self.plane_reset(rest.of(text)),
+            Stmt::Approach => self.refuse_motion(codes::K9003, "APPR and DEP blocks are not supported yet"),
+            Stmt::Fk => self.refuse_motion(codes::K9002, "free contour programming is not supported yet"),
+            Stmt::Surface => self.refuse_motion(codes::K9015, "LN and SPL blocks are not supported"),
+            Stmt::Iso => self.refuse_motion(codes::K9009, "DIN/ISO words cannot stand in a Klartext program"),
+            Stmt::Refused(what, _) => self.refused(what),
+        }
+    }
+
+    /// A block that would move is refused: afterwards no position is known.
+    fn refuse_motion(&mut self, code: &'static Code, message: &str) -> Outcome {
+        self.error(code, message);
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.st.pole = None;
+        self.st.pole_lost = true;
+        self.item(Kind::Lost);
+        Err(Reported)
+    }
+
+    fn comment(&mut self, text: &[u8]) {
+        let text = text.trim_ascii();
+        let text = text.strip_suffix(b"~").unwrap_or(text).trim_ascii();
+        if !text.is_empty() {
+            self.function(Function::Comment(text.to_vec()));
+        }
+    }
+
+    /// Sends an item on.
+    fn item(&mut self, kind: Kind) {
+        self.out.item(Item { kind, ctx: CtxRef::clone(&self.st.ctx), origin: self.here.origin });
+    }
+
+    fn function(&mut self, function: Function) {
+        self.item(Kind::Function(function));
+    }
+
+    /// Reports an error about the whole block.
+    fn error(&self, code: &'static Code, message: impl Into<String>) {
+        self.report(Diagnostic::new(code, self.here.origin.loc, message));
+    }
+
+    fn report(&self, found: Diagnostic) {
+        self.job.diags.push(found.called(self.here.origin.call));
+    }
+
+    /// Reports an error about `span` of the block and gives up the block.
+    fn fail<T>(&self, code: &'static Code, span: Span, message: impl Into<String>) -> Outcome<T> {
+        self.report(Diagnostic::new(code, self.loc(span), message));
+        Err(Reported)
+    }
+
+    /// The same with a line of help.
+    fn fail_help<T>(&self, code: &'static Code, span: Span, message: impl Into<String>, help: &str) -> Outcome<T> {
+        self.report(Diagnostic::new(code, self.loc(span), message).help(help));
+        Err(Reported)
+    }
+
+    /// A place in the current block.
+    fn loc(&self, span: Span) -> Loc {
+        self.here.loc(&self.job, span)
+    }
+
+    fn locals(&self) -> &Locals {
+        let locals = self.levels.iter().rev().find_map(|level| level.locals.as_ref());
+        locals.expect("the main level has locals")
+    }
+
+    /// End of the whole run: what is still open is worth a word.
+    fn finish(&mut self) {
+        if self.cycles.is_open() {
+            self.finish_cycle();
+        }
+        if self.st.side != crate::ir::Side::None {
+            self.report(
+                Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")
+                    .help("program a block with R0 before the end"),
+            );
+        }
+        if !self.st.transform.is_none() {
+            self.report(
+                Diagnostic::new(codes::K2502, self.here.origin.loc, "the program ends with a transformation in force")
+                    .help("reset datum shift, mirror, rotation and scaling before the end"),
+            );
+        }
+    }
+
+    /// A call level of kind Main or Program: the innermost program.
+    fn in_called_program(&self) -> bool {
+        self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { .. }))
+    }
+}
+
+/// Does executing the block need more of its text than the spans of its words?
+fn needs_text(block: &Block) -> bool {
+    block.comment.is_some() || !matches!(block.stmt, Stmt::Path(_) | Stmt::Pole | Stmt::Empty)
+}

@@ -1,0 +1,175 @@
+//! Modal state of a Klartext program.
+
+use std::rc::Rc;
+
+use crate::geo::{Deg, Plane, Point2};
+use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::function::Turn;
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::{Axis, AxisSet, Settings};
+use crate::text::Loc;
+
+use super::transform::Transformation;
+
+/// Everything that one block leaves to the next. Positions are millimetres in the current input system.
+#[derive(Debug)]
+pub(super) struct State {
+    /// Programmed position.
+    pub pos: Pos,
+    /// Axes whose position is unknown because an error was reported: not worth another one.
+    pub lost: AxisSet,
+    pub pole: Option<PoleState>,
+    /// A pole block was refused: a missing pole is not worth another error.
+    pub pole_lost: bool,
+    /// Radius and angle of the last polar block, while nothing else moved in the plane.
+    pub polar: Option<LastPolar>,
+    /// Radius and angle last written in a polar block.
+    pub programmed_polar: Option<(f64, Deg)>,
+    /// Counter-clockwise, of the last arc.
+    pub turn: Option<bool>,
+    pub feed: Option<Feed>,
+    /// F of the last TOOL CALL.
+    pub tool_feed: Option<f64>,
+    /// M136: F counts per revolution.
+    pub per_revolution: bool,
+    /// M103: highest share of the feed in the negative tool axis.
+    pub plunge_share: Option<f64>,
+    pub side: Side,
+    pub tool: Option<ActiveTool>,
+    pub tool_axis: Option<Axis>,
+    pub transform: Transformation,
+    /// Counts changes of the input system.
+    pub system: u32,
+    pub spindle: Option<Turn>,
+    /// The spindle was started once.
+    pub spindle_used: Option<Turn>,
+    pub speed: Option<f64>,
+    pub coolant: bool,
+    /// M126: rotary axes take the short way.
+    pub short_way: bool,
+    /// M116: feed of rotary axes at the surface.
+    pub rotary_feed: bool,
+    /// M109 or M110: feed at the cutting edge.
+    pub edge_feed: bool,
+    /// Whole turns between the printed and the programmed position of A, B, C, in degrees.
+    pub rotary_offset: [f64; 3],
+    /// Angle of cycle 13.
+    pub orientation: Option<f64>,
+    /// A tool change was printed and no M6 belonged to it yet.
+    pub change_printed: bool,
+    /// Something moved already.
+    pub moved: bool,
+    pub blank: Blank,
+    pub ctx: CtxRef,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PoleState {
+    pub at: Point2,
+    pub plane: Plane,
+    pub set: Loc,
+    pub system: u32,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LastPolar {
+    pub radius: f64,
+    pub angle: Deg,
+    pub pole: Point2,
+    pub plane: Plane,
+}
+
+/// The tool in the spindle; lengths in mm, `None` for unknown.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ActiveTool {
+    /// Number to print.
+    pub number: u32,
+    /// As called: the number without the index, or the name.
+    pub called: String,
+    pub radius: Option<f64>,
+    pub length: Option<f64>,
+    pub corner_radius: Option<f64>,
+    /// Oversizes of length, radius and corner radius from the table.
+    pub table_deltas: [f64; 3],
+    /// The same from TOOL CALL.
+    pub call_deltas: [f64; 3],
+}
+
+impl ActiveTool {
+    /// Radius with all oversizes.
+    pub fn effective_radius(&self) -> Option<f64> {
+        self.radius.map(|r| r + self.table_deltas[1] + self.call_deltas[1])
+    }
+}
+
+/// BLK FORM, for checks only.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Blank {
+    pub axis: Option<Axis>,
+    pub min: Option<[f64; 3]>,
+}
+
+impl State {
+    pub fn new(settings: &Settings) -> State {
+        let feed = settings.control.feed;
+        State {
+            pos: Pos::UNKNOWN,
+            lost: AxisSet::EMPTY,
+            pole: None,
+            pole_lost: false,
+            polar: None,
+            programmed_polar: None,
+            turn: None,
+            feed: feed.map(Feed::PerMinute),
+            tool_feed: feed,
+            per_revolution: false,
+            plunge_share: None,
+            side: Side::None,
+            tool: None,
+            tool_axis: None,
+            transform: Transformation::default(),
+            system: 0,
+            spindle: None,
+            spindle_used: None,
+            speed: None,
+            coolant: false,
+            short_way: false,
+            rotary_feed: false,
+            edge_feed: false,
+            rotary_offset: [0.0; 3],
+            orientation: None,
+            change_printed: false,
+            moved: false,
+            blank: Blank::default(),
+            ctx: Rc::new(Ctx::default()),
+        }
+    }
+
+    /// Tool axis in force: called, or that of the blank, or Z.
+    pub fn axis(&self) -> Axis {
+        self.tool_axis.or(self.blank.axis).unwrap_or(Axis::Z)
+    }
+
+    /// Working plane that belongs to the tool axis.
+    pub fn plane(&self) -> Plane {
+        plane_of(self.axis())
+    }
+
+    /// Forgets where these axes are.
+    pub fn lose(&mut self, axes: AxisSet) {
+        for axis in axes.iter() {
+            self.pos.forget(axis);
+        }
+        self.lost = self.lost.union(axes);
+        self.polar = None;
+    }
+}
+
+/// Working plane of a tool axis; U, V, W stand for the main axis they are parallel to.
+pub(super) fn plane_of(axis: Axis) -> Plane {
+    match axis {
+        Axis::X | Axis::U => Plane::Yz,
+        Axis::Y | Axis::V => Plane::Zx,
+        _ => Plane::Xy,
+    }
+}

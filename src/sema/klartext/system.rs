@@ -1,0 +1,156 @@
+//! FN 18: SYSREAD, for what the program text determines.
+//!
+//! Source: reference section 5.7; ID 50 is read as shop programs use it: NR is the column, IDX the tool.
+
+use crate::diag::codes;
+use crate::lexer::klartext::QRef;
+use crate::machine::{Axis, ToolKey};
+use crate::parser::klartext::ast::{Addr, Block};
+
+use super::vars::Slot;
+use super::{Outcome, Reported, Run};
+
+/// What is asked for.
+#[derive(Debug, Clone, Copy, Default)]
+struct Request {
+    id: u32,
+    nr: u32,
+    idx: Option<f64>,
+}
+
+impl Run<'_> {
+    pub(super) fn system_read(&mut self, target: QRef, block: &Block, text: &[u8]) -> Outcome {
+        let value = self.request(block, text).and_then(|request| self.answer(request, block));
+        let slot = match value {
+            Ok(value) => Slot::Number(value),
+            Err(Reported) => Slot::Lost,
+        };
+        self.set(target, slot, block.span)?;
+        value.map(drop)
+    }
+
+    fn request(&mut self, block: &Block, text: &[u8]) -> Outcome<Request> {
+        let mut request = Request::default();
+        let mut words = block.words.iter();
+        while let Some(name) = words.next() {
+            let value = match (name.addr, words.next()) {
+                (Addr::Name, Some(value)) if value.addr == Addr::Value => value,
+                _ => return self.fail(codes::K1001, name.span, "SYSREAD takes ID, NR and IDX with a value each"),
+            };
+            let whole = |n: f64| (n >= 0.0 && n.fract() == 0.0).then_some(n as u32);
+            let n = self.number(value.value, value.span)?;
+            match (name.span.of(text).to_ascii_uppercase().as_slice(), whole(n)) {
+                (b"ID", Some(n)) => request.id = n,
+                (b"NR", Some(n)) => request.nr = n,
+                (b"IDX", _) => request.idx = Some(n),
+                _ => return self.fail(codes::K1001, value.span, "SYSREAD takes whole numbers behind ID and NR, and IDX"),
+            }
+        }
+        Ok(request)
+    }
+
+    fn answer(&mut self, r: Request, block: &Block) -> Outcome<f64> {
+        let mm = self.level().unit.mm();
+        let index = r.idx.filter(|n| n.fract() == 0.0 && (1.0..=9.0).contains(n)).map(|n| n as usize);
+        let axis = index.map(|n| Axis::ALL[n - 1]);
+        let t = &self.st.transform;
+        let known = match (r.id, r.nr) {
+            // State of the machine as the program set it.
+            (20, 1) => self.st.tool.as_ref().map(|tool| f64::from(tool.number)),
+            (20, 3) => self.st.tool_axis.map(|axis| match axis {
+                Axis::U => 6.0,
+                Axis::V => 7.0,
+                Axis::W => 8.0,
+                main => main.index() as f64,
+            }),
+            (20, 4) => self.st.speed,
+            (50, 1..=6) => return self.table_value(r, block),
+            // Active tool: radius, length, corner radius; IDX 1 without, 2 with table, 3 with all oversizes.
+            (200, 1..=3) => self.st.tool.as_ref().and_then(|tool| {
+                let (value, i) = match r.nr {
+                    1 => (tool.radius?, 1),
+                    2 => (tool.length?, 0),
+                    _ => (tool.corner_radius?, 2),
+                };
+                let table = tool.table_deltas[i];
+                match r.idx.map(|n| n as u32) {
+                    Some(1) => Some(value / mm),
+                    Some(2) => Some((value + table) / mm),
+                    Some(3) => Some((value + table + tool.call_deltas[i]) / mm),
+                    _ => None,
+                }
+            }),
+            (210, 2) => Some(t.angle.0),
+            (210, 3) => Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum()),
+            (210, 4) => index.map(|n| t.scale * t.axis_scale.get(n - 1).copied().unwrap_or(1.0)),
+            (210, 5) => index.filter(|n| *n <= 3).map(|_| 0.0),
+            (210, 6) => Some(0.0),
+            (220, 2) => axis.map(|axis| {
+                let shift = t.shift[axis.index()];
+                if axis.is_rotary() { shift } else { shift / mm }
+            }),
+            (270, 1) => match axis {
+                Some(axis) => {
+                    let value = self.position_of(axis, block.span, "SYSREAD")?;
+                    return Ok(if axis.is_rotary() { value } else { value / mm });
+                }
+                None => None,
+            },
+            _ => None,
+        };
+        match known {
+            Some(value) => Ok(value),
+            None => self.fail_help(
+                codes::K9016,
+                block.span,
+                format!("system data ID {} NR {} is known only at the machine", r.id, r.nr),
+                "assign the value with FN 0 if it is always the same",
+            ),
+        }
+    }
+
+    /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool, or the active one.
+    fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
+        let mm = self.level().unit.mm();
+        let (key, data) = match r.idx {
+            Some(n) => {
+                let key = ToolKey::Number(n.trunc() as u32, (n.fract() * 10.0).round() as u8);
+                let mut data = self.job.settings.tools.table.get(&key).cloned();
+                if let Some(&(length, radius)) = self.defined.get(&(n as u32)) {
+                    let tool = data.get_or_insert_with(Default::default);
+                    tool.length = length.or(tool.length);
+                    tool.radius = radius.or(tool.radius);
+                }
+                (key.to_string(), data)
+            }
+            None => match &self.st.tool {
+                Some(tool) => (
+                    tool.called.clone(),
+                    Some(crate::machine::Tool {
+                        radius: tool.radius,
+                        length: tool.length,
+                        corner_radius: tool.corner_radius,
+                        deltas: tool.table_deltas,
+                        ..Default::default()
+                    }),
+                ),
+                None => (String::new(), None),
+            },
+        };
+        let value = data.as_ref().and_then(|tool| match r.nr {
+            1 => tool.length,
+            2 => tool.radius,
+            3 => tool.corner_radius,
+            n => Some(tool.deltas[n as usize - 4]),
+        });
+        match value {
+            Some(value) => Ok(value / mm),
+            None => self.fail_help(
+                codes::K2008,
+                block.span,
+                format!("the table data of tool {key} is not known"),
+                &format!("add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`"),
+            ),
+        }
+    }
+}

@@ -1,0 +1,360 @@
+//! TOOL DEF, TOOL CALL, and what other blocks ask of the active tool.
+//!
+//! Source: reference section 1.5.
+
+use rustc_hash::FxHashMap;
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::function::{CutterData, Spindle};
+use crate::ir::{Function, Side};
+use crate::lexer::klartext::Value;
+use crate::machine::{Axis, Tool};
+use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::text::Span;
+
+use super::formula::Val;
+use super::state::ActiveTool;
+use super::{Outcome, Reported, Run};
+
+/// Highest tool number.
+const MOST_TOOLS: f64 = 32767.0;
+
+/// A tool as a block names it.
+#[derive(Debug, Clone, PartialEq)]
+enum Named {
+    Number(u32, u8),
+    Name(String),
+}
+
+impl std::fmt::Display for Named {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Named::Number(n, 0) => write!(f, "{n}"),
+            Named::Number(n, index) => write!(f, "\"{n}.{index}\""),
+            Named::Name(name) => write!(f, "\"{name}\""),
+        }
+    }
+}
+
+/// Tools that the program itself defines: length and radius in mm.
+pub(super) type Defined = FxHashMap<u32, (Option<f64>, Option<f64>)>;
+
+/// The words behind the tool of a TOOL CALL.
+#[derive(Debug, Default)]
+struct Call {
+    axis: Option<Axis>,
+    speed: Option<f64>,
+    feed: Option<f64>,
+    /// DL, DR, DR2 as far as written.
+    deltas: [Option<f64>; 3],
+}
+
+impl Run<'_> {
+    /// `TOOL DEF 5 L+0 R+4` defines a tool; `TOOL DEF 5` alone tells the changer which one comes next.
+    pub(super) fn tool_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let Some((tool, rest)) = self.named_tool(&block.words, text)? else {
+            return self.fail(codes::K1006, block.span, "TOOL DEF names no tool");
+        };
+        let mm = self.level().unit.mm();
+        let (mut length, mut radius) = (None, None);
+        let mut at = 0;
+        while let Some(&word) = rest.get(at) {
+            at += 1;
+            match word.addr {
+                Addr::Length => length = Some(self.number(word.value, word.span)? * mm),
+                Addr::Radius { .. } => radius = Some(self.number(word.value, word.span)? * mm),
+                // `L+Q5`: the parameter stands by itself.
+                Addr::Name if word.span.of(text).eq_ignore_ascii_case(b"L") => match rest.get(at) {
+                    Some(value) if value.addr == Addr::Value => {
+                        length = Some(self.number(value.value, value.span)? * mm);
+                        at += 1;
+                    }
+                    _ => return self.fail(codes::K1006, word.span, "L lacks its value"),
+                },
+                Addr::RadiusEmpty => {}
+                _ => return self.not_admitted(word, "TOOL DEF"),
+            }
+        }
+        if length.is_some() || radius.is_some() {
+            let Named::Number(number, _) = tool else {
+                return self.fail(codes::K2010, block.span, "a tool that the program defines needs a number");
+            };
+            self.defined.insert(number, (length, radius));
+            return Ok(());
+        }
+        let (number, _) = self.look_up(&tool, block.span)?;
+        self.function(Function::ToolPrepare { number });
+        Ok(())
+    }
+
+    pub(super) fn tool_call(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let (tool, rest) = match self.named_tool(&block.words, text)? {
+            Some((tool, rest)) => (Some(tool), rest),
+            None => (None, block.words.as_slice()),
+        };
+        let call = self.call_words(rest)?;
+        if self.st.side != Side::None {
+            self.report(
+                Diagnostic::new(codes::K2603, self.here.origin.loc, "TOOL CALL ends the radius compensation")
+                    .help("program a block with R0 first"),
+            );
+            self.st.side = Side::None;
+        }
+        if call.axis.is_none() && self.st.tool_axis.is_none() && tool.as_ref().is_some_and(|t| *t != Named::Number(0, 0)) {
+            return self.fail_help(
+                codes::K2004,
+                block.span,
+                "the first TOOL CALL has no tool axis",
+                "write it behind the tool number: `TOOL CALL 5 Z S2500`",
+            );
+        }
+        if let Some(axis) = call.axis {
+            self.set_tool_axis(axis);
+        }
+        match &tool {
+            Some(tool) => self.change_tool(tool, &call, block.span)?,
+            None => self.change_deltas(&call),
+        }
+        self.update_frame(block.span)?;
+        if let Some(speed) = call.speed {
+            self.spindle_speed(speed, block.span)?;
+        }
+        if let Some(feed) = call.feed {
+            if feed <= 0.0 {
+                return self.fail(codes::O1001, block.span, format!("the feed is {feed}"));
+            }
+            // The feed of a TOOL CALL holds until another one is programmed, in a block or a TOOL CALL.
+            let feed = self.feed_of(feed);
+            self.st.tool_feed = Some(feed.value());
+            self.st.feed = Some(feed);
+        } else if tool.is_some() {
+            self.st.tool_feed = self.job.settings.control.feed;
+        }
+        Ok(())
+    }
+
+    fn set_tool_axis(&mut self, axis: Axis) {
+        let changed = self.st.tool_axis != Some(axis);
+        self.st.tool_axis = Some(axis);
+        if changed {
+            self.function(Function::Plane(self.st.plane()));
+        }
+    }
+
+    /// The words behind the tool of a TOOL CALL.
+    fn call_words(&mut self, words: &[Word]) -> Outcome<Call> {
+        let mm = self.level().unit.mm();
+        let mut call = Call::default();
+        for &word in words {
+            let delta = match word.addr {
+                Addr::DeltaLength => Some(0),
+                Addr::DeltaRadius => Some(1),
+                Addr::DeltaRadius2 => Some(2),
+                _ => None,
+            };
+            let slot = match (word.addr, delta) {
+                (_, Some(i)) => &mut call.deltas[i],
+                (Addr::Speed, _) => &mut call.speed,
+                (Addr::Feed, _) => &mut call.feed,
+                (Addr::Axis { axis, incremental: false }, _) if word.value == Value::None && !axis.is_rotary() => {
+                    if call.axis.replace(axis).is_some() {
+                        return self.fail(codes::K1004, word.span, "a second tool axis");
+                    }
+                    continue;
+                }
+                (Addr::FeedEmpty, _) => continue,
+                _ => return self.not_admitted(word, "TOOL CALL"),
+            };
+            if slot.is_some() {
+                let text = self.word_text(word.span);
+                return self.fail(codes::K1004, word.span, format!("`{text}` repeats a word of this block"));
+            }
+            let value = self.number(word.value, word.span)?;
+            *slot = Some(if delta.is_some() { value * mm } else { value });
+        }
+        Ok(call)
+    }
+
+    fn change_tool(&mut self, tool: &Named, call: &Call, span: Span) -> Outcome {
+        let (number, data) = self.look_up(tool, span)?;
+        let (mut length, mut radius) = (data.length, data.radius);
+        if let Named::Number(n, 0) = tool {
+            if let Some(&(l, r)) = self.defined.get(n) {
+                length = l.or(length);
+                radius = r.or(radius);
+            }
+            if *n == 0 {
+                (length, radius) = (Some(0.0), Some(0.0));
+            }
+        }
+        self.st.tool = Some(ActiveTool {
+            number,
+            called: tool.to_string(),
+            radius,
+            length,
+            corner_radius: data.corner_radius,
+            table_deltas: data.deltas,
+            call_deltas: call.deltas.map(Option::unwrap_or_default),
+        });
+        // The change stops the spindle, and a tool of another length has its tip elsewhere.
+        self.st.spindle = None;
+        let axis = self.st.axis();
+        self.st.pos.forget(axis);
+        self.st.lost.remove(axis);
+        self.st.polar = self.st.polar.filter(|last| !contains(last.plane, axis));
+        self.function(Function::ToolChange { number });
+        self.st.change_printed = true;
+        self.send_cutter();
+        Ok(())
+    }
+
+    /// TOOL CALL without a tool: the oversizes are set anew.
+    fn change_deltas(&mut self, call: &Call) {
+        let here = self.here.origin.loc;
+        let Some(tool) = &mut self.st.tool else { return };
+        let new = call.deltas.map(Option::unwrap_or_default);
+        let dropped = tool.call_deltas.iter().zip(&call.deltas).any(|(old, new)| *old != 0.0 && new.is_none());
+        tool.call_deltas = new;
+        if dropped {
+            self.report(
+                Diagnostic::new(codes::K2009, here, "this TOOL CALL does not repeat the oversizes in force, so they end")
+                    .help("write DL, DR and DR2 again if they are to stay"),
+            );
+        }
+        self.send_cutter();
+    }
+
+    /// Tells what compensation has to know of the tool.
+    fn send_cutter(&mut self) {
+        let Some(tool) = &self.st.tool else { return };
+        let changed = tool.call_deltas[1] != 0.0;
+        let radius = if changed { tool.effective_radius() } else { None };
+        let number = tool.number;
+        self.function(Function::Cutter(CutterData { number, radius }));
+    }
+
+    /// Before RL or RR: is there a tool, and is its radius what the target believes?
+    pub(super) fn check_cutter(&mut self, span: Span) -> Outcome {
+        match &self.st.tool {
+            None => self.fail_help(
+                codes::K2008,
+                span,
+                "radius compensation without a tool",
+                "program TOOL CALL before RL or RR",
+            ),
+            Some(tool) if tool.call_deltas[1] != 0.0 && tool.radius.is_none() => {
+                let called = tool.called.clone();
+                self.fail_help(
+                    codes::K2008,
+                    span,
+                    format!("tool {called} has an oversize DR, and its radius is not known"),
+                    &format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                )
+            }
+            Some(_) => Ok(()),
+        }
+    }
+
+    /// Radius of the active tool with its oversizes.
+    pub(super) fn tool_radius(&mut self, span: Span) -> Outcome<f64> {
+        match &self.st.tool {
+            Some(tool) => match tool.effective_radius() {
+                Some(radius) => Ok(radius),
+                None => {
+                    let called = tool.called.clone();
+                    self.fail_help(
+                        codes::K2008,
+                        span,
+                        format!("the radius of tool {called} is not known"),
+                        &format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                    )
+                }
+            },
+            None => self.fail_help(codes::K2008, span, "no tool is called", "program TOOL CALL first"),
+        }
+    }
+
+    pub(super) fn spindle_speed(&mut self, speed: f64, span: Span) -> Outcome {
+        if speed < 0.0 {
+            return self.fail(codes::O9002, span, format!("the spindle speed is {speed}"));
+        }
+        self.st.speed = Some(speed);
+        self.function(Function::Spindle(Spindle::Speed(speed)));
+        Ok(())
+    }
+
+    /// The tool that the first word names, and the words behind it.
+    fn named_tool<'w>(&mut self, words: &'w [Word], text: &[u8]) -> Outcome<Option<(Named, &'w [Word])>> {
+        let Some((&first, rest)) = words.split_first() else { return Ok(None) };
+        let name = |bytes: &[u8]| Named::Name(crate::text::decode::readable(bytes).trim_matches('"').to_owned());
+        let tool = match (first.addr, first.value) {
+            (Addr::Text, _) => name(first.span.of(text)),
+            (Addr::Value, Value::Param { q, .. }) if q.is_text() => match self.read(q, first.span)? {
+                Val::Text(text) => Named::Name(text.to_string()),
+                Val::Number(_) => return self.fail(codes::K2307, first.span, "a text parameter is needed"),
+            },
+            (Addr::Value, Value::Number(_)) => self.tool_number(first.span.of(text), first.span)?,
+            (Addr::Value, value) => {
+                let n = self.number(value, first.span)?;
+                self.tool_number(format!("{n}").as_bytes(), first.span)?
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some((tool, rest)))
+    }
+
+    /// `5` or `5.2`.
+    fn tool_number(&self, digits: &[u8], span: Span) -> Outcome<Named> {
+        let text = String::from_utf8_lossy(digits);
+        let text = text.trim_start_matches('+');
+        let (number, index) = text.split_once(['.', ',']).unwrap_or((text, ""));
+        let index = if index.trim_end_matches('0').is_empty() { Ok(0) } else { index.parse() };
+        match (number.parse::<u32>(), index) {
+            (Ok(number), Ok(index)) if f64::from(number) <= MOST_TOOLS => Ok(Named::Number(number, index)),
+            _ => self.fail(codes::K2010, span, format!("{text} is no tool number")),
+        }
+    }
+
+    /// Number to print and data of a tool.
+    fn look_up(&self, tool: &Named, span: Span) -> Outcome<(u32, Tool)> {
+        let tools = &self.job.settings.tools;
+        match tool {
+            Named::Number(number, index) => {
+                let data = tools.by_number(*number, *index);
+                if data.is_none() && tools.complete && *number != 0 && !self.defined.contains_key(number) {
+                    self.report(Diagnostic::new(
+                        codes::K2007,
+                        self.loc(span),
+                        format!("tool {tool} is not in the tool table"),
+                    ));
+                }
+                let data = data.cloned().unwrap_or_default();
+                match (data.number, index) {
+                    (Some(printed), _) => Ok((printed, data)),
+                    (None, 0) => Ok((*number, data)),
+                    (None, _) => self.fail_help(
+                        codes::K2006,
+                        span,
+                        format!("tool {number}.{index} is an index, and the output has whole numbers only"),
+                        &format!("give it a number in partc.toml: `[tools.{tool}]` with `number = …`"),
+                    ),
+                }
+            }
+            Named::Name(name) => match tools.by_name(name) {
+                Some((Some(number), data)) => Ok((number, data.clone())),
+                _ => {
+                    self.report(
+                        Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"))
+                            .help(format!("add `[tools.{tool}]` with `number = …` to partc.toml")),
+                    );
+                    Err(Reported)
+                }
+            },
+        }
+    }
+}
+
+fn contains(plane: crate::geo::Plane, axis: Axis) -> bool {
+    let (first, second, _) = plane.axes();
+    axis.index() == first || axis.index() == second
+}

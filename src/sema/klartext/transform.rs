@@ -1,0 +1,129 @@
+//! Datum shift, mirror, rotation and scaling (cycles 7, 8, 10, 11, 26 and TRANS).
+//!
+//! `workpiece = shift + rotation · scale · mirror · programmed`; the four are independent and each is
+//! replaced by its own cycle, whatever the order in which they were programmed.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::geo::{Deg, Plane};
+use crate::ir::Frame;
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisSet};
+
+/// The transformations in force.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Transformation {
+    /// By axis, mm or degrees.
+    pub shift: [f64; AXES],
+    pub mirror: AxisSet,
+    /// About the datum, in `plane`.
+    pub angle: Deg,
+    pub plane: Plane,
+    /// Cycle 11.
+    pub scale: f64,
+    /// Cycle 11 leaves this axis alone.
+    pub unscaled: Option<Axis>,
+    /// Cycle 26.
+    pub axis_scale: [f64; 3],
+    pub scale_center: [f64; 3],
+}
+
+impl Default for Transformation {
+    fn default() -> Transformation {
+        Transformation {
+            shift: [0.0; AXES],
+            mirror: AxisSet::EMPTY,
+            angle: Deg(0.0),
+            plane: Plane::Xy,
+            scale: 1.0,
+            unscaled: None,
+            axis_scale: [1.0; 3],
+            scale_center: [0.0; 3],
+        }
+    }
+}
+
+impl Transformation {
+    pub fn is_none(&self) -> bool {
+        self.is_shift_only() && self.shift.iter().all(|v| *v == 0.0)
+    }
+
+    /// No mirror, rotation or scaling.
+    pub fn is_shift_only(&self) -> bool {
+        self.mirror.is_empty() && self.angle.0 == 0.0 && self.scale == 1.0 && self.axis_scale == [1.0; 3]
+    }
+
+    /// Scaling in force for any axis?
+    pub fn scales(&self) -> bool {
+        self.scale != 1.0 || self.axis_scale != [1.0; 3]
+    }
+
+    /// Rotation, scaling and mirror as one matrix.
+    pub fn linear(&self) -> Matrix3<f64> {
+        let mut linear = Matrix3::identity();
+        for axis in AxisSet::MAIN.iter() {
+            let i = axis.index();
+            let by_11 = if self.unscaled == Some(axis) { 1.0 } else { self.scale };
+            let sign = if self.mirror.contains(axis) { -1.0 } else { 1.0 };
+            linear[(i, i)] = sign * by_11 * self.axis_scale[i];
+        }
+        self.rotation() * linear
+    }
+
+    fn rotation(&self) -> Matrix3<f64> {
+        let (first, second, _) = self.plane.axes();
+        let (sin, cos) = self.angle.sin_cos();
+        let mut turn = Matrix3::identity();
+        turn[(first, first)] = cos;
+        turn[(first, second)] = -sin;
+        turn[(second, first)] = sin;
+        turn[(second, second)] = cos;
+        turn
+    }
+
+    /// The frame; `lift` is added to the coordinate of `tool_axis` (length oversize). `None` if it overflows.
+    pub fn frame(&self, tool_axis: Axis, lift: f64) -> Option<Frame> {
+        let mut shift = self.shift;
+        // p -> c + S (p - c), mirrored before and rotated behind.
+        let c = Vector3::from(self.scale_center);
+        let s = Vector3::from(self.axis_scale);
+        let rest = self.rotation() * (c - c.component_mul(&s));
+        for i in 0..3 {
+            shift[i] += rest[i];
+        }
+        shift[tool_axis.index()] += lift;
+        Frame::new(self.linear(), shift)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::Pos;
+
+    fn at(x: f64, y: f64) -> Pos {
+        let mut p = Pos::UNKNOWN;
+        p.set(Axis::X, x);
+        p.set(Axis::Y, y);
+        p
+    }
+
+    #[test]
+    fn order_is_mirror_scale_rotate_shift() {
+        let mut t = Transformation { angle: Deg(90.0), scale: 2.0, ..Transformation::default() };
+        t.shift[0] = 100.0;
+        t.mirror.insert(Axis::X);
+        // (1, 0) -> mirror (-1, 0) -> scale (-2, 0) -> rotate (0, -2) -> shift (100, -2)
+        let p = t.frame(Axis::Z, 0.0).unwrap().apply(&at(1.0, 0.0));
+        assert_eq!((p.get(Axis::X), p.get(Axis::Y)), (Some(100.0), Some(-2.0)));
+    }
+
+    #[test]
+    fn axis_scaling_has_a_centre() {
+        let mut t = Transformation::default();
+        t.axis_scale = [1.4, 0.6, 1.0];
+        t.scale_center = [15.0, 20.0, 0.0];
+        let p = t.frame(Axis::Z, 0.0).unwrap().apply(&at(15.0, 30.0));
+        assert!((p.get(Axis::X).unwrap() - 15.0).abs() < 1e-12 && (p.get(Axis::Y).unwrap() - 26.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,29 @@
+//! Meaning: runs a program as its control would and says what was programmed, as contour items.
+//!
+//! In: files and settings. Out: items for [`Sink`](crate::ir::contour::Sink), diagnostics. The only writer
+//! of modal state. One folder per dialect; what they share stands here.
+
+pub mod exec;
+pub mod klartext;
+
+use crate::diag::{Diags, Trail};
+use crate::machine::Settings;
+use crate::text::{FileId, Files, Sources};
+
+/// What a run of a program works with.
+#[derive(Clone, Copy)]
+pub struct Job<'a> {
+    pub sources: &'a Sources,
+    pub diags: &'a Diags,
+    pub trail: &'a Trail,
+    pub files: &'a dyn Files,
+    pub settings: &'a Settings,
+    /// The program to run.
+    pub main: FileId,
+}
+
+impl std::fmt::Debug for Job<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Job").field("main", &self.main).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,341 @@
+//! Cuts a file into logical blocks while it is read, in constant memory.
+//!
+//! A logical block is one physical line, or several that the dialect's continuation rule joins
+//! (Klartext `~`). Reading goes forward through a window; the first jump loads the whole file.
+
+use std::io;
+
+use memchr::memchr2;
+use xxhash_rust::xxh3::Xxh3;
+
+use super::sources::{FileId, Sources};
+
+/// Bytes read at a time.
+const CHUNK: usize = 256 * 1024;
+/// Longest logical block; a longer one is reported and left out.
+pub const MAX_BLOCK: usize = 1 << 20;
+
+/// How a dialect joins physical lines.
+#[derive(Debug, Clone, Copy)]
+pub struct SplitRules {
+    /// A byte without which no line continues; lines without it are not asked about.
+    pub mark: u8,
+    /// Does the block go on after this physical line? The second argument is true for a line that is
+    /// itself a continuation.
+    pub continues: fn(&[u8], bool) -> bool,
+}
+
+/// One logical block, without its line end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BlockText<'s> {
+    pub text: &'s [u8],
+    /// Offset of the first byte in the file.
+    pub at: u32,
+    /// 1-based line of the first byte.
+    pub line: u32,
+    /// Physical lines of the block.
+    pub lines: u32,
+}
+
+/// What stands next in the file.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Next<'s> {
+    Block(BlockText<'s>),
+    /// A block longer than [`MAX_BLOCK`], skipped; its start.
+    TooLong { at: u32, line: u32 },
+    End,
+}
+
+/// Place of a block: what a jump needs to come back to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Place {
+    pub at: u32,
+    pub line: u32,
+}
+
+/// A reading position in one file.
+pub struct Cursor {
+    file: FileId,
+    rules: SplitRules,
+    window: Vec<u8>,
+    /// Offset in the file of `window[0]`.
+    base: u64,
+    /// Next unread byte in `window`.
+    pos: usize,
+    /// Valid bytes in `window`.
+    end: usize,
+    at_end: bool,
+    whole: bool,
+    line_end: u8,
+    line: u32,
+    /// Offset of the first block: behind a byte order mark.
+    first: u32,
+    hash: Xxh3,
+}
+
+impl std::fmt::Debug for Cursor {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Cursor").field("file", &self.file).field("line", &self.line).finish_non_exhaustive()
+    }
+}
+
+/// A file that cannot be read as a part program.
+#[derive(Debug)]
+pub enum OpenError {
+    Io(io::Error),
+    /// Two bytes a character: not a file of a control.
+    Utf16,
+    /// Over 4 GiB.
+    TooLarge,
+}
+
+impl Cursor {
+    /// Opens `file` at its first block.
+    ///
+    /// # Errors
+    /// [`OpenError`]
+    pub fn open(sources: &Sources, file: FileId, rules: SplitRules) -> Result<Cursor, OpenError> {
+        if sources.size(file) >= u64::from(u32::MAX) {
+            return Err(OpenError::TooLarge);
+        }
+        let mut cursor = Cursor {
+            file,
+            rules,
+            window: Vec::new(),
+            base: 0,
+            pos: 0,
+            end: 0,
+            at_end: false,
+            whole: false,
+            line_end: b'\n',
+            line: 1,
+            first: 0,
+            hash: Xxh3::new(),
+        };
+        cursor.fill(sources).map_err(OpenError::Io)?;
+        let head = &cursor.window[..cursor.end];
+        if head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]) {
+            return Err(OpenError::Utf16);
+        }
+        if head.starts_with(&[0xef, 0xbb, 0xbf]) {
+            cursor.pos = 3;
+            cursor.first = 3;
+        }
+        // A file without a single line feed but with carriage returns ends its lines with those.
+        if memchr::memchr(b'\n', head).is_none() && memchr::memchr(b'\r', head).is_some() {
+            cursor.line_end = b'\r';
+        }
+        Ok(cursor)
+    }
+
+    /// First bytes of the file, for guessing its dialect.
+    pub fn head(&self) -> &[u8] {
+        &self.window[..self.end.min(4096)]
+    }
+
+    /// Place of the block that [`Cursor::next`] returns next.
+    pub fn place(&self) -> Place {
+        Place { at: (self.base + self.pos as u64) as u32, line: self.line }
+    }
+
+    /// Place of the first block.
+    pub fn start(&self) -> Place {
+        Place { at: self.first, line: 1 }
+    }
+
+    /// Is the whole file in memory?
+    pub fn is_whole(&self) -> bool {
+        self.whole
+    }
+
+    /// Reads the next logical block.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn next(&mut self, sources: &Sources) -> io::Result<Next<'_>> {
+        let place = self.place();
+        let mut scan = self.pos;
+        let mut line_start = self.pos;
+        let mut lines = 1;
+        let mut marked = false;
+        let mut too_long = false;
+        let end = loop {
+            match memchr2(self.line_end, self.rules.mark, &self.window[scan..self.end]) {
+                Some(i) if self.window[scan + i] == self.rules.mark => {
+                    marked = true;
+                    scan += i + 1;
+                }
+                Some(i) => {
+                    let end = scan + i;
+                    if marked && (self.rules.continues)(&self.window[line_start..end], lines > 1) {
+                        marked = false;
+                        lines += 1;
+                        line_start = end + 1;
+                        scan = end + 1;
+                    } else {
+                        break end;
+                    }
+                }
+                None if self.at_end => break self.end,
+                None => {
+                    if self.end - self.pos > MAX_BLOCK {
+                        // What was read of it is of no use any more.
+                        too_long = true;
+                        self.base += (self.end - self.pos) as u64;
+                        self.end = self.pos;
+                    }
+                    let (was, kept) = (self.pos, self.end - self.pos);
+                    self.fill(sources)?;
+                    line_start = line_start.min(was + kept) - was + self.pos;
+                    scan = self.pos + kept;
+                }
+            }
+        };
+        if self.pos >= self.end && self.at_end && end == self.pos {
+            return Ok(Next::End);
+        }
+        let start = self.pos;
+        self.pos = (end + 1).min(self.end);
+        self.line += lines;
+        if too_long || end - start > MAX_BLOCK {
+            return Ok(Next::TooLong { at: place.at, line: place.line });
+        }
+        let text = &self.window[start..end];
+        Ok(Next::Block(BlockText { text: text.strip_suffix(b"\r").unwrap_or(text), at: place.at, line: place.line, lines }))
+    }
+
+    /// Goes to `place`, which must be the start of a block; loads the whole file the first time.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn seek(&mut self, sources: &Sources, place: Place) -> io::Result<()> {
+        self.load(sources)?;
+        self.pos = (place.at as usize).min(self.end);
+        self.line = place.line;
+        Ok(())
+    }
+
+    /// Goes to `place` in a file that is in memory as a whole.
+    pub fn resume(&mut self, place: Place) {
+        debug_assert!(self.whole, "only a whole file has places to go to");
+        self.pos = (place.at as usize).min(self.end);
+        self.line = place.line;
+    }
+
+    /// Loads the whole file, keeping the place.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn load(&mut self, sources: &Sources) -> io::Result<()> {
+        if self.whole {
+            return Ok(());
+        }
+        let here = self.place();
+        let size = sources.size(self.file) as usize;
+        let mut text = vec![0; size];
+        let mut done = 0;
+        while done < size {
+            let n = sources.read_at(self.file, done as u64, &mut text[done..])?;
+            if n == 0 {
+                break;
+            }
+            done += n;
+        }
+        text.truncate(done);
+        self.hash = Xxh3::new();
+        self.hash.update(&text);
+        self.end = text.len();
+        self.window = text;
+        self.base = 0;
+        self.pos = (here.at as usize).min(self.end);
+        self.at_end = true;
+        self.whole = true;
+        Ok(())
+    }
+
+    /// Hash of the whole file; reads what was not read yet.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn content_hash(&mut self, sources: &Sources) -> io::Result<u64> {
+        while !self.at_end {
+            self.pos = self.end;
+            self.fill(sources)?;
+        }
+        Ok(self.hash.digest())
+    }
+
+    /// Drops what was read and reads on.
+    fn fill(&mut self, sources: &Sources) -> io::Result<()> {
+        self.window.copy_within(self.pos..self.end, 0);
+        self.base += self.pos as u64;
+        self.end -= self.pos;
+        self.pos = 0;
+        if self.window.len() < self.end + CHUNK {
+            self.window.resize(self.end + CHUNK, 0);
+        }
+        let at = self.base + self.end as u64;
+        let n = sources.read_at(self.file, at, &mut self.window[self.end..])?;
+        self.hash.update(&self.window[self.end..self.end + n]);
+        self.end += n;
+        self.at_end = n == 0;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::{Memory, Opened};
+
+    const RULES: SplitRules = SplitRules { mark: b'~', continues: |line, _| line.trim_ascii_end().ends_with(b"~") };
+
+    fn blocks(bytes: &[u8]) -> Vec<(String, u32, u32)> {
+        let sources = Sources::default();
+        let text = Box::new(Memory::new(bytes.to_vec()));
+        let file = sources.add(Opened { name: "a".into(), identity: "a".into(), text }).unwrap();
+        let mut cursor = Cursor::open(&sources, file, RULES).unwrap();
+        let mut out = Vec::new();
+        loop {
+            match cursor.next(&sources).unwrap() {
+                Next::Block(b) => out.push((String::from_utf8_lossy(b.text).into_owned(), b.at, b.line)),
+                Next::TooLong { at, line } => out.push(("too long".into(), at, line)),
+                Next::End => return out,
+            }
+        }
+    }
+
+    #[test]
+    fn line_ends_and_continuations() {
+        assert_eq!(
+            blocks(b"\xef\xbb\xbfA\r\nB ~\n C\nD"),
+            [("A".into(), 3, 1), ("B ~\n C".into(), 6, 2), ("D".into(), 13, 4)]
+        );
+        assert_eq!(blocks(b"A\rB\r"), [("A".into(), 0, 1), ("B".into(), 2, 2)]);
+        assert_eq!(blocks(b";a\rb\nC\n"), [(";a\rb".into(), 0, 1), ("C".into(), 5, 2)]);
+        assert_eq!(blocks(b""), []);
+        assert_eq!(blocks(b"A ~"), [("A ~".into(), 0, 1)]);
+    }
+
+    #[test]
+    fn a_giant_line_is_skipped_and_the_next_block_is_found() {
+        let mut bytes = b"A\n".to_vec();
+        bytes.extend(std::iter::repeat_n(b'X', 3 * MAX_BLOCK));
+        bytes.extend(b"\nB\n");
+        let found = blocks(&bytes);
+        assert_eq!(found[0], ("A".into(), 0, 1));
+        assert_eq!((found[1].0.as_str(), found[1].1, found[1].2), ("too long", 2, 2));
+        assert_eq!(found[2], ("B".into(), 3 * MAX_BLOCK as u32 + 3, 3));
+    }
+
+    #[test]
+    fn long_files_are_cut_at_the_same_places_as_short_ones() {
+        let line = b"12 L X+1.000 Y+2.000 ~\n Z+3\n";
+        let n = 3 * CHUNK / line.len();
+        let found = blocks(&line.repeat(n));
+        assert_eq!(found.len(), n);
+        for (i, block) in found.iter().enumerate() {
+            assert_eq!(block, &("12 L X+1.000 Y+2.000 ~\n Z+3".to_owned(), (i * line.len()) as u32, 2 * i as u32 + 1));
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! How the compiler gets at files: it asks [`Files`] and never the file system.
+
+use std::fmt;
+use std::io;
+use std::sync::Arc;
+
+/// Bytes that can be read at any place; a file is not loaded as a whole unless its program jumps.
+pub trait ReadAt {
+    /// Length in bytes.
+    fn len(&self) -> u64;
+    /// Reads up to `buf.len()` bytes from `at`; 0 at the end.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    fn read_at(&mut self, at: u64, buf: &mut [u8]) -> io::Result<usize>;
+
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Text held in memory.
+#[derive(Debug, Clone)]
+pub struct Memory(Arc<[u8]>);
+
+impl Memory {
+    pub fn new(bytes: impl Into<Arc<[u8]>>) -> Memory {
+        Memory(bytes.into())
+    }
+}
+
+impl ReadAt for Memory {
+    fn len(&self) -> u64 {
+        self.0.len() as u64
+    }
+
+    fn read_at(&mut self, at: u64, buf: &mut [u8]) -> io::Result<usize> {
+        let from = usize::try_from(at).unwrap_or(usize::MAX).min(self.0.len());
+        let n = buf.len().min(self.0.len() - from);
+        buf[..n].copy_from_slice(&self.0[from..from + n]);
+        Ok(n)
+    }
+}
+
+/// A program that another program calls.
+#[derive(Debug, Clone, Copy)]
+pub struct Request<'a> {
+    /// Identity of the program that asks.
+    pub from: &'a str,
+    /// Name as written in the program, control path and all.
+    pub name: &'a str,
+    /// Extensions to try, in order, when the name has none (without the dot).
+    pub extensions: &'a [&'a str],
+}
+
+/// A file that was found.
+pub struct Opened {
+    /// Name for people and for the output; never an absolute path of the host.
+    pub name: String,
+    /// The same string for the same file, whatever name it was asked by.
+    pub identity: String,
+    pub text: Box<dyn ReadAt>,
+}
+
+impl fmt::Debug for Opened {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Opened").field("name", &self.name).field("identity", &self.identity).finish_non_exhaustive()
+    }
+}
+
+/// Why a called program is not to be had.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileError {
+    /// No such file in the include roots; the names that were tried, and similar names that exist.
+    NotFound { tried: Vec<String>, similar: Vec<String> },
+    /// The name points outside the include roots, or is no name a control accepts.
+    Forbidden { why: String },
+    /// More than one file fits when upper and lower case are ignored.
+    Ambiguous { names: Vec<String> },
+    /// The control's drive or folder has no entry in `[include] roots`.
+    NoRoot { prefix: String },
+    /// The operating system refused.
+    Io { why: String },
+}
+
+/// Where called programs come from.
+pub trait Files {
+    /// Opens the program that `request` names.
+    ///
+    /// # Errors
+    /// See [`FileError`].
+    fn open(&self, request: &Request<'_>) -> Result<Opened, FileError>;
+}
+
+/// No program can be called.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NoFiles;
+
+impl Files for NoFiles {
+    fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
+        Err(FileError::NotFound { tried: vec![request.name.to_owned()], similar: Vec::new() })
+    }
+}

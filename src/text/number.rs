@@ -1,0 +1,79 @@
+//! Decimal literals: one place that turns digits into a double, correctly rounded.
+
+/// Powers of ten that a double holds exactly.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+/// Reads an unsigned decimal at the start of `text`: digits with an optional `.` or, if `comma`, `,`.
+///
+/// Returns the value and the number of bytes read; `None` where no digit stands. A point without a digit
+/// after it (`45.`) or before it (`.5`) is fine. The result is the double nearest to the decimal.
+#[inline]
+pub fn decimal(text: &[u8], comma: bool) -> Option<(f64, usize)> {
+    let mut mantissa: u64 = 0;
+    let mut digits = 0;
+    let mut at = 0;
+    while let Some(d) = digit(text, at) {
+        mantissa = mantissa.wrapping_mul(10).wrapping_add(d);
+        digits += 1;
+        at += 1;
+    }
+    let mut scale = 0;
+    if let Some(&point) = text.get(at)
+        && (point == b'.' || (comma && point == b','))
+        && (digits > 0 || digit(text, at + 1).is_some())
+    {
+        at += 1;
+        while let Some(d) = digit(text, at) {
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(d);
+            digits += 1;
+            scale += 1;
+            at += 1;
+        }
+    }
+    if digits == 0 {
+        return None;
+    }
+    // Up to 15 digits and 22 places both operands are exact, so the one division rounds correctly.
+    if digits <= 15 {
+        return Some((mantissa as f64 / POWERS[scale], at));
+    }
+    Some((slow(&text[..at]), at))
+}
+
+#[inline]
+fn digit(text: &[u8], at: usize) -> Option<u64> {
+    text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
+}
+
+fn slow(text: &[u8]) -> f64 {
+    let plain: String = text.iter().map(|b| if *b == b',' { '.' } else { *b as char }).collect();
+    plain.trim_end_matches('.').parse().unwrap_or(f64::INFINITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forms() {
+        assert_eq!(decimal(b"12,5x", true), Some((12.5, 4)));
+        assert_eq!(decimal(b"12,5", false), Some((12.0, 2)));
+        assert_eq!(decimal(b"45. ", true), Some((45.0, 3)));
+        assert_eq!(decimal(b".943", true), Some((0.943, 4)));
+        assert_eq!(decimal(b".", true), None);
+        assert_eq!(decimal(b"X", true), None);
+        assert_eq!(decimal(b"0.1", true), Some((0.1, 3)));
+        assert_eq!(decimal(b"12345678901234567.25", true).map(|n| n.0), Some(12345678901234567.25));
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn equals_the_standard_parser(whole in 0u64..100_000_000, fraction in 0u64..10_000_000, places in 1usize..8) {
+            let text = format!("{whole}.{:0places$}", fraction % 10u64.pow(places as u32));
+            proptest::prop_assert_eq!(decimal(text.as_bytes(), false), Some((text.parse().unwrap(), text.len())));
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! All files of one run: their names, and their text when a diagnostic wants to show it.
+
+use std::cell::RefCell;
+use std::fmt;
+
+use super::decode;
+use super::files::{Opened, ReadAt};
+use super::{Loc, Span};
+
+/// Number of a file in [`Sources`]; the main program is 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct FileId(pub u16);
+
+/// Most files one run may open.
+pub const MAX_FILES: usize = 1000;
+
+/// Bytes shown of one line; longer lines are cut around the place of interest.
+const SHOWN: usize = 512;
+/// Bytes searched backwards for the start of a line.
+const BACK: u32 = 1 << 21;
+
+/// The files of one run.
+#[derive(Default)]
+pub struct Sources {
+    files: RefCell<Vec<File>>,
+}
+
+struct File {
+    name: String,
+    identity: String,
+    text: Box<dyn ReadAt>,
+}
+
+impl fmt::Debug for Sources {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.files.borrow().iter().map(|file| file.name.clone())).finish()
+    }
+}
+
+/// One physical line of a file, for showing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Line {
+    /// 1-based number of the line.
+    pub number: u32,
+    /// Readable text, cut to a few hundred characters around the span.
+    pub text: String,
+    /// 1-based column of the span in the whole line, in characters.
+    pub column: u32,
+    /// Byte range of the span in `text`, clipped to this line.
+    pub marked: (usize, usize),
+    /// 1-based column just behind the span, in characters.
+    pub end_column: u32,
+    /// Line on which the span ends.
+    pub end_line: u32,
+}
+
+impl Sources {
+    /// Adds a file, or finds it again by its identity. `None` when there are too many.
+    pub fn add(&self, opened: Opened) -> Option<FileId> {
+        let mut files = self.files.borrow_mut();
+        if let Some(at) = files.iter().position(|file| file.identity == opened.identity) {
+            return u16::try_from(at).ok().map(FileId);
+        }
+        if files.len() >= MAX_FILES {
+            return None;
+        }
+        let id = u16::try_from(files.len()).ok().map(FileId);
+        files.push(File { name: opened.name, identity: opened.identity, text: opened.text });
+        id
+    }
+
+    pub fn len(&self) -> usize {
+        self.files.borrow().len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Name of a file as people know it.
+    pub fn name(&self, id: FileId) -> String {
+        self.files.borrow().get(id.0 as usize).map(|file| file.name.clone()).unwrap_or_default()
+    }
+
+    /// What tells a file from every other one.
+    pub fn identity(&self, id: FileId) -> String {
+        self.files.borrow().get(id.0 as usize).map(|file| file.identity.clone()).unwrap_or_default()
+    }
+
+    /// Length of a file in bytes.
+    pub fn size(&self, id: FileId) -> u64 {
+        self.files.borrow().get(id.0 as usize).map_or(0, |file| file.text.len())
+    }
+
+    /// Reads from a file.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn read_at(&self, id: FileId, at: u64, buf: &mut [u8]) -> std::io::Result<usize> {
+        match self.files.borrow_mut().get_mut(id.0 as usize) {
+            Some(file) => file.text.read_at(at, buf),
+            None => Ok(0),
+        }
+    }
+
+    /// The bytes of a span, as far as they can be read.
+    pub fn bytes(&self, file: FileId, span: Span) -> Vec<u8> {
+        let mut buf = vec![0; (span.end.saturating_sub(span.start)) as usize];
+        let mut done = 0;
+        while done < buf.len() {
+            match self.read_at(file, u64::from(span.start) + done as u64, &mut buf[done..]) {
+                Ok(n) if n > 0 => done += n,
+                _ => break,
+            }
+        }
+        buf.truncate(done);
+        buf
+    }
+
+    /// The physical line on which `loc.span` starts.
+    ///
+    /// `loc.line` is the line of the block's start; a block of several lines is followed to the span.
+    pub fn line(&self, loc: Loc) -> Line {
+        let at = loc.span.start;
+        let line_start = self.line_start(loc.file, at);
+        let size = u32::try_from(self.size(loc.file)).unwrap_or(u32::MAX);
+        let want = loc.span.end.max(at).saturating_add(SHOWN as u32).min(size);
+        let text = self.bytes(loc.file, Span { start: line_start, end: want });
+        let mark = (at - line_start) as usize;
+        let line_end = text[mark.min(text.len())..]
+            .iter()
+            .position(|b| *b == b'\n')
+            .map_or(text.len(), |i| i + mark.min(text.len()));
+        let whole = trim_end(&text[..line_end]);
+        let end = ((loc.span.end.max(at) - line_start) as usize).min(text.len());
+        let inner_breaks = text[mark.min(end)..end].iter().filter(|b| **b == b'\n').count() as u32;
+        let last_line_start = text[..end].iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
+        let clipped_end = end.min(whole.len()).max(mark.min(whole.len()));
+        let (shown, shift) = cut(whole, mark.min(whole.len()));
+        let head = decode::readable(&whole[shift..mark.min(whole.len()).max(shift)]).len();
+        let marked_len = decode::readable(&whole[mark.min(whole.len())..clipped_end]).len();
+        let readable = decode::readable(shown).into_owned();
+        let limit = readable.len();
+        Line {
+            number: loc.line,
+            column: decode::char_count(&whole[..mark.min(whole.len())]) as u32 + 1,
+            end_column: decode::char_count(&text[last_line_start..end]) as u32 + 1,
+            end_line: loc.line + inner_breaks,
+            marked: (head.min(limit), (head + marked_len).min(limit)),
+            text: readable,
+        }
+    }
+
+    /// Start of the physical line that holds the byte `at`.
+    fn line_start(&self, file: FileId, at: u32) -> u32 {
+        let mut back = 256;
+        loop {
+            let from = at.saturating_sub(back);
+            let before = self.bytes(file, Span { start: from, end: at });
+            match before.iter().rposition(|b| *b == b'\n') {
+                Some(i) => return from + i as u32 + 1,
+                None if from == 0 || back >= BACK => return from,
+                None => back *= 16,
+            }
+        }
+    }
+
+    /// Block number at the start of the block that `loc` lies in, as written (`14`, `N40`).
+    pub fn block_number(&self, loc: Loc) -> Option<String> {
+        let line = self.line(loc);
+        let text = line.text.trim_start_matches(|c: char| c.is_whitespace() || c == '/');
+        let digits = text.strip_prefix(['N', 'n']).unwrap_or(text);
+        let n = digits.bytes().take_while(u8::is_ascii_digit).count();
+        (n > 0).then(|| text[..text.len() - digits.len() + n].to_owned())
+    }
+}
+
+fn trim_end(line: &[u8]) -> &[u8] {
+    let end = line.iter().rposition(|b| !matches!(b, b'\r' | b'\n' | b' ' | b'\t')).map_or(0, |i| i + 1);
+    &line[..end]
+}
+
+/// A window of the line around `mark`, and how many bytes were cut in front of it.
+fn cut(line: &[u8], mark: usize) -> (&[u8], usize) {
+    if line.len() <= SHOWN {
+        return (line, 0);
+    }
+    let from = mark.saturating_sub(SHOWN / 4);
+    (&line[from..line.len().min(from + SHOWN)], from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Memory;
+
+    fn one(text: &str) -> Sources {
+        let sources = Sources::default();
+        let text = Memory::new(text.as_bytes().to_vec());
+        sources.add(Opened { name: "a.H".into(), identity: "a".into(), text: Box::new(text) });
+        sources
+    }
+
+    #[test]
+    fn columns_count_characters_and_lines_are_cut_at_their_end() {
+        let sources = one("1 ; Ø\r\n2 L Xä5\r\n");
+        let loc = Loc { file: FileId(0), line: 2, span: Span { start: 12, end: 15 } };
+        let line = sources.line(loc);
+        assert_eq!(line.text, "2 L Xä5");
+        assert_eq!((line.column, line.end_column), (5, 7));
+        assert_eq!(&line.text[line.marked.0..line.marked.1], "Xä");
+        assert_eq!(sources.block_number(loc).as_deref(), Some("2"));
+    }
+}
