@@ -36,33 +36,61 @@ impl Places {
         Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
     }
 
-    /// Appends `units` as a decimal number.
+    /// Appends `lead` and `units` as a decimal number.
     #[inline]
-    pub fn write(self, units: i64, out: &mut Vec<u8>) {
-        const POWERS: [u64; 7] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000];
-        let magnitude = units.unsigned_abs();
-        let power = POWERS[self.0 as usize];
-        let (whole, mut fraction) = (magnitude / power, magnitude % power);
-        if units < 0 {
-            out.push(b'-');
+    pub fn write(self, lead: &[u8; 2], units: i64, out: &mut Vec<u8>) {
+        // Constant divisors make multiplications of the divisions.
+        match self.0 {
+            3 => write_fixed::<1_000, 3>(lead, units, out),
+            4 => write_fixed::<10_000, 4>(lead, units, out),
+            5 => write_fixed::<100_000, 5>(lead, units, out),
+            6 => write_fixed::<1_000_000, 6>(lead, units, out),
+            2 => write_fixed::<100, 2>(lead, units, out),
+            1 => write_fixed::<10, 1>(lead, units, out),
+            _ => write_fixed::<1, 0>(lead, units, out),
         }
-        write_whole(whole, out);
-        if fraction == 0 {
-            return;
-        }
-        let mut places = usize::from(self.0);
-        while fraction.is_multiple_of(10) {
-            fraction /= 10;
-            places -= 1;
-        }
-        let mut digits = [0; 7];
-        digits[0] = b'.';
-        for slot in digits[1..=places].iter_mut().rev() {
-            *slot = b'0' + (fraction % 10) as u8;
-            fraction /= 10;
-        }
-        out.extend_from_slice(&digits[..=places]);
     }
+}
+
+/// Longest number with its lead: two bytes, sign, 20 digits, point.
+const LONGEST: usize = 24;
+
+/// Fills a buffer from its end: fraction without trailing zeros, whole part, sign, lead.
+#[inline]
+fn write_fixed<const POWER: u64, const PLACES: usize>(lead: &[u8; 2], units: i64, out: &mut Vec<u8>) {
+    let mut buffer = [0u8; LONGEST];
+    let mut at = LONGEST;
+    let mut put = |byte: u8| {
+        at -= 1;
+        buffer[at] = byte;
+    };
+    let magnitude = units.unsigned_abs();
+    let (mut whole, mut fraction) = (magnitude / POWER, magnitude % POWER);
+    if fraction != 0 {
+        let mut significant = false;
+        for _ in 0..PLACES {
+            let digit = (fraction % 10) as u8;
+            fraction /= 10;
+            significant |= digit != 0;
+            if significant {
+                put(b'0' + digit);
+            }
+        }
+        put(b'.');
+    }
+    loop {
+        put(b'0' + (whole % 10) as u8);
+        whole /= 10;
+        if whole == 0 {
+            break;
+        }
+    }
+    if units < 0 {
+        put(b'-');
+    }
+    put(lead[1]);
+    put(lead[0]);
+    out.extend_from_slice(&buffer[at..]);
 }
 
 /// Appends a whole number.
@@ -89,8 +117,8 @@ mod tests {
     fn text(value: f64, places: u8) -> String {
         let places = Places::new(places);
         let mut out = Vec::new();
-        places.write(places.units(value).unwrap(), &mut out);
-        String::from_utf8(out).unwrap()
+        places.write(b" X", places.units(value).unwrap(), &mut out);
+        String::from_utf8(out).unwrap()[2..].to_owned()
     }
 
     #[test]

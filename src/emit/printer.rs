@@ -5,13 +5,13 @@ use std::io;
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Plane, Point2, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
-use crate::ir::motion::{Arc, Item, Kind, Move, Path, Sink};
+use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, OutputSettings};
 
 use super::arc::{self, Printed};
-use super::line::Line;
+use super::line::Text;
 use super::number::Places;
 use super::targets::Traits;
 use super::{LineMap, Output, comment};
@@ -31,13 +31,10 @@ pub struct Printer<'a> {
     diags: &'a Diags,
     out: &'a mut dyn Output,
     map: Option<&'a mut dyn LineMap>,
-    buffer: Vec<u8>,
-    /// Bytes written before `buffer`.
-    written: u64,
+    text: Text,
     lines: u64,
     most_lines: u64,
     hash_at: u64,
-    line: Line,
     /// Printed position in units, by axis.
     at: [i64; AXES],
     known: AxisSet,
@@ -76,12 +73,10 @@ impl<'a> Printer<'a> {
             diags,
             out,
             map,
-            buffer: Vec::with_capacity(CHUNK + 4096),
-            written: 0,
+            text: Text::with_capacity(CHUNK + 4096),
             lines: 0,
             most_lines,
             hash_at: 0,
-            line: Line::default(),
             at: [0; AXES],
             known: AxisSet::EMPTY,
             stale: AxisSet::EMPTY,
@@ -106,7 +101,7 @@ impl<'a> Printer<'a> {
         let mut name = comment::harmless(source.as_bytes());
         name.truncate(40);
         let mut text = format!("{open}source {}, hash ", String::from_utf8_lossy(&name)).into_bytes();
-        self.hash_at = self.buffer.len() as u64 + text.len() as u64;
+        self.hash_at = self.text.bytes().len() as u64 + text.len() as u64;
         text.extend_from_slice(&[b'0'; HASH_DIGITS]);
         text.extend_from_slice(close.as_bytes());
         self.plain(&text);
@@ -133,39 +128,40 @@ impl<'a> Printer<'a> {
 
     fn write_out(&mut self) {
         if self.error.is_none()
-            && let Err(error) = self.out.append(&self.buffer)
+            && let Err(error) = self.out.append(self.text.bytes())
         {
             self.error = Some(error);
         }
-        self.written += self.buffer.len() as u64;
-        self.buffer.clear();
+        self.text.clear();
     }
 
     /// A line without a source.
     fn plain(&mut self, text: &[u8]) {
-        self.buffer.extend_from_slice(text);
-        self.buffer.push(b'\n');
+        self.text.raw(text).end_line();
         self.lines += 1;
     }
 
     /// Ends the line under construction.
     #[inline]
     fn end_line(&mut self, origin: &Origin) {
-        if self.line.len() > self.traits.line_length {
+        if self.text.line().len() > self.traits.line_length {
             self.split_feed(origin);
         }
-        self.buffer.extend_from_slice(self.line.bytes());
-        self.buffer.push(b'\n');
-        self.line.clear();
-        self.lines += 1;
-        if let Some(map) = &mut self.map {
-            map.line(self.lines, origin);
-        }
-        if self.buffer.len() >= CHUNK {
+        self.count_line(origin);
+        if self.text.bytes().len() >= CHUNK {
             self.write_out();
         }
         if self.lines == self.most_lines {
             self.too_many(origin);
+        }
+    }
+
+    #[inline]
+    fn count_line(&mut self, origin: &Origin) {
+        self.text.end_line();
+        self.lines += 1;
+        if let Some(map) = &mut self.map {
+            map.line(self.lines, origin);
         }
     }
 
@@ -178,21 +174,17 @@ impl<'a> Printer<'a> {
     /// A line that is too long gives its feed word to a line in front of it.
     #[cold]
     fn split_feed(&mut self, origin: &Origin) {
-        let text = self.line.bytes().to_vec();
-        if let Some(at) = text.windows(2).rposition(|pair| pair == b" F") {
-            self.buffer.extend_from_slice(&text[at + 1..]);
-            self.buffer.push(b'\n');
-            self.lines += 1;
-            if let Some(map) = &mut self.map {
-                map.line(self.lines, origin);
-            }
-            self.line.clear();
-            self.line.raw(&text[..at]);
+        let line = self.text.line().to_vec();
+        if let Some(at) = line.windows(2).rposition(|pair| pair == b" F") {
+            self.text.drop_line();
+            self.text.raw(&line[at + 1..]);
+            self.count_line(origin);
+            self.text.raw(&line[..at]);
         }
     }
 
     fn words(&mut self, words: &[u8], origin: &Origin) {
-        self.line.word(words);
+        self.text.word(words);
         self.end_line(origin);
     }
 
@@ -203,7 +195,7 @@ impl<'a> Printer<'a> {
 
     // Moves.
 
-    fn movement(&mut self, mv: &Move, origin: &Origin) {
+    fn print_move(&mut self, mv: &Move, origin: &Origin) {
         if mv.side != self.side {
             self.switch_side(mv, origin);
         }
@@ -223,15 +215,15 @@ impl<'a> Printer<'a> {
             (Side::Right, None) => b"G42",
             (Side::Right, Some(_)) => b"G42.1",
         };
-        self.line.word(word);
+        self.text.word(word);
         match (mv.side, self.cutter.radius) {
             (Side::None, _) => {}
             (_, None) => {
-                self.line.whole(b'D', u64::from(self.cutter.number));
+                self.text.whole(b'D', u64::from(self.cutter.number));
             }
             (_, Some(radius)) => {
                 let units = self.places.units(2.0 * radius).unwrap_or(0);
-                self.line.number(b'D', units, self.places);
+                self.text.number(b'D', units, self.places);
             }
         }
         self.end_line(origin);
@@ -266,14 +258,14 @@ impl<'a> Printer<'a> {
             Err(()) => return,
         };
         if mv.machine {
-            self.line.word(b"G53");
+            self.text.word(b"G53");
         }
-        self.line.word(word);
+        self.text.word(word);
         for axis in changed.iter() {
-            self.line.number(axis.letter() as u8, ends[axis.index()], self.places);
+            self.text.number(axis.letter() as u8, ends[axis.index()], self.places);
         }
         if let Some(units) = feed {
-            self.line.number(b'F', units, self.places);
+            self.text.number(b'F', units, self.places);
         }
         self.end_line(origin);
         if mv.machine {
@@ -289,7 +281,7 @@ impl<'a> Printer<'a> {
 
     #[cold]
     fn unprintable(&mut self, origin: &Origin) {
-        self.line.clear();
+        self.text.drop_line();
         self.report(codes::O1002, origin, "a coordinate of this block is too large to print");
     }
 
@@ -362,7 +354,7 @@ impl<'a> Printer<'a> {
         let blocks = if self.traits.turns_in_one_block { 1 } else { turns };
         for block in 1..=blocks {
             let last = block == blocks;
-            self.line.word(if arc.sweep > 0.0 { b"G3" } else { b"G2" });
+            self.text.word(if arc.sweep > 0.0 { b"G3" } else { b"G2" });
             for axis in printed.iter() {
                 let i = axis.index();
                 // Whole turns in front end where they start; the other axes go along in proportion.
@@ -374,18 +366,18 @@ impl<'a> Printer<'a> {
                     let share = f64::from(block) * core::f64::consts::TAU / arc.sweep.abs();
                     start[i] + libm::round((ends[i] - start[i]) as f64 * share) as i64
                 };
-                self.line.number(axis.letter() as u8, units, self.places);
+                self.text.number(axis.letter() as u8, units, self.places);
             }
             let mut offsets = [(first, offset[0]), (second, offset[1])];
             offsets.sort_by_key(|(axis, _)| *axis);
             for (axis, units) in offsets {
-                self.line.number(b"IJK"[axis], units, self.places);
+                self.text.number(b"IJK"[axis], units, self.places);
             }
             if self.traits.turns_in_one_block && turns > 1 {
-                self.line.whole(b'P', u64::from(turns));
+                self.text.whole(b'P', u64::from(turns));
             }
             if let (1, Some(units)) = (block, feed) {
-                self.line.number(b'F', units, self.places);
+                self.text.number(b'F', units, self.places);
             }
             self.end_line(origin);
         }
@@ -430,20 +422,20 @@ impl<'a> Printer<'a> {
 
     // Functions.
 
-    fn function(&mut self, function: &Function, origin: &Origin) {
+    fn print_function(&mut self, function: &Function, origin: &Origin) {
         match function {
             Function::ToolChange { number } => {
-                self.line.whole(b'T', u64::from(*number)).word(b"M6");
+                self.text.whole(b'T', u64::from(*number)).word(b"M6");
                 self.end_line(origin);
                 // The change may have moved any axis.
                 self.stale = AxisSet::MAIN;
                 if self.settings.tool_length && *number != 0 {
-                    self.line.word(b"G43").whole(b'H', u64::from(*number));
+                    self.text.word(b"G43").whole(b'H', u64::from(*number));
                     self.end_line(origin);
                 }
             }
             Function::ToolPrepare { number } => {
-                self.line.whole(b'T', u64::from(*number));
+                self.text.whole(b'T', u64::from(*number));
                 self.end_line(origin);
             }
             Function::Cutter(cutter) => self.cutter = *cutter,
@@ -458,7 +450,7 @@ impl<'a> Printer<'a> {
             }
             Function::Dwell(seconds) => {
                 let units = self.places.units(*seconds).unwrap_or(0);
-                self.line.word(b"G4").number(b'P', units, self.places);
+                self.text.word(b"G4").number(b'P', units, self.places);
                 self.end_line(origin);
             }
             Function::Stop => {
@@ -470,7 +462,7 @@ impl<'a> Printer<'a> {
                 self.stale = AxisSet::MAIN;
             }
             Function::Aux(number) => {
-                self.line.whole(b'M', u64::from(*number));
+                self.text.whole(b'M', u64::from(*number));
                 self.end_line(origin);
             }
             Function::WorkOffset(number) => {
@@ -499,12 +491,12 @@ impl<'a> Printer<'a> {
             Spindle::Stop => self.words(b"M5", origin),
             Spindle::Speed(speed) => {
                 let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                self.line.number(b'S', units, self.places);
+                self.text.number(b'S', units, self.places);
                 self.end_line(origin);
             }
             Spindle::Orient(angle) => {
                 let units = self.places.units(angle).unwrap_or(0);
-                self.line.word(b"M19").number(b'R', units, self.places);
+                self.text.word(b"M19").number(b'R', units, self.places);
                 self.end_line(origin);
             }
         }
@@ -515,22 +507,27 @@ impl<'a> Printer<'a> {
         let text = comment::harmless(text);
         let room = self.traits.line_length - open.len() - close.len();
         for piece in comment::pieces(&text, room) {
-            self.line.raw(open.as_bytes()).raw(piece).raw(close.as_bytes());
+            self.text.raw(open.as_bytes()).raw(piece).raw(close.as_bytes());
             self.end_line(origin);
         }
     }
 }
 
 impl Sink for Printer<'_> {
-    fn item(&mut self, item: Item) {
-        if self.lines >= self.most_lines {
-            return;
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        if self.lines < self.most_lines {
+            self.print_move(mv, origin);
         }
-        match &item.kind {
-            Kind::Move(mv) => self.movement(mv, &item.origin),
-            Kind::Function(function) => self.function(function, &item.origin),
-            Kind::Lost => self.known = AxisSet::EMPTY,
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        if self.lines < self.most_lines {
+            self.print_function(function, origin);
         }
+    }
+
+    fn lost(&mut self, _: &Origin) {
+        self.known = AxisSet::EMPTY;
     }
 }
 

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use crate::diag::Trail;
 use crate::geo::{Plane, Point2};
-use crate::ir::motion::{Item, Kind, Move, Path, Sink};
+use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::axis::Axis;
 use crate::text::Sources;
@@ -41,7 +41,7 @@ impl<'a> Trace<'a> {
         }
     }
 
-    fn movement(&mut self, mv: &Move, origin: &Origin) {
+    fn move_line(&mut self, mv: &Move, origin: &Origin) {
         let mut line = Map::new();
         let kind = match &mv.path {
             Path::Rapid => "rapid",
@@ -115,12 +115,19 @@ fn plane_name(plane: Plane) -> &'static str {
 }
 
 impl Sink for Trace<'_> {
-    fn item(&mut self, item: Item) {
-        match &item.kind {
-            Kind::Move(mv) => self.movement(mv, &item.origin),
-            Kind::Function(Function::ToolChange { number }) => self.tool = Some(*number),
-            Kind::Function(Function::WorkOffset(_)) | Kind::Lost => self.at = Pos::UNKNOWN,
-            Kind::Function(_) => {}
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        self.move_line(mv, origin);
+    }
+
+    fn function(&mut self, function: &Function, _: &Origin) {
+        match function {
+            Function::ToolChange { number } => self.tool = Some(*number),
+            Function::WorkOffset(_) => self.at.clear(),
+            _ => {}
         }
+    }
+
+    fn lost(&mut self, _: &Origin) {
+        self.at.clear();
     }
 }

@@ -7,14 +7,6 @@ use crate::geo::{Deg, Plane, Point2};
 
 use super::{Feed, Frame, Function, Origin, Pos, Side};
 
-/// One item of the contour stream.
-#[derive(Debug, Clone)]
-pub struct Item {
-    pub kind: Kind,
-    pub ctx: CtxRef,
-    pub origin: Origin,
-}
-
 /// State that holds for many items; a new one is made only when something in it changes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Ctx {
@@ -24,16 +16,6 @@ pub struct Ctx {
 }
 
 pub type CtxRef = Rc<Ctx>;
-
-#[derive(Debug, Clone)]
-pub enum Kind {
-    Move(Move),
-    Corner(Corner),
-    Function(Function),
-    /// The position is no longer what the moves so far say (an error was reported, or the program moved
-    /// in a way that is not in the stream).
-    Lost,
-}
 
 /// A programmed path element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,7 +102,13 @@ pub enum CornerShape {
     },
 }
 
-/// Takes the items of a program, in order.
+/// Takes what was programmed, in order. Each item comes with the state it was programmed under and the
+/// block that caused it.
 pub trait Sink {
-    fn item(&mut self, item: Item);
+    fn movement(&mut self, mv: &Move, ctx: &CtxRef, origin: &Origin);
+    fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin);
+    fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin);
+    /// The position is no longer what the moves so far say: an error was reported, or the program moves in
+    /// a way that is not in the stream.
+    fn lost(&mut self, ctx: &CtxRef, origin: &Origin);
 }

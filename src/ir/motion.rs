@@ -5,23 +5,8 @@ use crate::machine::axis::AxisSet;
 
 use super::{Feed, Function, Origin, Pos, Side};
 
-/// One item of the motion stream.
-#[derive(Debug, Clone)]
-pub struct Item {
-    pub kind: Kind,
-    pub origin: Origin,
-}
-
-#[derive(Debug, Clone)]
-pub enum Kind {
-    Move(Move),
-    Function(Function),
-    /// What the target believes of its position no longer holds.
-    Lost,
-}
-
 /// A move from the end of the move before.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Move {
     /// All axes whose position is known after the move.
     pub end: Pos,
@@ -37,9 +22,10 @@ pub struct Move {
     pub machine: bool,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Path {
     Rapid,
+    #[default]
     Line,
     Arc(Arc),
 }
@@ -54,7 +40,10 @@ pub struct Arc {
     pub sweep: f64,
 }
 
-/// Takes the items of a path, in order.
+/// Takes what a program does, in order. Each item comes with the block that caused it.
 pub trait Sink {
-    fn item(&mut self, item: Item);
+    fn movement(&mut self, mv: &Move, origin: &Origin);
+    fn function(&mut self, function: &Function, origin: &Origin);
+    /// What the target believes of its position no longer holds.
+    fn lost(&mut self, origin: &Origin);
 }

@@ -5,8 +5,8 @@ use crate::machine::axis::{AXES, Axis, AxisSet};
 
 /// Coordinates by axis, mm or degrees, with the set of those that are known.
 ///
-/// An unknown coordinate is stored as 0 and never read.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// What is stored for an unknown coordinate is never read.
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Pos {
     values: [f64; AXES],
     known: AxisSet,
@@ -28,8 +28,13 @@ impl Pos {
     }
 
     pub fn forget(&mut self, axis: Axis) {
-        self.values[axis.index()] = 0.0;
         self.known.remove(axis);
+    }
+
+    /// Forgets every axis.
+    #[inline]
+    pub fn clear(&mut self) {
+        self.known = AxisSet::EMPTY;
     }
 
     #[inline]
@@ -38,6 +43,7 @@ impl Pos {
     }
 
     /// The known axes in order.
+    #[inline]
     pub fn iter(&self) -> impl Iterator<Item = (Axis, f64)> + '_ {
         self.known.iter().map(|axis| (axis, self.values[axis.index()]))
     }
@@ -64,5 +70,11 @@ impl Pos {
         let (first, second, _) = plane.axes();
         self.set(Axis::ALL[first], p.x);
         self.set(Axis::ALL[second], p.y);
+    }
+}
+
+impl PartialEq for Pos {
+    fn eq(&self, other: &Pos) -> bool {
+        self.known == other.known && self.iter().eq(other.iter())
     }
 }

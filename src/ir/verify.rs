@@ -4,8 +4,8 @@
 
 use crate::geo::distance;
 
-use super::motion::{Item, Kind, Path, Sink};
-use super::{Function, Pos};
+use super::motion::{Move, Path, Sink};
+use super::{Function, Origin, Pos};
 
 /// How far a point may be off, relative to the radius, in mm.
 const TOLERANCE: f64 = 1e-6;
@@ -29,31 +29,37 @@ impl<'a> Verify<'a> {
 }
 
 impl Sink for Verify<'_> {
-    fn item(&mut self, item: Item) {
-        match &item.kind {
-            Kind::Move(mv) => {
-                assert!(mv.end.iter().all(|(_, v)| v.is_finite()), "{item:?}");
-                if let Path::Arc(arc) = &mv.path {
-                    let to = mv.end.in_plane(arc.plane).expect("an arc has an end in its plane");
-                    let radius = distance(arc.from, arc.center);
-                    let tol = TOLERANCE * (1.0 + radius);
-                    assert!((distance(to, arc.center) - radius).abs() <= tol, "end off the circle: {item:?}");
-                    assert!(arc.sweep != 0.0 && arc.sweep.is_finite(), "{item:?}");
-                    if let Some(from) = self.at.in_plane(arc.plane) {
-                        assert!(distance(from, arc.from) <= tol, "gap before an arc: {item:?} at {:?}", self.at);
-                    }
-                }
-                if mv.machine {
-                    for axis in mv.axes.iter() {
-                        self.at.forget(axis);
-                    }
-                } else {
-                    self.at.update(&mv.end);
-                }
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        assert!(mv.end.iter().all(|(_, v)| v.is_finite()), "{mv:?}");
+        if let Path::Arc(arc) = &mv.path {
+            let to = mv.end.in_plane(arc.plane).expect("an arc has an end in its plane");
+            let radius = distance(arc.from, arc.center);
+            let tol = TOLERANCE * (1.0 + radius);
+            assert!((distance(to, arc.center) - radius).abs() <= tol, "end off the circle: {mv:?}");
+            assert!(arc.sweep != 0.0 && arc.sweep.is_finite(), "{mv:?}");
+            if let Some(from) = self.at.in_plane(arc.plane) {
+                assert!(distance(from, arc.from) <= tol, "gap before an arc: {mv:?} at {:?}", self.at);
             }
-            Kind::Function(Function::WorkOffset(_) | Function::ToolChange { .. }) | Kind::Lost => self.at = Pos::UNKNOWN,
-            Kind::Function(_) => {}
         }
-        self.out.item(item);
+        if mv.machine {
+            for axis in mv.axes.iter() {
+                self.at.forget(axis);
+            }
+        } else {
+            self.at.update(&mv.end);
+        }
+        self.out.movement(mv, origin);
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
+            self.at.clear();
+        }
+        self.out.function(function, origin);
+    }
+
+    fn lost(&mut self, origin: &Origin) {
+        self.at.clear();
+        self.out.lost(origin);
     }
 }

@@ -9,9 +9,10 @@ use crate::geo::arc::{self, TangentArc};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Origin;
 use crate::ir::contour::{self, ArcShape};
+use crate::ir::motion::{Arc, Path};
 
 use super::at;
-use super::step::{Path, Step, plane_axes};
+use super::step::{Step, plane_axes};
 
 /// Sideways distance under which a tangential end counts as straight ahead, in mm.
 const STRAIGHT: f64 = 1e-6;
@@ -109,8 +110,8 @@ pub enum Extra {
 #[inline]
 pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
     match path {
-        contour::Path::Rapid => step.path = Path::Rapid,
-        contour::Path::Line => step.path = Path::Line,
+        contour::Path::Rapid => step.mv.path = Path::Rapid,
+        contour::Path::Line => step.mv.path = Path::Line,
         contour::Path::Arc(arc) => return resolve_arc(arc, step, last, adjusted),
     }
     Ok(Extra::None)
@@ -123,8 +124,8 @@ fn resolve_arc(
     adjusted: &mut Adjusted,
 ) -> Result<Extra, Refused> {
     let plane = shape.plane;
-    let (Some(from), Some(to)) = (step.start.in_plane(plane), step.end.in_plane(plane)) else { return Err(None) };
-    step.axes = step.axes.union(plane_axes(plane));
+    let (Some(from), Some(to)) = (step.start.in_plane(plane), step.mv.end.in_plane(plane)) else { return Err(None) };
+    step.mv.axes = step.mv.axes.union(plane_axes(plane));
     let refuse = |step: &Step, code, message: String| Err(Some(at(code, step.origin, message)));
     match shape.shape {
         ArcShape::Center { center, ccw, tol } => return by_center(step, plane, from, to, center, ccw, tol, adjusted),
@@ -132,7 +133,7 @@ fn resolve_arc(
             if distance(from, center) <= SAME_POINT {
                 return refuse(step, codes::G3014, "the arc starts in its centre".to_owned());
             }
-            step.path = Path::Arc { plane, center, sweep: sweep.radians() };
+            step.mv.path = Path::Arc(Arc { plane, from, center, sweep: sweep.radians() });
         }
         ArcShape::Radius { radius, ccw, tol } => {
             let d = distance(from, to);
@@ -146,7 +147,7 @@ fn resolve_arc(
                 ));
             };
             adjusted.note((d / 2.0 - radius.abs()).max(0.0), step.origin);
-            step.path = Path::Arc { plane, center, sweep: arc::sweep(from, to, center, ccw) };
+            step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
         }
         ArcShape::Tangent => {
             let Some((tangent, _)) = last.tangent.filter(|(_, in_plane)| *in_plane == plane) else {
@@ -159,11 +160,11 @@ fn resolve_arc(
             };
             match arc::tangent_arc(from, tangent, to, SAME_POINT, STRAIGHT) {
                 TangentArc::Arc { center, ccw } => {
-                    step.path = Path::Arc { plane, center, sweep: arc::sweep(from, to, center, ccw) };
+                    step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
                 }
-                TangentArc::Nothing => step.path = Path::Line,
+                TangentArc::Nothing => step.mv.path = Path::Line,
                 TangentArc::Line => {
-                    step.path = Path::Line;
+                    step.mv.path = Path::Line;
                     let word = at(codes::G3006, step.origin, "the end lies straight ahead, so the arc is a line");
                     return Ok(Extra::Word(Box::new(word)));
                 }
@@ -192,8 +193,8 @@ fn by_center(
         return Err(Some(at(codes::G3014, step.origin, "the centre of the arc lies on its start or end")));
     }
     if distance(from, to) <= SAME_POINT {
-        step.end.set_in_plane(plane, from);
-        step.path = Path::Arc { plane, center, sweep: if ccw { TAU } else { -TAU } };
+        step.mv.end.set_in_plane(plane, from);
+        step.mv.path = Path::Arc(Arc { plane, from, center, sweep: if ccw { TAU } else { -TAU } });
         return Ok(Extra::None);
     }
     let off = (r2 - r1).abs();
@@ -211,7 +212,7 @@ fn by_center(
     let sweep = arc::sweep(from, to, moved, ccw);
     if deviation(from, moved, sweep, center, r1, r2) <= tol {
         adjusted.note(distance(moved, center), step.origin);
-        step.path = Path::Arc { plane, center: moved, sweep };
+        step.mv.path = Path::Arc(Arc { plane, from, center: moved, sweep });
         return Ok(Extra::None);
     }
     // Nearly a full circle that does not close: no single arc fits. The arc about the programmed centre is
@@ -220,11 +221,11 @@ fn by_center(
     let sweep = arc::sweep(from, to, center, ccw);
     let foot = center + (to - center) * (r1 / r2);
     let mut rest = step.clone();
-    step.end.set_in_plane(plane, foot);
-    step.path = Path::Arc { plane, center, sweep };
-    rest.start = step.end;
-    rest.path = Path::Line;
-    rest.axes = plane_axes(plane);
+    step.mv.end.set_in_plane(plane, foot);
+    step.mv.path = Path::Arc(Arc { plane, from, center, sweep });
+    rest.start = step.mv.end;
+    rest.mv.path = Path::Line;
+    rest.mv.axes = plane_axes(plane);
     Ok(Extra::Second(Box::new(rest)))
 }
 

@@ -2,12 +2,13 @@
 
 use crate::diag::{Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut};
-use crate::geo::{SAME_POINT, arc, distance};
+use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{Corner, CornerShape};
+use crate::ir::motion::{Arc, Path};
 use crate::ir::{Function, Origin};
 
 use super::at;
-use super::step::{Path, Step, plane_axes};
+use super::step::{Step, plane_axes};
 
 /// How much an element may fall short of the cut, in mm: what rounding of the source loses.
 const SHORT: f64 = 1e-6;
@@ -16,33 +17,46 @@ const MOST_BETWEEN: usize = 32;
 
 /// What comes out of the pass.
 #[derive(Debug)]
-pub enum Event {
-    Step(Step),
-    Function(Function, Origin),
+pub enum Event<'s> {
+    Step(&'s Step),
+    Function(&'s Function, Origin),
 }
 
 /// The element that waits for its successor, and the corner between them.
 #[derive(Debug, Default)]
 pub struct Corners {
-    held: Option<Step>,
+    /// One waits, the other is being made; which is which alternates, so that none is copied.
+    steps: [Step; 2],
+    /// Index of the one that waits.
+    waiting: usize,
+    held: bool,
     corner: Option<(Corner, Origin)>,
     between: Vec<(Function, Origin)>,
 }
 
 impl Corners {
+    /// Where the next element is made.
     #[inline]
-    pub fn step(&mut self, step: Step, diags: &Diags, out: &mut impl FnMut(Event)) {
-        if self.corner.is_some() {
-            self.cut(step, diags, out);
-            return;
-        }
-        if let Some(held) = self.held.replace(step) {
-            out(Event::Step(held));
-        }
+    pub fn next(&mut self) -> &mut Step {
+        &mut self.steps[self.waiting ^ 1]
     }
 
-    pub fn corner(&mut self, corner: Corner, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event)) {
-        if self.held.is_none() {
+    /// The element in [`Corners::next`] is complete.
+    #[inline]
+    pub fn push(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
+        if self.corner.is_some() {
+            self.cut(diags, out);
+            return;
+        }
+        if self.held {
+            out(Event::Step(&self.steps[self.waiting]));
+        }
+        self.waiting ^= 1;
+        self.held = true;
+    }
+
+    pub fn corner(&mut self, corner: Corner, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
+        if !self.held {
             diags.push(at(codes::G3007, origin, "no contour element stands before this chamfer or rounding"));
             return;
         }
@@ -54,75 +68,84 @@ impl Corners {
         self.corner = Some((corner, origin));
     }
 
-    pub fn function(&mut self, function: Function, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event)) {
+    pub fn function(&mut self, function: &Function, origin: &Origin, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         let breaks = matches!(
             function,
             Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Plane(_)
         );
         if self.corner.is_some() && !breaks && self.between.len() < MOST_BETWEEN {
-            self.between.push((function, origin));
+            self.between.push((function.clone(), *origin));
             return;
         }
         self.flush(diags, out);
-        out(Event::Function(function, origin));
+        out(Event::Function(function, *origin));
     }
 
     /// Sends what is held; a corner that waits has no second neighbour.
-    pub fn flush(&mut self, diags: &Diags, out: &mut impl FnMut(Event)) {
+    pub fn flush(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         if let Some((_, origin)) = self.corner {
             diags.push(at(codes::G3007, origin, "no contour element stands behind this chamfer or rounding"));
         }
         self.drop_corner(out);
     }
 
-    fn drop_corner(&mut self, out: &mut impl FnMut(Event)) {
+    fn drop_corner(&mut self, out: &mut impl FnMut(Event<'_>)) {
         self.corner = None;
-        if let Some(held) = self.held.take() {
-            out(Event::Step(held));
+        if std::mem::take(&mut self.held) {
+            out(Event::Step(&self.steps[self.waiting]));
         }
         for (function, origin) in self.between.drain(..) {
-            out(Event::Function(function, origin));
+            out(Event::Function(&function, origin));
         }
     }
 
     /// The second neighbour is here.
-    fn cut(&mut self, after: Step, diags: &Diags, out: &mut impl FnMut(Event)) {
-        let (Some((corner, origin)), Some(before)) = (self.corner.take(), self.held.take()) else { return };
-        let mut pieces = [None, None, None];
-        match cut(&before, &after, &corner, origin) {
-            Ok((shortened, inserted, rest)) => pieces = [Some(shortened), inserted, Some(rest)],
+    fn cut(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
+        let Some((corner, origin)) = self.corner.take() else { return };
+        let (before, after) = (self.waiting, self.waiting ^ 1);
+        match cut(&self.steps[before], &self.steps[after], &corner, origin) {
+            Ok((shortened, inserted, rest)) => {
+                out(Event::Step(&shortened));
+                if let Some(inserted) = inserted {
+                    out(Event::Step(&inserted));
+                }
+                self.steps[after] = rest;
+            }
             Err(found) => {
-                diags.push(found);
-                pieces[0] = Some(before);
-                pieces[2] = Some(after);
+                diags.push(*found);
+                out(Event::Step(&self.steps[before]));
             }
         }
-        let [first, inserted, rest] = pieces;
-        for step in [first, inserted].into_iter().flatten() {
-            out(Event::Step(step));
-        }
         for (function, origin) in self.between.drain(..) {
-            out(Event::Function(function, origin));
+            out(Event::Function(&function, origin));
         }
-        self.held = rest;
+        self.waiting = after;
     }
 }
 
 /// The element before, what is put between, and the element after.
-fn cut(before: &Step, after: &Step, corner: &Corner, origin: Origin) -> Result<(Step, Option<Step>, Step), Diagnostic> {
+fn cut(
+    before: &Step,
+    after: &Step,
+    corner: &Corner,
+    origin: Origin,
+) -> Result<(Step, Option<Step>, Step), Box<Diagnostic>> {
     let plane = after.ctx.plane;
     let name = match corner.shape {
         CornerShape::Rounding { .. } => "rounding",
         CornerShape::Chamfer { .. } => "chamfer",
     };
-    let refuse = |code, message: String| Err(at(code, origin, message).also(before.origin.loc, "element before").also(after.origin.loc, "element after"));
+    let refuse = |code, message: String| {
+        let found = at(code, origin, message);
+        Err(Box::new(found.also(before.origin.loc, "element before").also(after.origin.loc, "element after")))
+    };
     if before.ctx.frame != after.ctx.frame {
         return refuse(codes::G3019, format!("the coordinate system changes at the {name}"));
     }
     if before.plane() != plane || after.plane() != plane {
         return refuse(codes::G3016, format!("the elements at the {name} lie in different planes"));
     }
-    if before.machine || after.machine {
+    if before.mv.machine || after.mv.machine {
         return refuse(codes::G3007, format!("a block in machine coordinates cannot be next to a {name}"));
     }
     for (step, which) in [(before, "before"), (after, "after")] {
@@ -154,13 +177,14 @@ fn cut(before: &Step, after: &Step, corner: &Corner, origin: Origin) -> Result<(
 
 fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &Cut) -> (Step, Option<Step>, Step) {
     let plane = after.ctx.plane;
-    let trim = |step: &Step, element: crate::geo::Element| {
+    let trim = |step: &Step, element: Element| {
         let mut step = step.clone();
         step.start.set_in_plane(plane, element.from());
-        step.end.set_in_plane(plane, element.to());
-        step.axes = step.axes.union(plane_axes(plane));
-        if let (Path::Arc { sweep, .. }, crate::geo::Element::Arc { sweep: rest, .. }) = (&mut step.path, element) {
-            *sweep = rest;
+        step.mv.end.set_in_plane(plane, element.to());
+        step.mv.axes = step.mv.axes.union(plane_axes(plane));
+        if let (Path::Arc(arc), Element::Arc { from, sweep, .. }) = (&mut step.mv.path, element) {
+            arc.from = from;
+            arc.sweep = sweep;
         }
         step
     };
@@ -171,14 +195,16 @@ fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &C
     let first = trim(before, a.ending_at(made.leave));
     let rest = trim(after, b.starting_at(made.join));
     let mut inserted = first.clone();
-    inserted.start = first.end;
-    inserted.end = first.end;
-    inserted.end.set_in_plane(plane, made.join);
-    inserted.axes = plane_axes(plane);
-    inserted.feed = Some(corner.feed);
+    inserted.start = first.mv.end;
+    inserted.mv.end.set_in_plane(plane, made.join);
+    inserted.mv.axes = plane_axes(plane);
+    inserted.mv.feed = Some(corner.feed);
     inserted.origin = origin;
-    inserted.path = match made.arc {
-        Some((center, ccw)) => Path::Arc { plane, center, sweep: arc::sweep(made.leave, made.join, center, ccw) },
+    inserted.mv.path = match made.arc {
+        Some((center, ccw)) => {
+            let sweep = arc::sweep(made.leave, made.join, center, ccw);
+            Path::Arc(Arc { plane, from: made.leave, center, sweep })
+        }
         None => Path::Line,
     };
     let any = distance(made.leave, made.join) > SAME_POINT;

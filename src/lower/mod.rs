@@ -14,13 +14,12 @@ pub mod step;
 use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags};
-use crate::ir::contour::{Coords, CtxRef, Item, Kind, Sink};
+use crate::ir::contour::{self, EndPoint, Coords, Corner, CtxRef, Sink};
 use crate::ir::{Function, Origin, Pos, motion};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, Last};
 use corner::{Corners, Event};
-use step::Step;
 
 /// The passes of one run, from contour items to `out`.
 pub struct Lower<'a> {
@@ -81,51 +80,56 @@ impl<'a> Lower<'a> {
         self.ctx = Rc::clone(ctx);
     }
 
-    fn path_element(&mut self, mv: crate::ir::contour::Move, ctx: CtxRef, origin: Origin) {
-        let programmed = polar::cartesian(&mv.end);
-        let mut step = Step {
-            start: self.at,
-            end: programmed,
-            axes: programmed.known(),
-            path: step::Path::Line,
-            feed: mv.feed,
-            side: mv.side,
-            machine: mv.coords == Coords::Machine,
-            ctx,
-            origin,
-        };
-        if step.machine {
-            if mv.path == crate::ir::contour::Path::Rapid {
-                step.path = step::Path::Rapid;
+    #[inline]
+    fn path_element(&mut self, mv: &contour::Move, origin: &Origin) {
+        let step = self.corners.next();
+        if !Rc::ptr_eq(&step.ctx, &self.ctx) {
+            step.ctx = Rc::clone(&self.ctx);
+        }
+        step.start = self.at;
+        step.origin = *origin;
+        step.mv.feed = mv.feed;
+        step.mv.side = mv.side;
+        step.mv.plane = self.ctx.plane;
+        step.mv.machine = mv.coords == Coords::Machine;
+        let polar;
+        let programmed = match &mv.end {
+            EndPoint::Cartesian(pos) => pos,
+            EndPoint::Polar(end) => {
+                polar = polar::cartesian(end);
+                &polar
             }
-            for axis in step.axes.iter() {
+        };
+        step.mv.axes = programmed.known();
+        if step.mv.machine {
+            step.mv.path = if mv.path == contour::Path::Rapid { motion::Path::Rapid } else { motion::Path::Line };
+            step.mv.end = *programmed;
+            for axis in programmed.known().iter() {
                 self.at.forget(axis);
             }
             self.last.forget();
-            self.push(step);
-            return;
+            return self.push();
         }
-        step.end = self.at;
-        step.end.update(&programmed);
-        let extra = match arcs::resolve(&mv.path, &mut step, &self.last, &mut self.adjusted) {
-            Ok(extra) => extra,
+        step.mv.end = self.at;
+        step.mv.end.update(programmed);
+        match arcs::resolve(&mv.path, step, &self.last, &mut self.adjusted) {
+            Ok(extra) => {
+                self.last.follow(step);
+                self.at = step.mv.end;
+                self.push();
+                match extra {
+                    Extra::None => {}
+                    Extra::Word(word) => self.diags.push(*word),
+                    Extra::Second(second) => {
+                        self.at = second.mv.end;
+                        *self.corners.next() = *second;
+                        self.push();
+                    }
+                }
+            }
             Err(found) => {
+                let programmed = *programmed;
                 self.refuse(found, &programmed);
-                return;
-            }
-        };
-        self.last.follow(&step);
-        self.at = step.end;
-        match extra {
-            Extra::None => self.push(step),
-            Extra::Word(word) => {
-                self.diags.push(*word);
-                self.push(step);
-            }
-            Extra::Second(second) => {
-                self.at = second.end;
-                self.push(step);
-                self.push(*second);
             }
         }
     }
@@ -158,39 +162,47 @@ impl<'a> Lower<'a> {
     }
 
     #[inline]
-    fn push(&mut self, step: Step) {
+    fn push(&mut self) {
         let (corners, mut finish) = self.split();
-        corners.step(step, finish.diags, &mut |event| finish.event(event));
+        corners.push(finish.diags, &mut |event| finish.event(event));
+    }
+
+    #[inline]
+    fn follow_ctx(&mut self, ctx: &CtxRef) {
+        if !Rc::ptr_eq(&self.ctx, ctx) {
+            self.enter_frame(ctx);
+        }
     }
 }
 
 impl Sink for Lower<'_> {
-    fn item(&mut self, item: Item) {
-        if !Rc::ptr_eq(&self.ctx, &item.ctx) {
-            self.enter_frame(&item.ctx);
-        }
-        match item.kind {
-            Kind::Move(mv) => self.path_element(mv, item.ctx, item.origin),
-            Kind::Corner(corner) => {
-                self.last.corner();
-                let (corners, mut finish) = self.split();
-                corners.corner(corner, item.origin, finish.diags, &mut |event| finish.event(event));
-            }
-            Kind::Function(function) => {
-                self.displace(&function);
-                let (corners, mut finish) = self.split();
-                corners.function(function, item.origin, finish.diags, &mut |event| finish.event(event));
-            }
-            Kind::Lost => {
-                self.flush();
-                self.at = Pos::UNKNOWN;
-                self.last.forget();
-                self.out.item(motion::Item { kind: motion::Kind::Lost, origin: item.origin });
-            }
-        }
+    fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx);
+        self.path_element(mv, origin);
+    }
+
+    fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx);
+        self.last.corner();
+        let (corners, mut finish) = self.split();
+        corners.corner(*corner, *origin, finish.diags, &mut |event| finish.event(event));
+    }
+
+    fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx);
+        self.displace(function);
+        let (corners, mut finish) = self.split();
+        corners.function(function, origin, finish.diags, &mut |event| finish.event(event));
+    }
+
+    fn lost(&mut self, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx);
+        self.flush();
+        self.at.clear();
+        self.last.forget();
+        self.out.lost(origin);
     }
 }
-
 
 /// The last passes, which need no memory.
 struct Finish<'a> {
@@ -200,22 +212,19 @@ struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    fn event(&mut self, event: Event) {
+    #[inline]
+    fn event(&mut self, event: Event<'_>) {
         match event {
-            Event::Step(step) => match frames::workpiece(&step) {
+            Event::Step(step) => match frames::workpiece(step) {
                 Ok(mv) => {
                     if !self.machine.limits.is_empty() && !mv.machine {
                         limits::check(&mv, &self.machine.limits, step.origin, self.diags);
                     }
-                    self.out.item(motion::Item { kind: motion::Kind::Move(mv), origin: step.origin });
+                    self.out.movement(&mv, &step.origin);
                 }
-                Err((code, message)) => {
-                    self.diags.push(at(code, step.origin, message));
-                }
+                Err((code, message)) => self.diags.push(at(code, step.origin, message)),
             },
-            Event::Function(function, origin) => {
-                self.out.item(motion::Item { kind: motion::Kind::Function(function), origin });
-            }
+            Event::Function(function, origin) => self.out.function(function, &origin),
         }
     }
 }
@@ -224,4 +233,3 @@ impl Finish<'_> {
 fn at(code: &'static Code, origin: Origin, message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(code, origin.loc, message).called(origin.call)
 }
-

@@ -2,17 +2,11 @@
 
 use crate::geo::angle::polar_point;
 use crate::ir::Pos;
-use crate::ir::contour::EndPoint;
+use crate::ir::contour::Polar;
 
-/// The programmed axes of an end point.
-#[inline]
-pub fn cartesian(end: &EndPoint) -> Pos {
-    match end {
-        EndPoint::Cartesian(pos) => *pos,
-        EndPoint::Polar(polar) => {
-            let mut pos = polar.rest;
-            pos.set_in_plane(polar.plane, polar_point(polar.pole, polar.radius, polar.angle));
-            pos
-        }
-    }
+/// The programmed axes of a polar end point.
+pub fn cartesian(end: &Polar) -> Pos {
+    let mut pos = end.rest;
+    pos.set_in_plane(end.plane, polar_point(end.pole, end.radius, end.angle));
+    pos
 }

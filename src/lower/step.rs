@@ -1,69 +1,56 @@
 //! A path element whose geometry is complete, still in programmed coordinates.
 
-use crate::geo::{Element, Plane, Point2};
+use crate::geo::{Element, Plane};
 use crate::ir::contour::CtxRef;
-use crate::ir::{Feed, Origin, Pos, Side};
+use crate::ir::motion::{Move, Path};
+use crate::ir::{Origin, Pos};
 use crate::machine::{Axis, AxisSet};
 
-/// One element from `start` to `end`.
-#[derive(Debug, Clone)]
+/// One element from `start` to the end of `mv`.
+#[derive(Debug, Clone, Default)]
 pub struct Step {
     pub start: Pos,
-    /// All known axes after the element.
-    pub end: Pos,
-    /// Axes the program named.
-    pub axes: AxisSet,
-    pub path: Path,
-    pub feed: Option<Feed>,
-    pub side: Side,
-    pub machine: bool,
+    /// The move in the frame of `ctx`. Its `axes` are those the program named.
+    pub mv: Move,
     pub ctx: CtxRef,
     pub origin: Origin,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Path {
-    Rapid,
-    Line,
-    /// Sweep in rad, counter-clockwise positive.
-    Arc {
-        plane: Plane,
-        center: Point2,
-        sweep: f64,
-    },
-}
-
 impl Step {
     /// The element as seen in `plane`; `None` if an end is not known there or an arc lies in another plane.
+    #[inline]
     pub fn element(&self, plane: Plane) -> Option<Element> {
         let from = self.start.in_plane(plane)?;
-        let to = self.end.in_plane(plane)?;
-        match self.path {
+        let to = self.mv.end.in_plane(plane)?;
+        match &self.mv.path {
             Path::Rapid | Path::Line => Some(Element::Line { from, to }),
-            Path::Arc { plane: own, center, sweep } if own == plane => Some(Element::Arc { from, to, center, sweep }),
-            Path::Arc { .. } => None,
+            Path::Arc(arc) if arc.plane == plane => {
+                Some(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
+            }
+            Path::Arc(_) => None,
         }
     }
 
     /// Plane of an arc, or the working plane.
+    #[inline]
     pub fn plane(&self) -> Plane {
-        match self.path {
-            Path::Arc { plane, .. } => plane,
-            _ => self.ctx.plane,
+        match &self.mv.path {
+            Path::Arc(arc) => arc.plane,
+            _ => self.mv.plane,
         }
     }
 
     /// Does an axis outside `plane` move?
+    #[inline]
     pub fn leaves(&self, plane: Plane) -> bool {
-        let (first, second, _) = plane.axes();
-        self.axes.iter().any(|axis| {
-            axis.index() != first && axis.index() != second && self.start.get(axis) != self.end.get(axis)
-        })
+        let others = self.mv.axes.without(plane_axes(plane));
+        others.iter().any(|axis| self.start.get(axis) != self.mv.end.get(axis))
     }
 }
 
 /// Axes of a plane as a set.
+#[inline]
 pub fn plane_axes(plane: Plane) -> AxisSet {
     let (first, second, _) = plane.axes();
-    [Axis::ALL[first], Axis::ALL[second]].into_iter().collect()
+    AxisSet::of(Axis::ALL[first]).union(AxisSet::of(Axis::ALL[second]))
 }

@@ -22,10 +22,12 @@ impl Axis {
     pub const ALL: [Axis; AXES] =
         [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C, Axis::U, Axis::V, Axis::W];
 
+    #[inline]
     pub fn index(self) -> usize {
         self as usize
     }
 
+    #[inline]
     pub fn letter(self) -> char {
         b"XYZABCUVW"[self.index()] as char
     }
@@ -70,10 +72,12 @@ impl AxisSet {
         AxisSet(1 << axis.index())
     }
 
+    #[inline]
     pub fn contains(self, axis: Axis) -> bool {
         self.0 & (1 << axis.index()) != 0
     }
 
+    #[inline]
     pub fn insert(&mut self, axis: Axis) {
         self.0 |= 1 << axis.index();
     }
@@ -82,18 +86,22 @@ impl AxisSet {
         self.0 &= !(1 << axis.index());
     }
 
+    #[inline]
     pub fn union(self, other: AxisSet) -> AxisSet {
         AxisSet(self.0 | other.0)
     }
 
+    #[inline]
     pub fn common(self, other: AxisSet) -> AxisSet {
         AxisSet(self.0 & other.0)
     }
 
+    #[inline]
     pub fn without(self, other: AxisSet) -> AxisSet {
         AxisSet(self.0 & !other.0)
     }
 
+    #[inline]
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
@@ -103,6 +111,7 @@ impl AxisSet {
     }
 
     /// The axes in order.
+    #[inline]
     pub fn iter(self) -> AxisIter {
         AxisIter(self.0)
     }
@@ -125,12 +134,10 @@ pub struct AxisIter(u16);
 impl Iterator for AxisIter {
     type Item = Axis;
 
+    #[inline]
     fn next(&mut self) -> Option<Axis> {
-        if self.0 == 0 {
-            return None;
-        }
         let at = self.0.trailing_zeros() as usize;
-        self.0 &= self.0 - 1;
+        self.0 &= self.0.wrapping_sub(1);
         Axis::ALL.get(at).copied()
     }
 }

@@ -1,10 +1,8 @@
 //! Decimal literals: one place that turns digits into a double, correctly rounded.
 
 /// Powers of ten that a double holds exactly.
-const POWERS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-    1e21, 1e22,
-];
+const POWERS: [f64; 16] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
 /// Reads an unsigned decimal at the start of `text`: digits with an optional `.` or, if `comma`, `,`.
 ///
@@ -12,40 +10,42 @@ const POWERS: [f64; 23] = [
 /// after it (`45.`) or before it (`.5`) is fine. The result is the double nearest to the decimal.
 #[inline]
 pub fn decimal(text: &[u8], comma: bool) -> Option<(f64, usize)> {
-    let mut mantissa: u64 = 0;
-    let mut digits = 0;
-    let mut at = 0;
-    while let Some(d) = digit(text, at) {
-        mantissa = mantissa.wrapping_mul(10).wrapping_add(d);
-        digits += 1;
-        at += 1;
-    }
-    let mut scale = 0;
-    if let Some(&point) = text.get(at)
-        && (point == b'.' || (comma && point == b','))
-        && (digits > 0 || digit(text, at + 1).is_some())
-    {
-        at += 1;
-        while let Some(d) = digit(text, at) {
-            mantissa = mantissa.wrapping_mul(10).wrapping_add(d);
-            digits += 1;
-            scale += 1;
-            at += 1;
+    let (mantissa, rest) = digits(0, text);
+    let whole = text.len() - rest.len();
+    let (mantissa, places, used) = match rest {
+        [b'.', fraction @ ..] => {
+            let (mantissa, rest) = digits(mantissa, fraction);
+            (mantissa, fraction.len() - rest.len(), text.len() - rest.len())
         }
-    }
-    if digits == 0 {
+        [b',', fraction @ ..] if comma => {
+            let (mantissa, rest) = digits(mantissa, fraction);
+            (mantissa, fraction.len() - rest.len(), text.len() - rest.len())
+        }
+        _ => (mantissa, 0, whole),
+    };
+    let count = whole + places;
+    if count == 0 {
         return None;
     }
-    // Up to 15 digits and 22 places both operands are exact, so the one division rounds correctly.
-    if digits <= 15 {
-        return Some((mantissa as f64 / POWERS[scale], at));
+    // Up to 15 digits both operands are exact, so the one division rounds correctly.
+    if count <= 15 {
+        return Some((mantissa as f64 / POWERS[places & 15], used));
     }
-    Some((slow(&text[..at]), at))
+    Some((slow(&text[..used]), used))
 }
 
-#[inline]
-fn digit(text: &[u8], at: usize) -> Option<u64> {
-    text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
+/// Appends the digits at the start of `text` to `number`; the rest of the text. Overflow is the caller's to avoid.
+#[inline(always)]
+fn digits(mut number: u64, mut text: &[u8]) -> (u64, &[u8]) {
+    while let [byte, rest @ ..] = text {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            break;
+        }
+        number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
+        text = rest;
+    }
+    (number, text)
 }
 
 fn slow(text: &[u8]) -> f64 {

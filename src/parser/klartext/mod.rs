@@ -48,32 +48,45 @@ struct Head {
     from: usize,
 }
 
+#[inline]
 fn head(text: &[u8]) -> Head {
     let mut head = Head::default();
-    let mut at = blanks(text, 0);
-    if text.get(at) == Some(&b'/') {
+    let mut rest = after_blanks(text);
+    if let [b'/', tail @ ..] = rest {
         head.skip = true;
-        at = blanks(text, at + 1);
+        rest = after_blanks(tail);
     }
-    let digits = at + usize::from(matches!(text.get(at), Some(b'N' | b'n')));
-    let len = text[digits.min(text.len())..].iter().take_while(|b| b.is_ascii_digit()).count();
-    if len > 0 {
-        let number = text[digits..digits + len].iter().try_fold(0u32, |n, d| {
-            n.checked_mul(10)?.checked_add(u32::from(d - b'0'))
-        });
-        head.number = Some(number.unwrap_or(u32::MAX));
-        at = blanks(text, digits + len);
-        if text.get(at) == Some(&b'/') {
+    let digits = match rest {
+        [b'N' | b'n', tail @ ..] => tail,
+        _ => rest,
+    };
+    if let [b'0'..=b'9', ..] = digits {
+        let mut number = 0u32;
+        rest = digits;
+        while let [digit @ b'0'..=b'9', tail @ ..] = rest {
+            number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+            rest = tail;
+        }
+        head.number = Some(number);
+        rest = after_blanks(rest);
+        if let [b'/', tail @ ..] = rest {
             head.skip = true;
-            at = blanks(text, at + 1);
+            rest = after_blanks(tail);
         }
     }
-    head.from = at;
+    head.from = text.len() - rest.len();
     head
 }
 
-fn blanks(text: &[u8], from: usize) -> usize {
-    text[from.min(text.len())..].iter().position(|b| !is_blank(*b)).map_or(text.len(), |n| from + n)
+#[inline]
+fn after_blanks(mut text: &[u8]) -> &[u8] {
+    while let [byte, rest @ ..] = text {
+        if !is_blank(*byte) {
+            break;
+        }
+        text = rest;
+    }
+    text
 }
 
 fn is_blank(b: u8) -> bool {

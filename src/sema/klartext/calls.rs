@@ -467,7 +467,7 @@ impl Run<'_> {
         let Some(program) = opened else {
             // What the program would have done is unknown: nothing after it can be trusted.
             self.st.lose(crate::machine::AxisSet::MAIN);
-            self.item(crate::ir::contour::Kind::Lost);
+            self.lost();
             return Err(Reported);
         };
         if self.levels.iter().any(|level| level.program == program) {

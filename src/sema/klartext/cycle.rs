@@ -723,7 +723,7 @@ impl Run<'_> {
                 }
                 let axis = self.st.axis();
                 self.st.lose(AxisSet::of(axis));
-                self.item(crate::ir::contour::Kind::Lost);
+                self.lost();
                 Err(Reported)
             }
         }

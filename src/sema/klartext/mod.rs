@@ -22,7 +22,7 @@ mod words;
 use std::rc::Rc;
 
 use crate::diag::{CallPath, Code, Diagnostic, codes};
-use crate::ir::contour::{CtxRef, Item, Kind, Sink};
+use crate::ir::contour::{Move, Sink};
 use crate::ir::{Function, Origin};
 use crate::machine::Unit;
 use crate::parser::klartext::ast::{Block, Stmt};
@@ -54,10 +54,10 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         defined: tool::Defined::default(),
         selected: None,
         stack: Vec::new(),
+        words: None,
         here: Here::default(),
         problems: Vec::new(),
-        scratch: Block::default(),
-        text: Vec::new(),
+        scratch: None,
         ended: false,
     };
     let start = Loc { file: job.main, line: 1, span: Span::default() };
@@ -107,8 +107,8 @@ struct ProgramHead {
     loc: Loc,
 }
 
-/// A block as the cache keeps it.
-#[derive(Debug)]
+/// A block with what its execution needs besides.
+#[derive(Debug, Clone, Default)]
 struct Parsed {
     block: Block,
     text: Vec<u8>,
@@ -166,10 +166,10 @@ struct Run<'a> {
     /// Program of SEL PGM.
     selected: Option<String>,
     stack: Vec<Val>,
+    words: Option<Box<words::Words>>,
     here: Here,
     problems: Vec<Problem>,
-    scratch: Block,
-    text: Vec<u8>,
+    scratch: Option<Box<Parsed>>,
     ended: bool,
 }
 
@@ -216,24 +216,24 @@ impl Run<'_> {
             self.execute(&parsed.block, &parsed.text);
             return;
         }
-        let mut block = std::mem::take(&mut self.scratch);
-        let mut text = std::mem::take(&mut self.text);
-        text.clear();
+        let mut parsed = self.scratch.take().unwrap_or_default();
+        parsed.text.clear();
         match program.cursor.next(self.job.sources) {
             Ok(Next::Block(found)) => {
-                parse_block(found.text, &mut block, &mut self.problems);
-                if needs_text(&block) {
-                    text.extend_from_slice(found.text);
+                parse_block(found.text, &mut parsed.block, &mut self.problems);
+                if needs_text(&parsed.block) {
+                    parsed.text.extend_from_slice(found.text);
                 }
-                let lines = found.lines;
-                self.here = Here::new(program.file, place.at, place.line, lines, call);
+                parsed.lines = found.lines;
+                self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
                 if program.cursor.is_whole() {
-                    let next = program.cursor.place();
-                    let parsed = Parsed { block: block.clone(), text: text.clone(), lines, next };
-                    program.cache.insert(place.at, Rc::new(parsed));
+                    parsed.next = program.cursor.place();
+                    program.cache.insert(place.at, Rc::new(Parsed::clone(&parsed)));
                 }
-                self.report_problems();
-                self.execute(&block, &text);
+                if !self.problems.is_empty() {
+                    self.report_problems();
+                }
+                self.execute(&parsed.block, &parsed.text);
             }
             Ok(Next::TooLong { at, line }) => {
                 let loc = Loc { file: program.file, line, span: Span::at(at, 1) };
@@ -246,8 +246,7 @@ impl Run<'_> {
                 self.ended = true;
             }
         }
-        self.scratch = block;
-        self.text = text;
+        self.scratch = Some(parsed);
     }
 
     fn report_problems(&mut self) {
@@ -271,7 +270,7 @@ impl Run<'_> {
             Stmt::Empty => return,
             Stmt::Bad => {
                 self.st.lose(crate::machine::AxisSet::MAIN);
-                self.item(Kind::Lost);
+                self.lost();
                 return;
             }
             _ => {}
@@ -326,7 +325,7 @@ impl Run<'_> {
         self.st.lose(crate::machine::AxisSet::MAIN);
         self.st.pole = None;
         self.st.pole_lost = true;
-        self.item(Kind::Lost);
+        self.lost();
         Err(Reported)
     }
 
@@ -338,13 +337,18 @@ impl Run<'_> {
         }
     }
 
-    /// Sends an item on.
-    fn item(&mut self, kind: Kind) {
-        self.out.item(Item { kind, ctx: CtxRef::clone(&self.st.ctx), origin: self.here.origin });
+    #[inline]
+    fn movement(&mut self, mv: &Move) {
+        self.out.movement(mv, &self.st.ctx, &self.here.origin);
     }
 
     fn function(&mut self, function: Function) {
-        self.item(Kind::Function(function));
+        self.out.function(&function, &self.st.ctx, &self.here.origin);
+    }
+
+    /// Nobody knows where the tool is.
+    fn lost(&mut self) {
+        self.out.lost(&self.st.ctx, &self.here.origin);
     }
 
     /// Reports an error about the whole block.

@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
-use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Kind, Move, Path, Polar};
+use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Polar};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, CcMissing, Compensation, CpSign, PolarMissing, Unit};
 use crate::parser::klartext::ast::{Block, PathFn, Stmt};
@@ -33,7 +33,11 @@ impl Run<'_> {
             PathFn::LinePolar | PathFn::TangentPolar => PATH.and(Admits::POLAR),
             PathFn::CirclePolar => PATH.and(Admits::POLAR).and(Admits::TURN),
         };
-        let result = self.gather(block, function.word(), admits).and_then(|w| self.run_path(function, &w));
+        let result = self.gather(block, function.word(), admits).and_then(|w| {
+            let result = self.run_path(function, &w);
+            self.put_back(w);
+            result
+        });
         if result.is_err() {
             self.lose_after(function, block);
         }
@@ -55,7 +59,7 @@ impl Run<'_> {
             axes = axes.union(AxisSet::MAIN);
         }
         self.st.lose(axes);
-        self.item(Kind::Lost);
+        self.lost();
     }
 
     fn run_path(&mut self, function: PathFn, w: &Words) -> Outcome {
@@ -232,7 +236,7 @@ impl Run<'_> {
     /// Sends a move and takes over its end.
     #[inline]
     fn send(&mut self, end: EndPoint, after: &Pos, path: Path, feed: Option<Feed>) {
-        self.item(Kind::Move(Move { end, path, feed, side: self.st.side, coords: Coords::Frame }));
+        self.movement(&Move { end, path, feed, side: self.st.side, coords: Coords::Frame });
         self.st.pos.update(after);
         self.st.lost = self.st.lost.without(after.known());
         self.st.moved = true;
@@ -339,7 +343,7 @@ impl Run<'_> {
         let end = w.axes;
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         let coords = Coords::Machine;
-        self.item(Kind::Move(Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords }));
+        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
         for axis in end.known().iter() {
             self.st.pos.forget(axis);
             self.st.lost.remove(axis);
@@ -374,7 +378,7 @@ impl Run<'_> {
             ));
             end.set(axis, top);
             let coords = Coords::Machine;
-            self.item(Kind::Move(Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords }));
+            self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
             self.st.pos.forget(axis);
             self.st.lost.remove(axis);
             return Ok(());
@@ -714,7 +718,11 @@ impl Run<'_> {
     // Pole, corners, single-axis blocks.
 
     pub(super) fn pole_block(&mut self, block: &Block) -> Outcome {
-        let result = self.gather(block, "CC", Admits::AXES).and_then(|w| self.set_pole(&w, block.span));
+        let result = self.gather(block, "CC", Admits::AXES).and_then(|w| {
+            let result = self.set_pole(&w, block.span);
+            self.put_back(w);
+            result
+        });
         self.st.pole_lost = result.is_err();
         if result.is_err() {
             self.st.pole = None;
@@ -786,7 +794,7 @@ impl Run<'_> {
         let shape =
             if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         self.m_at_start(&w, true)?;
-        self.item(Kind::Corner(Corner { shape, feed }));
+        self.out.corner(&Corner { shape, feed }, &self.st.ctx, &self.here.origin);
         self.st.polar = None;
         self.m_at_end(&w)
     }

@@ -70,8 +70,8 @@ pub(super) struct MWord {
 /// Most M functions of a block.
 const MOST_M: usize = 8;
 
-/// The evaluated words; lengths in mm, angles in degrees.
-#[derive(Debug, Clone, Copy, Default)]
+/// The evaluated words; lengths in mm, angles in degrees. Kept in a box that goes from block to block.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Words {
     /// Value of each axis word, absolute or incremental.
     pub axes: Pos,
@@ -91,13 +91,27 @@ pub(super) struct Words {
     pub feed_span: Span,
     pub speed: Option<f64>,
     pub number: Option<f64>,
-    m: [MWord; MOST_M],
-    m_len: usize,
+    m: Vec<MWord>,
 }
 
 impl Words {
+    fn clear(&mut self) {
+        self.axes.clear();
+        self.incremental = AxisSet::EMPTY;
+        self.axes_span = Span::default();
+        self.polar_radius = None;
+        self.polar_angle = None;
+        self.radius = None;
+        self.turn = None;
+        self.comp = None;
+        self.feed = FeedWord::None;
+        self.speed = None;
+        self.number = None;
+        self.m.clear();
+    }
+
     pub fn m(&self) -> &[MWord] {
-        &self.m[..self.m_len]
+        &self.m
     }
 
     pub fn has_m(&self, number: u32) -> bool {
@@ -108,8 +122,20 @@ impl Words {
 impl Run<'_> {
     /// Evaluates the words of the current block, which begins with `head`.
     #[inline]
-    pub(super) fn gather(&mut self, block: &Block, head: &str, admits: Admits) -> Outcome<Words> {
-        let mut w = Words::default();
+    pub(super) fn gather(&mut self, block: &Block, head: &str, admits: Admits) -> Outcome<Box<Words>> {
+        let mut w = self.words.take().unwrap_or_default();
+        w.clear();
+        self.gather_into(&mut w, block, head, admits)?;
+        Ok(w)
+    }
+
+    /// Gives the box back.
+    #[inline]
+    pub(super) fn put_back(&mut self, w: Box<Words>) {
+        self.words = Some(w);
+    }
+
+    fn gather_into(&mut self, w: &mut Words, block: &Block, head: &str, admits: Admits) -> Outcome {
         let mm = self.level().unit.mm();
         let mut at = 0;
         while let Some(&word) = block.words.get(at) {
@@ -138,21 +164,20 @@ impl Run<'_> {
                 Addr::M(number) if admits.has(Admits::M) => {
                     let (args, used) = self.m_arguments(number, word.span, &block.words[at..])?;
                     at += used;
-                    if w.m_len == MOST_M {
+                    if w.m.len() == MOST_M {
                         return self.fail(codes::K1005, word.span, "too many M functions in one block");
                     }
-                    w.m[w.m_len] = MWord { number, span: word.span, args };
-                    w.m_len += 1;
+                    w.m.push(MWord { number, span: word.span, args });
                 }
                 // Empty words of old listings mean "unchanged".
                 Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty => {}
-                _ => self.rare_word(word, head, admits, mm, &mut w)?,
+                _ => self.rare_word(word, head, admits, mm, w)?,
             }
         }
-        if w.m_len > 1 {
-            self.check_m_conflicts(&w)?;
+        if w.m.len() > 1 {
+            self.check_m_conflicts(w)?;
         }
-        Ok(w)
+        Ok(())
     }
 
     /// The words that CAM programs hardly use.
