@@ -50,6 +50,11 @@ impl Session {
         hash
     }
 
+    /// Runs the program and gives its moves to `out`.
+    pub fn lower(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) {
+        self.run(dialect, settings, files, out);
+    }
+
     /// Compiles the main program to `out`. With an error among the findings the output must not be used.
     ///
     /// # Errors

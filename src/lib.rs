@@ -4,6 +4,8 @@
 //! [`emit::Output`]. A run is a [`driver::Session`]; what it found is in its `diags`, and with an error
 //! among them its output must not be used.
 
+#![forbid(unsafe_code)]
+
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod diag;

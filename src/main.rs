@@ -1,5 +1,7 @@
 //! The `partc` command.
 
+#![forbid(unsafe_code)]
+
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

@@ -1,0 +1,88 @@
+//! Folders use only what the architecture allows them (ARCHITECTURE.md, Allowed dependencies).
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// Folder under `src`, and the folders its `use crate::…` may name besides itself.
+const ALLOWED: &[(&str, &[&str])] = &[
+    ("text", &[]),
+    ("geo", &[]),
+    ("diag", &["text"]),
+    ("machine", &["text", "diag"]),
+    ("ir", &["text", "geo", "machine", "diag"]),
+    ("lexer", &["text", "diag", "machine"]),
+    ("parser", &["lexer", "text", "diag", "machine"]),
+    ("sema", &["parser", "lexer", "machine", "ir", "geo", "diag", "text"]),
+    ("lower", &["ir", "geo", "machine", "diag", "text"]),
+    ("emit", &["ir", "machine", "diag", "text", "geo"]),
+    ("dialect", &["lexer", "parser", "sema", "ir"]),
+    ("cli", &["diag", "dialect", "driver", "emit", "ir", "machine", "text"]),
+];
+
+/// Names of dialects, which nothing behind the contour items may know.
+const DIALECTS: &[&str] = &["klartext", "sinumerik", "heidenhain", "siemens", "manualplus", "mtc200", "indramat"];
+
+fn sources(folder: &Path) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder of sources") {
+        let path = entry.expect("a readable entry").path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let text = fs::read_to_string(&path).expect("a readable source");
+            found.push((path.display().to_string(), text));
+        }
+    }
+    found
+}
+
+#[test]
+fn folders_use_what_they_may() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let allowed: BTreeMap<&str, &[&str]> = ALLOWED.iter().copied().collect();
+    let mut wrong = Vec::new();
+    for entry in fs::read_dir(&root).expect("src") {
+        let path = entry.expect("a readable entry").path();
+        if !path.is_dir() {
+            continue;
+        }
+        let folder = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let may = allowed.get(folder.as_str()).unwrap_or_else(|| panic!("src/{folder} is not in the table"));
+        for (file, text) in sources(&path) {
+            // Tests in a file may use what they like.
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            for part in code.split("crate::").skip(1) {
+                let name: String = part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+                if root.join(&name).exists() || root.join(format!("{name}.rs")).exists() {
+                    if name != folder && !may.contains(&name.as_str()) {
+                        wrong.push(format!("{file} uses {name}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn nothing_behind_the_contour_knows_a_dialect() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for folder in ["lower", "emit", "geo", "ir"] {
+        for (file, text) in sources(&root.join(folder)) {
+            let lower = text.to_lowercase();
+            for dialect in DIALECTS {
+                let named = lower.lines().find(|line| line.contains(dialect) && !line.trim_start().starts_with("//"));
+                assert!(named.is_none(), "{file} names {dialect}: {named:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_unsafe_code() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let lib = fs::read_to_string(root.join("src/lib.rs")).expect("lib.rs");
+    let main = fs::read_to_string(root.join("src/main.rs")).expect("main.rs");
+    assert!(lib.contains("#![forbid(unsafe_code)]") && main.contains("#![forbid(unsafe_code)]"));
+}

@@ -1,0 +1,149 @@
+//! LinuxCNC's stand-alone interpreter as an independent reader of our output.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+/// A canonical call that moves: end, and centre with turns for an arc.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Move {
+    Rapid([f64; 3]),
+    Feed([f64; 3]),
+    /// First and second axis of the plane: end and centre; signed turns; end of the third axis.
+    Arc { plane: [usize; 3], end: [f64; 2], center: [f64; 2], turns: i32, third: f64 },
+}
+
+impl Move {
+    /// Where it ends, given where it starts.
+    pub fn end(&self, from: [f64; 3]) -> [f64; 3] {
+        match self {
+            Move::Rapid(end) | Move::Feed(end) => *end,
+            Move::Arc { plane, end, third, .. } => {
+                let mut to = from;
+                to[plane[0]] = end[0];
+                to[plane[1]] = end[1];
+                to[plane[2]] = *third;
+                to
+            }
+        }
+    }
+}
+
+/// Is the interpreter installed? `PARTC_REQUIRE_ORACLE` makes its absence an error.
+pub fn available() -> bool {
+    let found = Command::new("rs274").arg("-h").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok();
+    assert!(
+        found || std::env::var_os("PARTC_REQUIRE_ORACLE").is_none(),
+        "rs274 is not installed (Debian package linuxcnc-uspace)"
+    );
+    if !found {
+        eprintln!("skipped: rs274 is not installed (Debian package linuxcnc-uspace)");
+    }
+    found
+}
+
+/// Interprets `program`; the moves, or what the interpreter complains about.
+pub fn interpret(program: &str, name: &str) -> Result<Vec<Move>, String> {
+    let dir = scratch(name);
+    let write = |file: &str, text: &str| {
+        let path = dir.join(file);
+        fs::write(&path, text).expect("a writable folder");
+        path
+    };
+    let mut table = String::new();
+    for number in tools(program) {
+        table += &format!("T{number} P{number} D0 Z0 ;\n");
+    }
+    let table = write("t.tbl", &table);
+    let ini = write(
+        "o.ini",
+        &format!(
+            "[EMC]\nMACHINE=o\n[RS274NGC]\nCENTER_ARC_RADIUS_TOLERANCE_MM = 0.001\nCENTER_ARC_RADIUS_TOLERANCE_INCH = 0.00004\n\
+             [TRAJ]\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\nCOORDINATES=X Y Z A B C U V W\n[EMCIO]\nTOOL_TABLE={}\n",
+            table.display()
+        ),
+    );
+    let var = write("v.var", "");
+    let ngc = write("p.ngc", program);
+    let out = Command::new("rs274")
+        .args(["-g", "-n", "2", "-i"])
+        .arg(&ini)
+        .arg("-t")
+        .arg(&table)
+        .arg("-v")
+        .arg(&var)
+        .arg(&ngc)
+        .env("HOME", &dir)
+        .current_dir(&dir)
+        .output()
+        .expect("rs274 starts");
+    let errors = String::from_utf8_lossy(&out.stderr);
+    let errors: Vec<&str> = errors.lines().filter(|line| !line.trim().is_empty() && line.trim() != "executing").collect();
+    let _ = fs::remove_dir_all(&dir);
+    if !out.status.success() || !errors.is_empty() {
+        return Err(errors.join("\n"));
+    }
+    moves(&String::from_utf8_lossy(&out.stdout))
+}
+
+fn scratch(name: &str) -> PathBuf {
+    let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("rs274-{name}"));
+    fs::create_dir_all(&dir).expect("a writable target folder");
+    dir
+}
+
+fn tools(program: &str) -> Vec<u32> {
+    let mut found: Vec<u32> = program
+        .lines()
+        .filter(|line| !line.starts_with('('))
+        .flat_map(|line| line.split(' '))
+        .filter_map(|word| word.strip_prefix(['T', 'D', 'H'])?.parse().ok())
+        .filter(|number| (1..1000).contains(number))
+        .collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+fn moves(canonical: &str) -> Result<Vec<Move>, String> {
+    let mut plane = [0, 1, 2];
+    let mut at = [0.0; 3];
+    let mut list = Vec::new();
+    for line in canonical.lines() {
+        let Some(open) = line.find('(') else { continue };
+        let name = line[..open].rsplit(' ').next().unwrap_or_default();
+        let arguments = line[open + 1..].trim_end().trim_end_matches(')');
+        let numbers: Vec<f64> = arguments.split(',').filter_map(|part| part.trim().parse().ok()).collect();
+        match name {
+            "SELECT_PLANE" => {
+                plane = match arguments.rsplit('_').next() {
+                    Some("XZ") => [2, 0, 1],
+                    Some("YZ") => [1, 2, 0],
+                    _ => [0, 1, 2],
+                }
+            }
+            "STRAIGHT_TRAVERSE" => list.push(Move::Rapid([numbers[0], numbers[1], numbers[2]])),
+            "STRAIGHT_FEED" => list.push(Move::Feed([numbers[0], numbers[1], numbers[2]])),
+            "ARC_FEED" => {
+                let arc = Move::Arc {
+                    plane,
+                    end: [numbers[0], numbers[1]],
+                    center: [numbers[2], numbers[3]],
+                    turns: numbers[4] as i32,
+                    third: numbers[5],
+                };
+                let radius = |p: [f64; 2]| (p[0] - numbers[2]).hypot(p[1] - numbers[3]);
+                let off = (radius([at[plane[0]], at[plane[1]]]) - radius([numbers[0], numbers[1]])).abs();
+                if off > 0.001 + 1.5e-4 {
+                    return Err(format!("{line}: the radii differ by {off:.5}"));
+                }
+                list.push(arc);
+            }
+            _ => {}
+        }
+        if let Some(last) = list.last() {
+            at = last.end(at);
+        }
+    }
+    Ok(list)
+}
