@@ -135,9 +135,9 @@ impl Files for IncludeRoots {
                 if let Some(at) = name.find(':') {
                     return Err(FileError::NoRoot { prefix: request.name[..=at].to_owned() });
                 }
-                if name.starts_with('/') {
-                    let first = name[1..].find('/').map_or(name.len(), |at| at + 1);
-                    return Err(FileError::NoRoot { prefix: name[..first].to_owned() });
+                if let Some(rest) = name.strip_prefix('/') {
+                    let first = rest.split('/').next().unwrap_or(rest);
+                    return Err(FileError::NoRoot { prefix: format!("/{first}") });
                 }
                 (self.folders(request.from), name)
             }

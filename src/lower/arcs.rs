@@ -91,7 +91,7 @@ impl Adjusted {
 }
 
 /// A refusal, or nothing to say because a start that is not known was reported before.
-type Refused = Option<Diagnostic>;
+type Refused = Option<Box<Diagnostic>>;
 
 /// What comes with a completed element.
 #[derive(Debug)]
@@ -126,7 +126,7 @@ fn resolve_arc(
     let plane = shape.plane;
     let (Some(from), Some(to)) = (step.start.in_plane(plane), step.mv.end.in_plane(plane)) else { return Err(None) };
     step.mv.axes = step.mv.axes.union(plane_axes(plane));
-    let refuse = |step: &Step, code, message: String| Err(Some(at(code, step.origin, message)));
+    let refuse = |step: &Step, code, message: String| Err(Some(Box::new(at(code, step.origin, message))));
     match shape.shape {
         ArcShape::Center { center, ccw, tol } => return by_center(step, plane, from, to, center, ccw, tol, adjusted),
         ArcShape::Sweep { center, sweep } => {
@@ -141,10 +141,9 @@ fn resolve_arc(
                 return refuse(step, codes::G3003, "the arc ends where it starts, so its centre is not determined".to_owned());
             }
             let Some(center) = arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol) else {
-                return Err(Some(
-                    at(codes::G3002, step.origin, format!("the points are {d:.4} mm apart, the radius reaches {:.4} mm", 2.0 * radius.abs()))
-                        .help(format!("the radius has to be at least {:.4}", d / 2.0)),
-                ));
+                let message = format!("the points are {d:.4} mm apart, the radius reaches {:.4} mm", 2.0 * radius.abs());
+                let help = format!("the radius has to be at least {:.4}", d / 2.0);
+                return Err(Some(Box::new(at(codes::G3002, step.origin, message).help(help))));
             };
             adjusted.note((d / 2.0 - radius.abs()).max(0.0), step.origin);
             step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
@@ -190,7 +189,7 @@ fn by_center(
 ) -> Result<Extra, Refused> {
     let (r1, r2) = (distance(from, center), distance(to, center));
     if r1 <= SAME_POINT || r2 <= SAME_POINT {
-        return Err(Some(at(codes::G3014, step.origin, "the centre of the arc lies on its start or end")));
+        return Err(Some(Box::new(at(codes::G3014, step.origin, "the centre of the arc lies on its start or end"))));
     }
     if distance(from, to) <= SAME_POINT {
         step.mv.end.set_in_plane(plane, from);
@@ -199,14 +198,10 @@ fn by_center(
     }
     let off = (r2 - r1).abs();
     if off > tol + 1e-9 {
-        return Err(Some(
-            at(
-                codes::G3001,
-                step.origin,
-                format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed"),
-            )
-            .help("check start, centre and end of the arc"),
-        ));
+        let message =
+            format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed");
+        let found = at(codes::G3001, step.origin, message).help("check start, centre and end of the arc");
+        return Err(Some(Box::new(found)));
     }
     let moved = arc::centered_between(from, to, center);
     let sweep = arc::sweep(from, to, moved, ccw);

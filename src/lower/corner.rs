@@ -37,11 +37,11 @@ pub struct Corners {
 impl Corners {
     /// Where the next element is made.
     #[inline]
-    pub fn next(&mut self) -> &mut Step {
+    pub fn slot(&mut self) -> &mut Step {
         &mut self.steps[self.waiting ^ 1]
     }
 
-    /// The element in [`Corners::next`] is complete.
+    /// The element in [`Corners::slot`] is complete.
     #[inline]
     pub fn push(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         if self.corner.is_some() {

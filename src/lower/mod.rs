@@ -82,7 +82,7 @@ impl<'a> Lower<'a> {
 
     #[inline]
     fn path_element(&mut self, mv: &contour::Move, origin: &Origin) {
-        let step = self.corners.next();
+        let step = self.corners.slot();
         if !Rc::ptr_eq(&step.ctx, &self.ctx) {
             step.ctx = Rc::clone(&self.ctx);
         }
@@ -122,26 +122,28 @@ impl<'a> Lower<'a> {
                     Extra::Word(word) => self.diags.push(*word),
                     Extra::Second(second) => {
                         self.at = second.mv.end;
-                        *self.corners.next() = *second;
+                        *self.corners.slot() = *second;
                         self.push();
                     }
                 }
             }
             Err(found) => {
                 let programmed = *programmed;
-                self.refuse(found, &programmed);
+                self.refuse(found, &programmed, origin);
             }
         }
     }
 
     /// The element cannot be computed; the next ones start at its programmed end all the same.
     #[cold]
-    fn refuse(&mut self, found: Option<Diagnostic>, programmed: &Pos) {
+    fn refuse(&mut self, found: Option<Box<Diagnostic>>, programmed: &Pos, origin: &Origin) {
+        self.flush();
         if let Some(found) = found {
-            self.diags.push(found);
+            self.diags.push(*found);
         }
         self.at.update(programmed);
         self.last.forget();
+        self.out.lost(origin);
     }
 
     /// Some functions change where the tool tip is in workpiece coordinates.

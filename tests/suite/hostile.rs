@@ -1,1 +1,213 @@
-//! To come.
+//! Input that is damaged, absurd or malicious: no panic, every finding has a place, budgets hold.
+
+use std::time::{Duration, Instant};
+
+use partc::machine::Settings;
+use partc::text::files::NoFiles;
+
+use super::common::{Compiled, cases, compile_bytes, settings};
+
+/// What one small program may take, even unoptimized.
+const SOON: Duration = Duration::from_secs(20);
+
+/// Few steps, so that a mutated loop ends soon.
+fn limited() -> Settings {
+    settings("[limits]\nsteps = 20000\noutput_blocks = 20000\n[control]\nfeed = 100\n[output]\ncompensation = \"control\"\n")
+}
+
+fn run(name: &str, bytes: &[u8], settings: &Settings) -> Compiled {
+    let start = Instant::now();
+    let compiled = compile_bytes(name, bytes.to_vec(), "klartext", settings, &NoFiles);
+    assert!(start.elapsed() < SOON, "{name} took {:?}", start.elapsed());
+    for found in &compiled.findings {
+        let loc = found.label.loc;
+        let inside = loc.span.start as usize <= bytes.len() && loc.span.end as usize <= bytes.len() + 1;
+        assert!(inside && loc.line >= 1, "{name}: no place: {found:?} in {} bytes", bytes.len());
+        assert!(!found.message.is_empty());
+    }
+    assert!(compiled.attempt.is_ascii());
+    for line in compiled.output.lines() {
+        assert!(line.len() <= 255, "{line}");
+        assert!(!line.contains("NaN") && !line.contains("inf") || line.starts_with('('), "{line}");
+    }
+    compiled
+}
+
+fn text(program: &str) -> Compiled {
+    run("hostile.H", program.as_bytes(), &Settings::default())
+}
+
+/// Programs to damage: golden cases, which use every feature between them.
+fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
+    let all = cases("klartext");
+    let step = (all.len() / count).max(1);
+    all.into_iter()
+        .step_by(step)
+        .take(count)
+        .map(|path| (path.display().to_string(), std::fs::read(&path).expect("a readable case")))
+        .collect()
+}
+
+/// A small generator of numbers that look random and are the same everywhere.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, sides: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % sides.max(1) as u64) as usize
+    }
+}
+
+#[test]
+fn every_prefix_of_twenty_programs() {
+    let settings = limited();
+    for (name, bytes) in victims(20) {
+        for end in 0..bytes.len() {
+            run(&name, &bytes[..end], &settings);
+        }
+    }
+}
+
+#[test]
+fn damaged_programs() {
+    let settings = limited();
+    let mut dice = Dice(0x5eed_0001);
+    let mut tried = 0;
+    for (name, bytes) in victims(40) {
+        for round in 0..260 {
+            let mut damaged = bytes.clone();
+            for _ in 0..1 + dice.roll(3) {
+                damage(&mut damaged, round % 9, &mut dice);
+            }
+            run(&name, &damaged, &settings);
+            tried += 1;
+        }
+    }
+    assert!(tried >= 10_000, "{tried}");
+}
+
+fn damage(bytes: &mut Vec<u8>, kind: usize, dice: &mut Dice) {
+    if bytes.is_empty() {
+        return;
+    }
+    let at = dice.roll(bytes.len());
+    let mut lines: Vec<Vec<u8>> = bytes.split(|b| *b == b'\n').map(<[u8]>::to_vec).collect();
+    let line = dice.roll(lines.len());
+    match kind {
+        0 => bytes[at] ^= 1 << dice.roll(8),
+        1 => bytes[at] = *b"\0\x1a\r\n~;\"().,+-*/^%#:=Q9XFLRIM\xff\xc3".get(dice.roll(30)).unwrap_or(&b' '),
+        2 => {
+            bytes.remove(at);
+        }
+        3 => bytes.insert(at, bytes[dice.roll(bytes.len())]),
+        4 => {
+            lines.remove(line);
+            *bytes = lines.join(&b'\n');
+        }
+        5 => {
+            let copy = lines[line].clone();
+            lines.insert(dice.roll(lines.len()), copy);
+            *bytes = lines.join(&b'\n');
+        }
+        6 => {
+            let other = dice.roll(lines.len());
+            lines.swap(line, other);
+            *bytes = lines.join(&b'\n');
+        }
+        7 => {
+            // A word of one line into another.
+            let mut words: Vec<Vec<u8>> = lines[line].split(|b| *b == b' ').map(<[u8]>::to_vec).collect();
+            let donor: Vec<&[u8]> = bytes.split(|b| b.is_ascii_whitespace()).collect();
+            let place = dice.roll(words.len());
+            words[place] = donor[dice.roll(donor.len())].to_vec();
+            lines[line] = words.join(&b' ');
+            *bytes = lines.join(&b'\n');
+        }
+        _ => {
+            let ends: &[u8] = [&b"\r\n"[..], b"\r", b"\n\n", b" ~\n"][dice.roll(4)];
+            *bytes = lines.join(ends);
+        }
+    }
+}
+
+#[test]
+fn a_giant_line() {
+    let mut program = b"0 BEGIN PGM A MM\n1 L ".to_vec();
+    program.extend(std::iter::repeat_n(b"X+1 ", 1 << 19).flatten());
+    program.extend_from_slice(b"\n2 END PGM A MM\n");
+    assert!(run("giant.H", &program, &Settings::default()).codes().contains(&"P0003"));
+    // Just under the limit the block is read, and refused for what it says.
+    let mut program = b"0 BEGIN PGM A MM\n1 L ".to_vec();
+    program.extend(std::iter::repeat_n(b"X+1 ", 200_000).flatten());
+    program.extend_from_slice(b"\n2 END PGM A MM\n");
+    assert!(run("large.H", &program, &Settings::default()).codes().contains(&"K1004"));
+}
+
+#[test]
+fn deep_brackets() {
+    for depth in [200, 10_000, 200_000] {
+        let program = format!(
+            "0 BEGIN PGM A MM\n1 Q1 = {}1{}\n2 L X+Q1 R0 F100\n3 END PGM A MM\n",
+            "( ".repeat(depth),
+            " )".repeat(depth)
+        );
+        let compiled = text(&program);
+        assert_eq!(compiled.has_errors(), depth > 200_000, "{depth}: {:?}", compiled.rendered);
+    }
+    let unclosed = format!("0 BEGIN PGM A MM\n1 Q1 = {}1\n2 END PGM A MM\n", "(".repeat(10_000));
+    assert!(text(&unclosed).codes().contains(&"K1001"));
+    let signs = format!("0 BEGIN PGM A MM\n1 Q1 = {}1\n2 END PGM A MM\n", "- ".repeat(10_001));
+    assert!(!text(&signs).has_errors());
+}
+
+#[test]
+fn nested_repeats_stop_at_the_step_limit() {
+    let program = "0 BEGIN PGM A MM\n1 LBL 1\n2 LBL 2\n3 LBL 3\n4 CALL LBL 3 REP 65534\n5 CALL LBL 2 REP 65534\n\
+                   6 CALL LBL 1 REP 65534\n7 END PGM A MM\n";
+    let settings = settings("[limits]\nsteps = 1000000\n");
+    let compiled = run("rep.H", program.as_bytes(), &settings);
+    assert_eq!(compiled.codes(), ["P4001"]);
+    // The innermost repeat is named, with its count.
+    assert!(compiled.rendered[0].contains(":5:") && compiled.rendered[0].contains("1000000"), "{:?}", compiled.rendered);
+}
+
+#[test]
+fn output_limit() {
+    let program = "0 BEGIN PGM A MM\n1 L X+0 R0 F100\n2 LBL 1\n3 L IX+1\n4 CALL LBL 1 REP 60000\n5 END PGM A MM\n";
+    let settings = settings("[limits]\noutput_blocks = 1000\n");
+    let compiled = run("long.H", program.as_bytes(), &settings);
+    assert_eq!(compiled.codes(), ["P4002"]);
+    assert!(compiled.attempt.lines().count() < 1010);
+}
+
+#[test]
+fn mistakes_end_with_their_code() {
+    let with = |body: &str| text(&format!("0 BEGIN PGM A MM\n{body}\n99 END PGM A MM\n")).codes().join(" ");
+    assert_eq!(with("1 LBL 1\n2 CALL LBL 1\n3 LBL 0\n4 M30"), "K2204");
+    assert_eq!(with("1 LBL 1\n2 FN 9: IF +0 EQU +0 GOTO LBL 1"), "P4001");
+    assert_eq!(with("1 Q1 = 1 / 0"), "K2303");
+    assert_eq!(with("1 L X+Q1 R0 F100"), "K2301");
+    assert_eq!(with("1 CALL LBL 7"), "K2202");
+    assert_eq!(with("1 CALL PGM B.H"), "P0101");
+}
+
+#[test]
+fn bytes_of_all_kinds() {
+    let mut dice = Dice(7);
+    let settings = limited();
+    for size in [0, 1, 2, 3, 10, 100, 1000, 5000] {
+        for _ in 0..20 {
+            let noise: Vec<u8> = (0..size).map(|_| dice.roll(256) as u8).collect();
+            run("noise.H", &noise, &settings);
+            let words: Vec<u8> = (0..size)
+                .flat_map(|_| {
+                    let words = ["L", "X+1", "IX", "C", "CC", "Q1", "=", "(", ")", "RND", "R5", "DR+", "\n", "LBL", "1", "F", "FMAX", "CALL"];
+                    format!("{} ", words[dice.roll(words.len())]).into_bytes()
+                })
+                .collect();
+            run("words.H", &words, &settings);
+        }
+    }
+}

@@ -54,10 +54,9 @@ fn folders_use_what_they_may() {
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();
             for part in code.split("crate::").skip(1) {
                 let name: String = part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-                if root.join(&name).exists() || root.join(format!("{name}.rs")).exists() {
-                    if name != folder && !may.contains(&name.as_str()) {
-                        wrong.push(format!("{file} uses {name}"));
-                    }
+                let folder_of_ours = root.join(&name).exists() || root.join(format!("{name}.rs")).exists();
+                if folder_of_ours && name != folder && !may.contains(&name.as_str()) {
+                    wrong.push(format!("{file} uses {name}"));
                 }
             }
         }

@@ -1,5 +1,7 @@
 //! The test suite: golden programs, the independent interpreter, hostile input, the command line.
 
+#![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
+
 mod cli;
 mod common;
 mod diagnostics;
@@ -7,5 +9,7 @@ mod golden;
 mod hostile;
 mod layering;
 mod oracle;
+mod props;
+mod reader;
 mod rs274;
 mod sweep;

@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1.1e-4;
 
 /// A move as the compiler meant it, in units of the interpreter.
 #[derive(Debug, Clone)]
-struct Meant {
+pub struct Meant {
     rapid: bool,
     /// `None` for axes whose position nobody knows.
     end: [Option<f64>; 3],
@@ -25,9 +25,10 @@ struct Meant {
     arc: Option<([usize; 3], [f64; 2], f64)>,
 }
 
+/// Keeps what the compiler meant.
 #[derive(Default)]
-struct Recorder {
-    moves: Vec<Meant>,
+pub struct Recorder {
+    pub moves: Vec<Meant>,
     at: [Option<f64>; 3],
 }
 
@@ -81,7 +82,7 @@ fn meant(path: &std::path::Path) -> Vec<Meant> {
 }
 
 /// Compares the interpreter's moves with the ones that were meant.
-fn compare(found: &[rs274::Move], meant: &[Meant]) -> Result<(), String> {
+pub fn compare(found: &[rs274::Move], meant: &[Meant]) -> Result<(), String> {
     if found.len() != meant.len() {
         return Err(format!("{} moves instead of {}", found.len(), meant.len()));
     }

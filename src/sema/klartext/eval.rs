@@ -48,10 +48,11 @@ impl Run<'_> {
         if !exists(q) {
             return self.fail(codes::K2308, span, format!("{q} does not exist"));
         }
-        if q.kind == QKind::Q && (100..200).contains(&q.number) {
-            if let Some(value) = self.control_value(q.number, span)? {
-                return Ok(Val::Number(value));
-            }
+        if q.kind == QKind::Q
+            && (100..200).contains(&q.number)
+            && let Some(value) = self.control_value(q.number, span)?
+        {
+            return Ok(Val::Number(value));
         }
         match self.vars.get(self.locals(), q) {
             Some(Slot::Number(n)) => Ok(Val::Number(*n)),

@@ -4,14 +4,18 @@
 //! Source: `reference/heidenhain-klartext` sections 1 to 5; the order inside a block is: M functions at the
 //! start, motion, M functions at the end, cycle call (Appendix B).
 
+mod arcs;
 mod calls;
+mod coordinates;
 mod cycle;
+mod cycle_names;
 mod eval;
 mod formula;
 mod labels;
 mod mfunc;
 mod other;
 mod path;
+mod polar;
 mod state;
 mod system;
 mod tool;

@@ -120,9 +120,11 @@ mod tests {
 
     #[test]
     fn axis_scaling_has_a_centre() {
-        let mut t = Transformation::default();
-        t.axis_scale = [1.4, 0.6, 1.0];
-        t.scale_center = [15.0, 20.0, 0.0];
+        let t = Transformation {
+            axis_scale: [1.4, 0.6, 1.0],
+            scale_center: [15.0, 20.0, 0.0],
+            ..Transformation::default()
+        };
         let p = t.frame(Axis::Z, 0.0).unwrap().apply(&at(15.0, 30.0));
         assert!((p.get(Axis::X).unwrap() - 15.0).abs() < 1e-12 && (p.get(Axis::Y).unwrap() - 26.0).abs() < 1e-12);
     }

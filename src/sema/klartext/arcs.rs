@@ -1,0 +1,163 @@
+//! Arcs: C about the pole, CR by radius, CT tangential.
+//!
+//! Source: reference sections 2.3 to 2.5.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Plane, Point2};
+use crate::ir::contour::{Arc, ArcShape, EndPoint, Path};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::Axis;
+
+use super::path::plane_axes;
+use super::state::PoleState;
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+/// How far the end of an arc may miss the circle: machine parameter *circleDeviation* at its largest.
+const CIRCLE_TOLERANCE: f64 = 0.016;
+
+impl Run<'_> {
+    /// The pole in force.
+    pub(super) fn pole(&mut self, function: &str) -> Outcome<PoleState> {
+        let Some(pole) = self.st.pole else {
+            if self.st.pole_lost {
+                return Err(Reported);
+            }
+            self.report(
+                Diagnostic::new(codes::K2101, self.here.origin.loc, format!("{function} needs a circle centre or pole"))
+                    .help("program `CC X… Y…` before this block"),
+            );
+            return Err(Reported);
+        };
+        if pole.system != self.st.system {
+            self.report(
+                Diagnostic::new(codes::K2108, self.here.origin.loc, "the coordinate system changed since CC was programmed")
+                    .also(pole.set, "CC is programmed here")
+                    .help("program CC again after the change"),
+            );
+        }
+        Ok(pole)
+    }
+
+    /// Direction of an arc: as written, or that of the last one.
+    pub(super) fn turn(&mut self, w: &Words, function: &str) -> Outcome<bool> {
+        let turn = match (w.turn, self.st.turn) {
+            (Some(turn), _) => turn,
+            (None, Some(turn)) => {
+                self.report(
+                    Diagnostic::new(codes::K2103, self.here.origin.loc, format!("{function} without DR turns as the arc before"))
+                        .help("write DR+ or DR-"),
+                );
+                turn
+            }
+            (None, None) => {
+                self.report(
+                    Diagnostic::new(codes::K2104, self.here.origin.loc, format!("{function} without DR, and no arc before it"))
+                        .help("write DR+ for counter-clockwise or DR- for clockwise"),
+                );
+                return Err(Reported);
+            }
+        };
+        self.st.turn = Some(turn);
+        Ok(turn)
+    }
+
+    /// Where the tool stands in `plane`.
+    pub(super) fn start_in(&mut self, plane: Plane, what: &str) -> Outcome<Point2> {
+        let (first, second, _) = plane.axes();
+        let span = self.block_span();
+        let x = self.position_of(Axis::ALL[first], span, what)?;
+        let y = self.position_of(Axis::ALL[second], span, what)?;
+        Ok(Point2::new(x, y))
+    }
+
+    /// End point of an arc: axes of the plane that are not written keep their value.
+    pub(super) fn arc_end(&mut self, w: &Words, plane: Plane, start: Point2) -> Outcome<Pos> {
+        let mut end = self.absolute(w)?;
+        let (first, second, _) = plane.axes();
+        for (axis, value) in [(Axis::ALL[first], start.x), (Axis::ALL[second], start.y)] {
+            if end.get(axis).is_none() {
+                end.set(axis, value);
+            }
+        }
+        let cuts = self.move_feed(w)?.is_some();
+        self.check_axes(w, end, cuts)
+    }
+
+    /// Feed of an arc. Plain G-code has no arc at rapid traverse: FMAX needs a number.
+    pub(super) fn arc_feed(&mut self, w: &Words) -> Outcome<Feed> {
+        if let Some(feed) = self.move_feed(w)? {
+            return Ok(feed);
+        }
+        match self.job.settings.control.rapid_feed {
+            Some(feed) => Ok(Feed::PerMinute(feed)),
+            None => self.fail_help(
+                codes::K9019,
+                w.feed_span,
+                "an arc at FMAX has no counterpart in plain G-code",
+                "program a feed, or set `[control] rapid_feed` in partc.toml",
+            ),
+        }
+    }
+
+    pub(super) fn send_arc(&mut self, w: &Words, plane: Plane, shape: ArcShape, end: Pos) -> Outcome {
+        let feed = self.arc_feed(w)?;
+        if self.st.edge_feed && self.st.side != Side::None {
+            self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
+            return Err(Reported);
+        }
+        let feed = self.plunge_feed(Some(feed), &end);
+        self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape }), feed);
+        Ok(())
+    }
+
+    pub(super) fn circle(&mut self, w: &Words) -> Outcome {
+        let pole = self.pole("C")?;
+        let ccw = self.turn(w, "C")?;
+        let start = self.start_in(pole.plane, "C")?;
+        let end = self.arc_end(w, pole.plane, start)?;
+        self.st.polar = None;
+        let shape = ArcShape::Center { center: pole.at, ccw, tol: CIRCLE_TOLERANCE };
+        self.send_arc(w, pole.plane, shape, end)
+    }
+
+    pub(super) fn circle_by_radius(&mut self, w: &Words) -> Outcome {
+        let Some(radius) = w.radius.filter(|r| *r != 0.0) else {
+            return self.fail_help(codes::K1006, self.block_span(), "CR needs a radius that is not zero", "write R+20 or R-20");
+        };
+        let ccw = self.turn(w, "CR")?;
+        let plane = self.st.plane();
+        let start = self.start_in(plane, "CR")?;
+        let end = self.arc_end(w, plane, start)?;
+        if w.axes.known().common(plane_axes(plane)).is_empty() {
+            return self.fail(codes::K2109, self.block_span(), "CR names no end point in the working plane");
+        }
+        self.st.polar = None;
+        self.send_arc(w, plane, ArcShape::Radius { radius, ccw, tol: CIRCLE_TOLERANCE }, end)
+    }
+
+    pub(super) fn tangent(&mut self, w: &Words) -> Outcome {
+        let plane = self.st.plane();
+        self.flat(w, plane, "CT")?;
+        let start = self.start_in(plane, "CT")?;
+        let end = self.arc_end(w, plane, start)?;
+        if w.axes.known().common(plane_axes(plane)).is_empty() {
+            return self.fail(codes::K2109, self.block_span(), "CT names no end point in the working plane");
+        }
+        self.st.polar = None;
+        self.send_arc(w, plane, ArcShape::Tangent, end)
+    }
+
+    /// CT and CTP are arcs of the plane: no other axis can move along.
+    pub(super) fn flat(&mut self, w: &Words, plane: Plane, function: &str) -> Outcome {
+        if w.axes.known().without(plane_axes(plane)).is_empty() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K1005,
+            w.axes_span,
+            format!("{function} is an arc in the plane and moves no other axis"),
+            "program the other axis in a block of its own",
+        )
+    }
+}

@@ -1,0 +1,261 @@
+//! Polar blocks: LP, CTP, CP, and the pole they refer to.
+//!
+//! Source: reference sections 2.2 and 2.8.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
+use crate::ir::contour::{ArcShape, EndPoint, Path, Polar};
+use crate::machine::{Axis, AxisSet, CcMissing, CpSign, PolarMissing};
+use crate::parser::klartext::ast::Block;
+use crate::text::Span;
+
+use super::path::plane_axes;
+use super::state::{LastPolar, PoleState};
+use super::words::{Admits, Words};
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    /// Radius and angle of the start, about the pole: as the last polar block left them, or from the position.
+    pub(super) fn polar_start(&mut self, pole: &PoleState, what: &str) -> Outcome<(f64, Option<Deg>)> {
+        if let Some(last) = self.st.polar
+            && last.pole == pole.at
+            && last.plane == pole.plane
+        {
+            return Ok((last.radius, Some(last.angle)));
+        }
+        let start = self.start_in(pole.plane, what)?;
+        let v: Vec2 = start - pole.at;
+        let radius = distance(start, pole.at);
+        Ok((radius, (radius > SAME_POINT).then(|| Deg::of(v))))
+    }
+
+    /// A missing polar word: the same as the position, or the last programmed one.
+    pub(super) fn inherited_polar(&mut self, w: &Words, pole: &PoleState, start: (f64, Option<Deg>)) -> (f64, Option<Deg>) {
+        let plain = |word: Option<(f64, bool)>| matches!(word, Some((_, false)));
+        let complete = plain(w.polar_radius) && plain(w.polar_angle);
+        let follows = self.st.polar.is_some_and(|last| last.pole == pole.at && last.plane == pole.plane);
+        if complete || follows {
+            return start;
+        }
+        let missing = w.polar_radius.is_none() || w.polar_angle.is_none();
+        if !missing {
+            return start;
+        }
+        if self.job.settings.control.polar_missing == PolarMissing::Programmed
+            && let Some((radius, angle)) = self.st.programmed_polar
+        {
+            return (radius, Some(angle));
+        }
+        self.report(
+            Diagnostic::new(codes::K2107, self.here.origin.loc, "the missing polar word is computed from the position")
+                .help("write both PR and PA"),
+        );
+        start
+    }
+
+    /// LP and CTP.
+    pub(super) fn polar_end(&mut self, w: &Words, path: Path) -> Outcome {
+        let function = if path == Path::Line { "LP" } else { "CTP" };
+        let pole = self.pole(function)?;
+        if w.polar_radius.is_none() && w.polar_angle.is_none() {
+            return self.fail_help(
+                codes::K2109,
+                self.block_span(),
+                format!("{function} has neither PR nor PA"),
+                "write the polar radius and angle of the end point",
+            );
+        }
+        let complete = matches!((w.polar_radius, w.polar_angle), (Some((_, false)), Some((_, false))));
+        let start = if complete { (0.0, None) } else { self.polar_start(&pole, function)? };
+        let (r0, a0) = self.inherited_polar(w, &pole, start);
+        let radius = match w.polar_radius {
+            Some((r, false)) => r,
+            Some((r, true)) => start.0 + r,
+            None => r0,
+        };
+        let angle = match (w.polar_angle, start.1, a0) {
+            (Some((a, false)), ..) => Deg(a),
+            (Some((a, true)), Some(from), _) => Deg(from.0 + a),
+            (None, _, Some(angle)) => angle,
+            _ => return self.angle_undefined(),
+        };
+        self.forbid_plane_axes(w, pole.plane, function)?;
+        let feed = if path == Path::Line { self.move_feed(w)? } else { Some(self.arc_feed(w)?) };
+        let rest = self.absolute(w)?;
+        let rest = self.check_axes(w, rest, feed.is_some())?;
+        let mut end = rest;
+        end.set_in_plane(pole.plane, angle::polar_point(pole.at, radius, angle));
+        if path != Path::Line {
+            self.flat(w, pole.plane, function)?;
+            self.start_in(pole.plane, function)?;
+        }
+        let feed = self.plunge_feed(feed, &end);
+        let path = if feed.is_none() { Path::Rapid } else { path };
+        let polar = Polar { pole: pole.at, plane: pole.plane, radius, angle, rest };
+        self.send(EndPoint::Polar(polar), &end, path, feed);
+        self.st.polar = Some(LastPolar { radius, angle, pole: pole.at, plane: pole.plane });
+        self.st.programmed_polar = Some((radius, angle));
+        Ok(())
+    }
+
+    pub(super) fn angle_undefined<T>(&mut self) -> Outcome<T> {
+        self.fail_help(
+            codes::K2110,
+            self.block_span(),
+            "the tool stands on the pole, so the angle is not determined",
+            "write the angle PA",
+        )
+    }
+
+    /// CP: arc or helix about the pole.
+    pub(super) fn polar_arc(&mut self, w: &Words) -> Outcome {
+        let pole = self.pole("CP")?;
+        if let Some((_, incremental)) = w.polar_radius {
+            let _ = incremental;
+            return self.fail_help(
+                codes::K1005,
+                self.block_span(),
+                "CP takes no PR: its radius is the distance of the tool from the pole",
+                "remove PR, or go to the radius with LP first",
+            );
+        }
+        let Some((angle, incremental)) = w.polar_angle else {
+            return self.fail(codes::K2109, self.block_span(), "CP needs PA or IPA");
+        };
+        self.forbid_plane_axes(w, pole.plane, "CP")?;
+        let start = self.start_in(pole.plane, "CP")?;
+        let (radius, Some(from)) = self.polar_start(&pole, "CP")? else { return self.angle_undefined() };
+        let sweep = if incremental {
+            self.incremental_sweep(w, angle)?
+        } else {
+            let ccw = self.turn(w, "CP")?;
+            if angle.abs() > 360.0 {
+                self.report(Diagnostic::new(
+                    codes::K2106,
+                    self.here.origin.loc,
+                    format!("PA {angle} is reduced to a direction"),
+                ));
+            }
+            absolute_sweep(from, angle, ccw, radius)
+        };
+        let mut end = self.absolute(w)?;
+        end.set_in_plane(pole.plane, angle::rotated(start, pole.at, Deg(sweep)));
+        let cuts = self.move_feed(w)?.is_some();
+        let end = self.check_axes(w, end, cuts)?;
+        let shape = ArcShape::Sweep { center: pole.at, sweep: Deg(sweep) };
+        self.send_arc(w, pole.plane, shape, end)?;
+        let angle = Deg(from.0 + sweep);
+        self.st.polar = Some(LastPolar { radius, angle, pole: pole.at, plane: pole.plane });
+        self.st.programmed_polar = Some((radius, angle));
+        Ok(())
+    }
+
+    /// IPA is the sweep itself; its sign and DR must agree.
+    pub(super) fn incremental_sweep(&mut self, w: &Words, angle: f64) -> Outcome<f64> {
+        if angle == 0.0 {
+            return self.fail(codes::K2109, self.block_span(), "IPA is zero: the arc has no length");
+        }
+        let ccw = match w.turn {
+            Some(turn) => turn,
+            None => self.turn(w, "CP")?,
+        };
+        self.st.turn = Some(ccw);
+        if ccw == (angle > 0.0) {
+            return Ok(angle);
+        }
+        if self.job.settings.control.cp_sign == CpSign::Dr {
+            let one_turn = Deg(angle).normal().0;
+            return Ok(match (ccw, one_turn == 0.0) {
+                (true, true) => 360.0,
+                (true, false) => one_turn,
+                (false, true) => -360.0,
+                (false, false) => one_turn - 360.0,
+            });
+        }
+        self.fail_help(
+            codes::K2105,
+            self.block_span(),
+            format!("IPA {angle} turns one way and DR the other"),
+            "give IPA the sign of DR, or set `[control] cp_sign = \"dr\"`",
+        )
+    }
+
+    /// Axes of the plane have no place beside a polar end.
+    pub(super) fn forbid_plane_axes(&mut self, w: &Words, plane: Plane, function: &str) -> Outcome {
+        if w.axes.known().common(plane_axes(plane)).is_empty() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K1005,
+            w.axes_span,
+            format!("{function} takes its end from PR and PA, not from an axis of the plane"),
+            "remove the axis word, or use L or C",
+        )
+    }
+
+    pub(super) fn pole_block(&mut self, block: &Block) -> Outcome {
+        let result = self.gather(block, "CC", Admits::AXES).and_then(|w| {
+            let result = self.set_pole(&w, block.span);
+            self.put_back(w);
+            result
+        });
+        self.st.pole_lost = result.is_err();
+        if result.is_err() {
+            self.st.pole = None;
+        }
+        result
+    }
+
+    fn set_pole(&mut self, w: &Words, span: Span) -> Outcome {
+        let axes = w.axes.known();
+        if !axes.without(AxisSet::MAIN).is_empty() || axes.len() > 2 {
+            return self.fail_help(codes::K1005, w.axes_span, "CC takes two of X, Y, Z", "write `CC X+20 Y+10`");
+        }
+        let mut indices = axes.iter().map(Axis::index);
+        let plane = match (indices.next(), indices.next()) {
+            (Some(a), Some(b)) => Plane::spanned_by(a, b).unwrap_or_default(),
+            (Some(a), None) => {
+                let plane = self.st.plane();
+                let (first, second, _) = plane.axes();
+                if a != first && a != second {
+                    return self.fail(codes::K1005, w.axes_span, "this axis is not in the working plane: write both axes");
+                }
+                plane
+            }
+            _ => self.st.plane(),
+        };
+        if axes.len() == 1 {
+            self.report(
+                Diagnostic::new(codes::K2102, self.loc(span), "CC with one coordinate: the other one is taken from the position")
+                    .help("write both coordinates"),
+            );
+        }
+        let written = self.absolute(w)?;
+        let (first, second, _) = plane.axes();
+        let previous = self.st.pole.filter(|pole| pole.plane == plane);
+        let keep = axes.len() == 1 && self.job.settings.control.cc_missing == CcMissing::Previous;
+        let old = previous.filter(|_| keep).map(|pole| pole.at);
+        let mut coordinate = |axis: Axis, old: Option<f64>| match (written.get(axis), old) {
+            (Some(value), _) => Ok(value),
+            (None, Some(old)) => Ok(old),
+            (None, None) => self.position_of(axis, span, "CC"),
+        };
+        let x = coordinate(Axis::ALL[first], old.map(|p| p.x))?;
+        let y = coordinate(Axis::ALL[second], old.map(|p| p.y))?;
+        self.st.pole = Some(PoleState { at: Point2::new(x, y), plane, set: self.loc(span), system: self.st.system });
+        Ok(())
+    }
+}
+
+/// Sweep from `from` to the direction `to`, at most one turn; a turn if there is nothing to go.
+fn absolute_sweep(from: Deg, to: f64, ccw: bool, radius: f64) -> f64 {
+    let ahead = Deg(to - from.0).normal().0;
+    let nothing = Deg::from_radians(SAME_POINT / radius.max(SAME_POINT)).0.min(1e-3);
+    let ahead = if ahead < nothing || ahead > 360.0 - nothing { 0.0 } else { ahead };
+    match (ccw, ahead == 0.0) {
+        (true, true) => 360.0,
+        (true, false) => ahead,
+        (false, true) => -360.0,
+        (false, false) => ahead - 360.0,
+    }
+}
