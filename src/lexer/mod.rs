@@ -4,3 +4,4 @@
 //! that fits nothing becomes a `Bad` token, never an end of the stream.
 
 pub mod klartext;
+pub mod sinumerik;

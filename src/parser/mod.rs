@@ -4,3 +4,6 @@
 //! fails as a whole: a block that cannot be read is reported and has no statement.
 
 pub mod klartext;
+pub mod problem;
+pub mod sinumerik;
+pub mod symbols;

@@ -4,7 +4,9 @@
 //! of modal state. One folder per dialect; what they share stands here.
 
 pub mod exec;
+pub mod here;
 pub mod klartext;
+pub mod sinumerik;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;

@@ -7,11 +7,13 @@ mod general;
 mod geometry;
 mod klartext;
 mod output;
+mod sinumerik;
 
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
 pub use output::*;
+pub use sinumerik::*;
 
 use super::Severity;
 
@@ -46,7 +48,7 @@ use codes;
 
 /// Every code, in order of its id.
 pub fn all() -> Vec<&'static Code> {
-    let mut list: Vec<_> = [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT]
+    let mut list: Vec<_> = [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK]
         .iter()
         .flat_map(|table| table.iter().copied())
         .collect();

@@ -141,7 +141,8 @@ fn compensation(text: &[u8], at: usize) -> Option<(Addr, Value, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parser::klartext::{parse_statement, problem::Problem};
+    use crate::parser::klartext::parse_statement;
+    use crate::parser::problem::Problem;
     use proptest::prelude::*;
 
     fn both(text: &[u8]) -> (bool, Block, Block, Vec<Problem>) {

@@ -17,7 +17,7 @@ use crate::text::{Span, SplitRules};
 
 use ast::{Addr, Block, Op, Stmt};
 use build::Build;
-use problem::Problem;
+use crate::parser::problem::{Problem, without_printed_dashes};
 
 /// Largest literal that is taken for a number of a part program.
 const LARGEST: f64 = 1e9;
@@ -120,7 +120,7 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
     thread_local! {
         static PARSER: grammar::BlockParser = grammar::BlockParser::new();
     }
-    let repaired = without_typographic_minus(text, from, problems);
+    let repaired = without_printed_dashes(text, from, codes::K0002, problems);
     let text = repaired.as_deref().unwrap_or(text);
     let mut tokens = Tokens::new(text, from);
     let mut build = Build::new(text, block);
@@ -142,25 +142,6 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
         problems.push(problem);
         block.stmt = Stmt::Bad;
     }
-}
-
-/// A copy in which dashes of printed text are minus signs; spans stay as they are.
-fn without_typographic_minus(text: &[u8], from: usize, problems: &mut Vec<Problem>) -> Option<Vec<u8>> {
-    let end = text.iter().position(|b| *b == b';').unwrap_or(text.len());
-    let code = text.get(from..end)?;
-    if code.is_ascii() || code.contains(&b'"') {
-        return None;
-    }
-    let mut copy = None;
-    for (at, window) in code.windows(3).enumerate() {
-        if matches!(window, [0xe2, 0x80, 0x93] | [0xe2, 0x88, 0x92]) {
-            let copy = copy.get_or_insert_with(|| text.to_vec());
-            copy[from + at..from + at + 3].copy_from_slice(b"-  ");
-            let span = Span::at((from + at) as u32, 3);
-            problems.push(Problem::new(codes::K0002, span, "a printed dash is read as `-`").help("replace it by `-`"));
-        }
-    }
-    copy
 }
 
 /// Literals that no control accepts.

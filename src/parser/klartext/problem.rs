@@ -2,32 +2,13 @@
 
 use lalrpop_util::ParseError;
 
-use crate::diag::{Code, codes};
+use crate::diag::codes;
 use crate::lexer::klartext::Tok;
 use crate::machine::tree::did_you_mean;
 use crate::text::{Span, decode::readable};
 
 use super::build::Refusal;
-
-/// A finding about one block; spans count from its start.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Problem {
-    pub code: &'static Code,
-    pub span: Span,
-    pub message: String,
-    pub help: Option<String>,
-}
-
-impl Problem {
-    pub fn new(code: &'static Code, span: Span, message: impl Into<String>) -> Problem {
-        Problem { code, span, message: message.into(), help: None }
-    }
-
-    pub fn help(mut self, text: impl Into<String>) -> Problem {
-        self.help = Some(text.into());
-        self
-    }
-}
+use crate::parser::problem::Problem;
 
 /// How blocks look, by their first word.
 const FORMS: &[(&str, &str)] = &[

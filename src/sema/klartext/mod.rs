@@ -30,12 +30,14 @@ use crate::ir::contour::{Move, Sink};
 use crate::ir::{Function, Origin};
 use crate::machine::Unit;
 use crate::parser::klartext::ast::{Block, Stmt};
-use crate::parser::klartext::{SPLIT, parse_block, problem::Problem};
+use crate::parser::klartext::{SPLIT, parse_block};
+use crate::parser::problem::Problem;
 use crate::text::blocks::Place;
 use crate::text::{Cursor, FileId, Loc, Next, Span};
 
 use super::Job;
 use super::exec::{Budget, Cache, open_cursor};
+use super::here::Here;
 use calls::{Level, LevelKind};
 use cycle::Cycles;
 use formula::Val;
@@ -118,41 +120,6 @@ struct Parsed {
     text: Vec<u8>,
     lines: u32,
     next: Place,
-}
-
-/// The block that is being executed.
-#[derive(Debug, Clone, Copy, Default)]
-struct Here {
-    file: FileId,
-    at: u32,
-    line: u32,
-    lines: u32,
-    origin: Origin,
-}
-
-impl Here {
-    fn new(file: FileId, at: u32, line: u32, lines: u32, call: CallPath) -> Here {
-        Here { file, at, line, lines, origin: Origin { loc: Loc { file, line, span: Span::at(at, 0) }, call } }
-    }
-
-    /// A place in the block.
-    fn loc(&self, job: &Job<'_>, span: Span) -> Loc {
-        let mut line = self.line;
-        if self.lines > 1 {
-            let before = job.sources.bytes(self.file, Span::at(self.at, span.start));
-            line += before.iter().filter(|b| **b == b'\n').count() as u32;
-        }
-        Loc { file: self.file, line, span: span.shifted(self.at) }
-    }
-
-    fn diagnostic(&self, job: &Job<'_>, problem: Problem) -> Diagnostic {
-        let found = Diagnostic::new(problem.code, self.loc(job, problem.span), problem.message);
-        let found = match problem.help {
-            Some(help) => found.help(help),
-            None => found,
-        };
-        found.called(self.origin.call)
-    }
 }
 
 /// A run of a program.

@@ -1,0 +1,51 @@
+//! What is wrong with the form of a block, and repairs that every dialect makes.
+
+use crate::diag::Code;
+use crate::text::Span;
+
+/// A finding about one block; spans count from its start.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    pub code: &'static Code,
+    pub span: Span,
+    pub message: String,
+    pub help: Option<String>,
+}
+
+impl Problem {
+    pub fn new(code: &'static Code, span: Span, message: impl Into<String>) -> Problem {
+        Problem { code, span, message: message.into(), help: None }
+    }
+
+    /// Names the alarm that the control itself raises.
+    pub fn alarm(mut self, number: u32) -> Problem {
+        self.message = format!("{} (alarm {number})", self.message);
+        self
+    }
+
+    pub fn help(mut self, text: impl Into<String>) -> Problem {
+        self.help = Some(text.into());
+        self
+    }
+}
+
+
+/// A copy of the code of a block in which dashes of printed text are minus signs; spans stay as they are.
+/// `None` if there are none. `from` is where the code starts, a `;` outside a text ends it.
+pub fn without_printed_dashes(text: &[u8], from: usize, code: &'static Code, problems: &mut Vec<Problem>) -> Option<Vec<u8>> {
+    let end = text.iter().position(|b| *b == b';').unwrap_or(text.len());
+    let words = text.get(from..end)?;
+    if words.is_ascii() || words.contains(&b'"') {
+        return None;
+    }
+    let mut copy = None;
+    for (at, window) in words.windows(3).enumerate() {
+        if matches!(window, [0xe2, 0x80, 0x93] | [0xe2, 0x88, 0x92]) {
+            let copy = copy.get_or_insert_with(|| text.to_vec());
+            copy[from + at..from + at + 3].copy_from_slice(b"-  ");
+            let span = Span::at((from + at) as u32, 3);
+            problems.push(Problem::new(code, span, "a printed dash is read as `-`").help("replace it by `-`"));
+        }
+    }
+    copy
+}

@@ -1,0 +1,311 @@
+//! What the grammar's actions write into: the block under construction.
+
+use lalrpop_util::ParseError;
+
+use crate::diag::{Code, codes};
+use crate::lexer::sinumerik::{LetterNumber, Number, Tok, TypeName};
+use crate::parser::problem::Problem;
+use crate::parser::symbols::{Symbol, Symbols};
+use crate::text::{Span, decode::readable};
+
+use super::ast::*;
+
+/// A block that fits the grammar but means nothing.
+pub type Refusal = Problem;
+
+type Refused<T> = Result<T, ParseError<u32, Tok, Refusal>>;
+
+fn refuse<T>(code: &'static Code, alarm: u32, span: Span, message: impl Into<String>) -> Refused<T> {
+    Err(ParseError::User { error: Problem::new(code, span, message).alarm(alarm) })
+}
+
+/// What may follow the label of REPEAT.
+#[derive(Debug, Clone, Copy)]
+pub enum RepeatWord {
+    Label(Symbol),
+    Times(Formula),
+    /// `P=n`
+    Address(u8, Formula, Span),
+}
+
+/// The block under construction, and its text.
+#[derive(Debug)]
+pub struct Build<'a> {
+    text: &'a [u8],
+    block: &'a mut Block,
+    symbols: &'a mut Symbols,
+    problems: &'a mut Vec<Problem>,
+}
+
+impl<'a> Build<'a> {
+    pub fn new(text: &'a [u8], block: &'a mut Block, symbols: &'a mut Symbols, problems: &'a mut Vec<Problem>) -> Build<'a> {
+        Build { text, block, symbols, problems }
+    }
+
+    pub fn set(&mut self, stmt: Stmt) {
+        self.block.stmt = stmt;
+    }
+
+    /// The symbol of a name in the block.
+    pub fn name(&mut self, start: u32, end: u32) -> Symbol {
+        self.symbols.intern(Span { start, end }.of(self.text))
+    }
+
+    // Words.
+
+    pub fn word(&mut self, target: Target, value: Value, start: u32, end: u32) {
+        self.block.words.push(Word { target, value, span: Span { start, end } });
+    }
+
+    pub fn literal(&mut self, n: LetterNumber, sign: f64, start: u32, end: u32) {
+        let value = Value::Literal { value: sign * n.number.value, whole: n.number.whole, digits: n.digits };
+        self.word(Target::Letter(n.letter), value, start, end);
+    }
+
+    pub fn signed(&mut self, letter: u8, n: Number, sign: f64, start: u32, end: u32) {
+        let value = Value::Literal { value: sign * n.value, whole: n.whole, digits: 0 };
+        self.word(Target::Letter(letter), value, start, end);
+    }
+
+    pub fn bare(&mut self, start: u32, end: u32) {
+        let name = self.name(start, end);
+        self.word(Target::Name(name), Value::None, start, end);
+    }
+
+    pub fn call_word(&mut self, args: Args, start: u32, name_end: u32, end: u32) {
+        let name = self.name(start, name_end);
+        self.word(Target::Name(name), Value::Call(args), start, end);
+    }
+
+    pub fn indexed_word(&mut self, indices: Args, start: u32, name_end: u32, end: u32) {
+        let name = self.name(start, name_end);
+        self.word(Target::Indexed(Base::Name(name), indices), Value::None, start, end);
+    }
+
+    pub fn stray_text(&mut self, start: u32, end: u32) {
+        let span = Span { start, end };
+        self.problems.push(
+            Problem::new(codes::S1001, span, "a text cannot stand here")
+                .alarm(12080)
+                .help("a text is an argument, as in MSG(\"TEXT\"), or a value, as in T=\"DRILL\""),
+        );
+        self.block.stmt = Stmt::Bad;
+    }
+
+    /// A letter with a number in front of `=`: spindle number, numbered axis, parameter, name.
+    pub fn numbered(&mut self, n: LetterNumber, start: u32, end: u32) -> Refused<Target> {
+        let span = Span { start, end };
+        if !n.number.whole || n.number.value > 1e6 {
+            let text = readable(span.of(self.text)).into_owned();
+            return refuse(codes::S1001, 12080, span, format!("`{text}` cannot stand in front of `=`"));
+        }
+        let name = self.name(start, end);
+        Ok(Target::Numbered(n.letter, n.number.value as u32, name))
+    }
+
+    pub fn args(&mut self, list: Vec<Formula>) -> Args {
+        // `()` is no argument.
+        if let [only] = list.as_slice()
+            && only.is_missing()
+        {
+            return Args::default();
+        }
+        let from = self.block.args.len() as u32;
+        self.block.args.extend_from_slice(&list);
+        Args { from, count: list.len() as u32 }
+    }
+
+    // Statements.
+
+    pub fn arm(&mut self, when: When, jump: Jump) {
+        self.block.arms.push(Arm { when, jump });
+    }
+
+    pub fn constant(&mut self, n: Number, sign: i64, start: u32, end: u32) -> Refused<i64> {
+        if !n.whole || n.value > f64::from(i32::MAX) {
+            return refuse(codes::S1001, 12080, Span { start, end }, "a constant of CASE is a whole number");
+        }
+        Ok(sign * n.value as i64)
+    }
+
+    pub fn block_number(&mut self, n: Number, start: u32, end: u32) -> Refused<JumpTarget> {
+        if !n.whole || n.value > f64::from(u32::MAX) {
+            return refuse(codes::S1001, 12080, Span { start, end }, "a block number is a whole number");
+        }
+        Ok(JumpTarget::Number(n.value as u32))
+    }
+
+    /// `N100` is a block number; any other letter with a number is a label.
+    pub fn jump_target(&mut self, n: LetterNumber, start: u32, end: u32) -> JumpTarget {
+        if n.letter == b'N' && n.number.whole && n.number.value <= f64::from(u32::MAX) {
+            return JumpTarget::Number(n.number.value as u32);
+        }
+        JumpTarget::Label(self.name(start, end))
+    }
+
+    pub fn repeat_word(&mut self, n: LetterNumber, start: u32, end: u32) -> RepeatWord {
+        if n.letter == b'P' && n.number.whole {
+            let from = self.op_start();
+            self.number(n.number);
+            return RepeatWord::Times(self.formula(from, start + 1, end));
+        }
+        RepeatWord::Label(self.name(start, end))
+    }
+
+    pub fn repeat(&mut self, from: Symbol, rest: Vec<RepeatWord>, one_block: bool) -> Refused<Stmt> {
+        let mut to = None;
+        let mut times = None;
+        for word in rest {
+            match word {
+                RepeatWord::Label(label) if to.is_none() && times.is_none() && !one_block => to = Some(label),
+                RepeatWord::Times(n) | RepeatWord::Address(b'P', n, _) if times.is_none() => times = Some(n),
+                RepeatWord::Times(n) => return refuse(codes::S1001, 12080, n.span, "P stands twice"),
+                RepeatWord::Address(_, _, span) => {
+                    return refuse(codes::S1001, 12080, span, "only P= may follow the label of a repetition");
+                }
+                RepeatWord::Label(_) => {
+                    let span = Span { start: 0, end: self.text.len() as u32 };
+                    return refuse(codes::S1001, 12080, span, "a label too many in the repetition");
+                }
+            }
+        }
+        Ok(if one_block { Stmt::RepeatBlock { label: from, times } } else { Stmt::Repeat { from, to, times } })
+    }
+
+    pub fn modal_call(&mut self, (name, span): (Symbol, Span), args: Option<Args>, times: Option<RepeatWord>) -> Stmt {
+        if times.is_some() {
+            let problem = Problem::new(codes::S1013, span, "a modal call takes no number of passes");
+            self.problems.push(problem.alarm(12100).help("leave out what follows the name"));
+            return Stmt::Bad;
+        }
+        Stmt::Call(CallForm::Modal { name, args: args.unwrap_or_default() })
+    }
+
+    pub fn def(&mut self, attributes: Vec<Symbol>, (kind, length): (TypeName, Option<Formula>)) -> Stmt {
+        for variable in &mut self.block.variables {
+            variable.kind = kind;
+        }
+        let global = attributes.iter().any(|name| matches!(self.symbols.name(*name), "NCK" | "CHAN"));
+        Stmt::Def { kind, length, global }
+    }
+
+    pub fn variable(&mut self, name: Symbol, sizes: Option<Args>, value: Option<Formula>, start: u32, end: u32) {
+        self.block.variables.push(Variable {
+            name: Some(name),
+            kind: TypeName::Int,
+            by_reference: false,
+            length: None,
+            sizes: sizes.unwrap_or_default(),
+            open: sizes.is_some_and(|sizes| sizes.count == 0),
+            value,
+            span: Span { start, end },
+        });
+    }
+
+    /// A parameter of PROC, or of EXTERN, which has no name. `STRING[20] S` has a length, `REAL[3]` is an
+    /// array without a name.
+    #[allow(clippy::too_many_arguments)]
+    pub fn parameter(
+        &mut self,
+        by_reference: bool,
+        kind: TypeName,
+        bracket: Option<Args>,
+        name: Option<(Symbol, Option<Args>)>,
+        value: Option<Formula>,
+        start: u32,
+        end: u32,
+    ) {
+        let (length, unnamed) = match bracket {
+            Some(args) if kind == TypeName::String => (self.block.arguments(args).first().copied(), None),
+            other => (None, other),
+        };
+        let (name, sizes) = match name {
+            Some((name, sizes)) => (Some(name), sizes.or(unnamed)),
+            None => (None, unnamed),
+        };
+        self.block.variables.push(Variable {
+            name,
+            kind,
+            by_reference,
+            length,
+            sizes: sizes.unwrap_or_default(),
+            open: sizes.is_some_and(|sizes| sizes.count == 0),
+            value,
+            span: Span { start, end },
+        });
+    }
+
+    // Formulas.
+
+    pub fn op_start(&mut self) -> u32 {
+        self.block.ops.len() as u32
+    }
+
+    pub fn op(&mut self, op: Op) {
+        self.block.ops.push(op);
+    }
+
+    pub fn formula(&mut self, from: u32, start: u32, end: u32) -> Formula {
+        Formula { from, to: self.block.ops.len() as u32, span: Span { start, end } }
+    }
+
+    pub fn number(&mut self, n: Number) {
+        let op = if n.whole && n.value <= f64::from(i32::MAX) { Op::Int(n.value as i64) } else { Op::Real(n.value) };
+        self.op(op);
+    }
+
+    /// A text in quotes.
+    pub fn text(&mut self, start: u32, end: u32) {
+        self.op(Op::Text(Span { start: start + 1, end: end - 1 }));
+    }
+
+    /// `R5` is a parameter, any other letter with a number a name.
+    pub fn letter_number_value(&mut self, n: LetterNumber, start: u32, end: u32) -> Refused<()> {
+        let span = Span { start, end };
+        if n.letter == b'R' && n.number.whole && n.number.value <= f64::from(u32::MAX) {
+            self.op(Op::R(n.number.value as u32, span));
+            return Ok(());
+        }
+        if !n.name_like {
+            let text = readable(span.of(self.text)).into_owned();
+            return refuse(codes::S1001, 12080, span, format!("`{text}` is no value"));
+        }
+        self.name_value(start, end);
+        Ok(())
+    }
+
+    pub fn name_value(&mut self, start: u32, end: u32) {
+        let name = self.name(start, end);
+        self.op(Op::Name(name, Span { start, end }));
+    }
+
+    pub fn system_value(&mut self, start: u32, end: u32) {
+        let name = self.name(start, end);
+        self.op(Op::System(name, Span { start, end }));
+    }
+
+    pub fn index_value(&mut self, start: u32, name_end: u32, count: u32, end: u32, system: bool) {
+        let name = self.name(start, name_end);
+        let base = if system { Base::System(name) } else { Base::Name(name) };
+        self.op(Op::Index(base, count, Span { start, end }));
+    }
+
+    pub fn call_value(&mut self, start: u32, name_end: u32, count: u32, end: u32) {
+        let name = self.name(start, name_end);
+        self.op(Op::Call(name, count, Span { start, end }));
+    }
+
+    /// A comparison; `logical` if AND, OR or XOR without brackets is one of its sides.
+    pub fn compare(&mut self, op: Binary, logical: bool, start: u32, end: u32) -> bool {
+        self.op(Op::Binary(op));
+        if logical {
+            let found = Problem::new(
+                codes::S8001,
+                Span { start, end },
+                "AND, OR and XOR bind tighter than the comparison beside them",
+            );
+            self.problems.push(found.help("put each comparison in brackets: IF (R1==1) AND (R2==2)"));
+        }
+        false
+    }
+}

@@ -1,0 +1,93 @@
+//! What can be wrong with the form of a block, in words of the shop floor.
+
+use lalrpop_util::ParseError;
+
+use crate::diag::codes;
+use crate::lexer::sinumerik::Tok;
+use crate::parser::problem::Problem;
+use crate::text::{Span, decode::readable};
+
+use super::build::Refusal;
+
+/// How statements look, by their first word.
+const FORMS: &[(&str, &str)] = &[
+    ("IF", "IF R1==1  or  IF R1==1 GOTOF LABEL"),
+    ("WHILE", "WHILE R1<10"),
+    ("FOR", "FOR R1=1 TO 10"),
+    ("UNTIL", "UNTIL R1>10"),
+    ("REPEAT", "REPEAT LABEL P=3"),
+    ("REPEATB", "REPEATB LABEL P=3"),
+    ("CASE", "CASE(R1) OF 1 GOTOF L1 2 GOTOF L2 DEFAULT GOTOF L3"),
+    ("GOTO", "GOTO LABEL"),
+    ("GOTOF", "GOTOF LABEL"),
+    ("GOTOB", "GOTOB LABEL"),
+    ("GOTOC", "GOTOC LABEL"),
+    ("DEF", "DEF REAL DEPTH=5, WIDTH[3]"),
+    ("PROC", "PROC NAME(REAL A, VAR INT B) SAVE"),
+    ("EXTERN", "EXTERN NAME(REAL, VAR INT)"),
+    ("CALL", "CALL \"NAME\""),
+    ("PCALL", "PCALL /_N_SPF_DIR/NAME(1,2)"),
+    ("MCALL", "MCALL NAME(1,2)"),
+    ("EXTCALL", "EXTCALL(\"NAME\")"),
+    ("G", "G1 X10 Y=R1 F200"),
+];
+
+/// The finding for a block that the grammar does not take. `from` is where the statement starts.
+pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
+    match error {
+        ParseError::User { error } => error,
+        ParseError::UnrecognizedToken { token: (start, tok, end), .. } | ParseError::ExtraToken { token: (start, tok, end) } => {
+            unexpected(tok, Span { start, end }, text, from)
+        }
+        ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
+        ParseError::UnrecognizedEof { location, .. } => {
+            let span = Span { start: from, end: location.max(from) };
+            form(Problem::new(codes::S1001, span, "the block ends too early").alarm(12080), text, from)
+        }
+    }
+}
+
+fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
+    let word = readable(span.of(text)).into_owned();
+    let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
+    if tok == Tok::Bad {
+        let problem = Problem::new(codes::S0001, span, format!("`{word}` has no place in a block")).alarm(12080);
+        return problem.help("a comment starts with `;`");
+    }
+    if tok == Tok::Open && before.last().is_none_or(|b| !b.is_ascii_alphanumeric() && *b != b'_') {
+        let problem = Problem::new(codes::S0003, span, "brackets hold no comment on this control").alarm(12080);
+        return problem.help("a comment starts with `;`");
+    }
+    if is_operator(tok) && before.last().is_some_and(|b| b"+-*/".contains(b)) {
+        let problem = Problem::new(codes::S1002, span, format!("`{word}` follows another operator")).alarm(12180);
+        return problem.help("put the second value in brackets: R1=R2-(-R3)");
+    }
+    if matches!(tok, Tok::Number(_) | Tok::Name | Tok::Letter(_)) && ends_in_name(before) {
+        let problem = Problem::new(codes::S1001, span, format!("`=` is missing in front of `{word}`")).alarm(12080);
+        return problem.help("an address of more than one letter takes `=`: CR=10");
+    }
+    let problem = Problem::new(codes::S1001, span, format!("`{word}` cannot stand here")).alarm(12080);
+    form(problem, text, from)
+}
+
+fn is_operator(tok: Tok) -> bool {
+    matches!(tok, Tok::Plus | Tok::Minus | Tok::Star | Tok::Slash | Tok::Div | Tok::Mod)
+}
+
+/// Does the text end in a name of two letters or more?
+fn ends_in_name(text: &[u8]) -> bool {
+    let len = text.iter().rev().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+    let name = &text[text.len() - len..];
+    matches!(name, [a, b, ..] if (a.is_ascii_alphabetic() || *a == b'_') && (b.is_ascii_alphabetic() || *b == b'_'))
+}
+
+/// Adds how a block with this first word looks.
+fn form(problem: Problem, text: &[u8], from: u32) -> Problem {
+    let rest = text.get(from as usize..).unwrap_or_default();
+    let len = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let first = readable(&rest[..len]).to_uppercase();
+    match FORMS.iter().find(|(head, _)| *head == first) {
+        Some((_, form)) => problem.help(format!("the block looks like `{form}`")),
+        None => problem,
+    }
+}

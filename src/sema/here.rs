@@ -1,0 +1,44 @@
+//! The block that is being executed, for the places of findings.
+
+use crate::diag::{CallPath, Diagnostic};
+use crate::ir::Origin;
+use crate::parser::problem::Problem;
+use crate::text::{FileId, Loc, Span};
+
+use super::Job;
+
+/// The block that is being executed.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Here {
+    pub file: FileId,
+    /// Offset of the block in its file.
+    pub at: u32,
+    pub line: u32,
+    pub lines: u32,
+    pub origin: Origin,
+}
+
+impl Here {
+    pub fn new(file: FileId, at: u32, line: u32, lines: u32, call: CallPath) -> Here {
+        Here { file, at, line, lines, origin: Origin { loc: Loc { file, line, span: Span::at(at, 0) }, call } }
+    }
+
+    /// A place in the block.
+    pub fn loc(&self, job: &Job<'_>, span: Span) -> Loc {
+        let mut line = self.line;
+        if self.lines > 1 {
+            let before = job.sources.bytes(self.file, Span::at(self.at, span.start));
+            line += before.iter().filter(|b| **b == b'\n').count() as u32;
+        }
+        Loc { file: self.file, line, span: span.shifted(self.at) }
+    }
+
+    pub fn diagnostic(&self, job: &Job<'_>, problem: Problem) -> Diagnostic {
+        let found = Diagnostic::new(problem.code, self.loc(job, problem.span), problem.message);
+        let found = match problem.help {
+            Some(help) => found.help(help),
+            None => found,
+        };
+        found.called(self.origin.call)
+    }
+}
