@@ -29,10 +29,14 @@ impl Problem {
     }
 }
 
-
 /// A copy of the code of a block in which dashes of printed text are minus signs; spans stay as they are.
 /// `None` if there are none. `from` is where the code starts, a `;` outside a text ends it.
-pub fn without_printed_dashes(text: &[u8], from: usize, code: &'static Code, problems: &mut Vec<Problem>) -> Option<Vec<u8>> {
+pub fn without_printed_dashes(
+    text: &[u8],
+    from: usize,
+    code: &'static Code,
+    problems: &mut Vec<Problem>,
+) -> Option<Vec<u8>> {
     let end = text.iter().position(|b| *b == b';').unwrap_or(text.len());
     let words = text.get(from..end)?;
     if words.is_ascii() || words.contains(&b'"') {

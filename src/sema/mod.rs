@@ -6,7 +6,6 @@
 pub mod exec;
 pub mod here;
 pub mod klartext;
-pub mod sinumerik;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;

@@ -48,10 +48,11 @@ use codes;
 
 /// Every code, in order of its id.
 pub fn all() -> Vec<&'static Code> {
-    let mut list: Vec<_> = [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK]
-        .iter()
-        .flat_map(|table| table.iter().copied())
-        .collect();
+    let mut list: Vec<_> =
+        [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK]
+            .iter()
+            .flat_map(|table| table.iter().copied())
+            .collect();
     list.sort_by_key(|code| code.id);
     list
 }

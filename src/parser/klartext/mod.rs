@@ -15,9 +15,9 @@ use crate::diag::codes;
 use crate::lexer::klartext::{Tokens, Value};
 use crate::text::{Span, SplitRules};
 
+use crate::parser::problem::{Problem, without_printed_dashes};
 use ast::{Addr, Block, Op, Stmt};
 use build::Build;
-use crate::parser::problem::{Problem, without_printed_dashes};
 
 /// Largest literal that is taken for a number of a part program.
 const LARGEST: f64 = 1e9;
@@ -156,7 +156,9 @@ fn number_problem(text: &[u8], block: &Block) -> Option<Problem> {
             return Some(bad(word.span));
         }
         if matches!(word.addr, Addr::M(n) if n > 9999) {
-            return Some(Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M9999"));
+            return Some(
+                Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M9999"),
+            );
         }
     }
     if block.ops.iter().any(|op| matches!(op, Op::Number(n) if too_large(*n))) {

@@ -265,11 +265,7 @@ pub enum Value {
     /// A bare word.
     None,
     /// A literal behind a single letter: `X10`, `G01`, `L001` (the digits tell `L1` from `L01`).
-    Literal {
-        value: f64,
-        whole: bool,
-        digits: u8,
-    },
+    Literal { value: f64, whole: bool, digits: u8 },
     /// `= formula`
     Formula(Formula),
     /// `NAME(…)`

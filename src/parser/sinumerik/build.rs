@@ -38,7 +38,12 @@ pub struct Build<'a> {
 }
 
 impl<'a> Build<'a> {
-    pub fn new(text: &'a [u8], block: &'a mut Block, symbols: &'a mut Symbols, problems: &'a mut Vec<Problem>) -> Build<'a> {
+    pub fn new(
+        text: &'a [u8],
+        block: &'a mut Block,
+        symbols: &'a mut Symbols,
+        problems: &'a mut Vec<Problem>,
+    ) -> Build<'a> {
         Build { text, block, symbols, problems }
     }
 

@@ -141,7 +141,13 @@ fn after_blanks(text: &[u8], mut at: usize) -> usize {
 
 /// Reads the statement by the grammar, whatever it is. The only caller of the generated parser, so that it
 /// is compiled once.
-pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, symbols: &mut Symbols, problems: &mut Vec<Problem>) {
+pub fn parse_statement(
+    text: &[u8],
+    from: usize,
+    block: &mut Block,
+    symbols: &mut Symbols,
+    problems: &mut Vec<Problem>,
+) {
     thread_local! {
         static PARSER: grammar::BlockParser = grammar::BlockParser::new();
     }

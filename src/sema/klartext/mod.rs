@@ -26,8 +26,8 @@ mod words;
 use std::rc::Rc;
 
 use crate::diag::{CallPath, Code, Diagnostic, codes};
+use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
-use crate::ir::{Function, Origin};
 use crate::machine::Unit;
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
