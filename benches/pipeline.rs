@@ -66,7 +66,7 @@ fn compile_formulas(bencher: Bencher<'_, '_>) {
 
 fn parse_all(
     text: &str,
-    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::klartext::problem::Problem>),
+    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::problem::Problem>),
 ) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {
