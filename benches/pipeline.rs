@@ -42,7 +42,8 @@ fn formulas() -> String {
 }
 
 fn compile(text: &str) -> Vec<u8> {
-    let main = Opened { name: "b.H".into(), identity: "b".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
+    let main =
+        Opened { name: "b.H".into(), identity: "b".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
     let session = Session::new(main);
     let mut out = Vec::new();
     let dialect = dialect::find("klartext").expect("a dialect");
@@ -63,7 +64,10 @@ fn compile_formulas(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(BLOCKS)).bench(|| compile(&text));
 }
 
-fn parse_all(text: &str, parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::klartext::problem::Problem>)) -> usize {
+fn parse_all(
+    text: &str,
+    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::klartext::problem::Problem>),
+) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {
         parse(line, &mut block, &mut problems);

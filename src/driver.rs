@@ -93,7 +93,13 @@ impl Session {
     ///
     /// # Errors
     /// What `out` reports.
-    pub fn trace(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn io::Write) -> io::Result<()> {
+    pub fn trace(
+        &self,
+        dialect: &Dialect,
+        settings: &Settings,
+        files: &dyn Files,
+        out: &mut dyn io::Write,
+    ) -> io::Result<()> {
         let mut trace = Trace::new(&self.sources, &self.trail, out);
         self.run(dialect, settings, files, &mut trace);
         trace.finish()

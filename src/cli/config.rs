@@ -27,9 +27,8 @@ pub(super) fn settings(input: &Path, common: &Common) -> Result<Settings, Troubl
         tree = load(file, 0)?;
     }
     let table = table_path(&tree, common);
-    let mut settings = config::read(&tree).map_err(|errors| {
-        errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\npartc: ")
-    })?;
+    let mut settings = config::read(&tree)
+        .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\npartc: "))?;
     if let Some(path) = table {
         read_tools(&path, &mut settings)?;
     }
@@ -103,11 +102,9 @@ fn table_path(tree: &Table, common: &Common) -> Option<PathBuf> {
 /// Reads a tool table; tools of the configuration file win over it.
 fn read_tools(path: &Path, settings: &mut Settings) -> Result<(), Trouble> {
     let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let text = String::from_utf8(bytes).unwrap_or_else(|error| {
-        crate::text::decode::readable_lines(error.as_bytes())
-    });
-    let table = tools::read_table(&text)
-        .map_err(|error| format!("{}:{}: {}", path.display(), error.line, error.message))?;
+    let text = String::from_utf8(bytes).unwrap_or_else(|error| crate::text::decode::readable_lines(error.as_bytes()));
+    let table =
+        tools::read_table(&text).map_err(|error| format!("{}:{}: {}", path.display(), error.line, error.message))?;
     for (key, tool) in table {
         settings.tools.table.entry(key).or_insert(tool);
     }

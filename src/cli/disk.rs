@@ -180,7 +180,8 @@ fn parts_of(name: &str) -> Result<Vec<String>, &'static str> {
         if part.chars().any(|c| c.is_control() || matches!(c, ':' | '*' | '?' | '<' | '>' | '|' | '"')) {
             return Err("the name holds a character that no file of a control has");
         }
-        let port = stem.len() == 4 && stem[..3].eq_ignore_ascii_case("COM") || stem.len() == 4 && stem[..3].eq_ignore_ascii_case("LPT");
+        let port = stem.len() == 4 && stem[..3].eq_ignore_ascii_case("COM")
+            || stem.len() == 4 && stem[..3].eq_ignore_ascii_case("LPT");
         if DEVICES.iter().any(|device| stem.eq_ignore_ascii_case(device)) || port {
             return Err("it is the name of a device");
         }
@@ -281,7 +282,8 @@ mod tests {
     #[test]
     fn hostile_names_are_refused() {
         for name in [
-            "..", "a/../b", "C:x", "a:stream", "NUL", "con.H", "com1", "lpt9.h", "", ".", "a\u{0}b", "x*", "a\nb", "\"q\"",
+            "..", "a/../b", "C:x", "a:stream", "NUL", "con.H", "com1", "lpt9.h", "", ".", "a\u{0}b", "x*", "a\nb",
+            "\"q\"",
         ] {
             assert!(parts_of(name).is_err(), "{name:?}");
         }

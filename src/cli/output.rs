@@ -73,7 +73,10 @@ impl Write for Pending {
 pub(super) enum Destination {
     File(Pending),
     /// Standard output, or a device or pipe: held back until the program is complete.
-    Stream { path: Option<PathBuf>, held: Held },
+    Stream {
+        path: Option<PathBuf>,
+        held: Held,
+    },
     /// The null device.
     Nowhere,
 }
@@ -157,7 +160,9 @@ impl Destination {
     pub(super) fn commit(self) -> io::Result<()> {
         match self {
             Destination::File(pending) => pending.commit(),
-            Destination::Stream { path: Some(path), held } => held.release(&mut File::options().write(true).open(path)?),
+            Destination::Stream { path: Some(path), held } => {
+                held.release(&mut File::options().write(true).open(path)?)
+            }
             Destination::Stream { path: None, held } => held.release(&mut io::stdout().lock()),
             Destination::Nowhere => Ok(()),
         }

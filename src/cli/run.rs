@@ -32,13 +32,15 @@ const HEAD: u32 = 64 * 1024;
 
 fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
-    let settings = config::settings(common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path), common)?;
+    let settings =
+        config::settings(common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path), common)?;
     let main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
     let name = main.name.clone();
     let session = Session::new(main);
     let dialect = if common.dialect == "auto" {
         let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-        dialect::guess(&name, &head).ok_or_else(|| format!("{shown}: which language is this? Say `--dialect klartext`"))?
+        dialect::guess(&name, &head)
+            .ok_or_else(|| format!("{shown}: which language is this? Say `--dialect klartext`"))?
     } else {
         dialect::find(&common.dialect).ok_or_else(|| format!("no dialect `{}`", common.dialect))?
     };
@@ -78,7 +80,8 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
 
 fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<(), Trouble> {
     let Loaded { session, dialect, settings, files } = load(input, &args.common)?;
-    let traits = targets::find(&settings.output.target).ok_or_else(|| format!("no target `{}`", settings.output.target))?;
+    let traits =
+        targets::find(&settings.output.target).ok_or_else(|| format!("no target `{}`", settings.output.target))?;
     let target = output_path(input, args, traits.extension);
     let shown = target.display().to_string();
     let trouble = |error: io::Error| format!("{shown}: {error}");
@@ -91,7 +94,9 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
     }
     let mut out = Progress::new(Destination::open(&target).map_err(trouble)?);
     let mut map = match &args.map {
-        Some(path) => Some(SourceMap::create(path, &target, &session).map_err(|error| format!("{}: {error}", path.display()))?),
+        Some(path) => {
+            Some(SourceMap::create(path, &target, &session).map_err(|error| format!("{}: {error}", path.display()))?)
+        }
         None => None,
     };
     let line_map = map.as_mut().map(|map| map as &mut dyn LineMap);

@@ -100,7 +100,9 @@ fn object(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Value {
 /// Renders for a terminal through miette.
 #[cfg(feature = "cli")]
 pub mod terminal {
-    use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceSpan, SpanContents};
+    use miette::{
+        GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceSpan, SpanContents,
+    };
 
     use super::*;
 
@@ -135,7 +137,12 @@ pub mod terminal {
     }
 
     impl miette::SourceCode for Excerpt {
-        fn read_span<'a>(&'a self, _: &SourceSpan, _: usize, _: usize) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        fn read_span<'a>(
+            &'a self,
+            _: &SourceSpan,
+            _: usize,
+            _: usize,
+        ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
             let whole = SourceSpan::from((0, self.text.len()));
             Ok(Box::new(MietteSpanContents::new_named(
                 self.name.clone(),
@@ -169,7 +176,9 @@ pub mod terminal {
             }
             let mut related: Vec<Shown> =
                 found.more.iter().map(|label| Shown::place(label.loc, &label.text, sources)).collect();
-            related.extend(trail.sites(found.call).iter().take(4).map(|site| Shown::place(*site, "called from here", sources)));
+            related.extend(
+                trail.sites(found.call).iter().take(4).map(|site| Shown::place(*site, "called from here", sources)),
+            );
             Shown {
                 title,
                 code: Some(format!("{}[{}]", found.code.severity.word(), found.code.id)),

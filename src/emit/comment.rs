@@ -4,7 +4,17 @@ use crate::text::decode::to_ascii;
 
 /// Words that make LinuxCNC act on a comment.
 const ACTIVE: &[&[u8]] = &[
-    b"msg", b"debug", b"print", b"log", b"logopen", b"logappend", b"logclose", b"probeopen", b"probeclose", b"abort", b"py",
+    b"msg",
+    b"debug",
+    b"print",
+    b"log",
+    b"logopen",
+    b"logappend",
+    b"logclose",
+    b"probeopen",
+    b"probeclose",
+    b"abort",
+    b"py",
 ];
 
 /// The text of `comment` as it may stand between brackets.

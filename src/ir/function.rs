@@ -40,9 +40,13 @@ pub struct CutterData {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Function {
     /// Change to this tool; 0 empties the spindle.
-    ToolChange { number: u32 },
+    ToolChange {
+        number: u32,
+    },
     /// Tell the changer which tool comes next.
-    ToolPrepare { number: u32 },
+    ToolPrepare {
+        number: u32,
+    },
     Cutter(CutterData),
     Spindle(Spindle),
     Coolant(Coolant),
@@ -60,5 +64,7 @@ pub enum Function {
     /// Text of the source, any bytes.
     Comment(Vec<u8>),
     /// End of the program.
-    End { rewind: bool },
+    End {
+        rewind: bool,
+    },
 }

@@ -117,12 +117,7 @@ pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mu
     Ok(Extra::None)
 }
 
-fn resolve_arc(
-    shape: &contour::Arc,
-    step: &mut Step,
-    last: &Last,
-    adjusted: &mut Adjusted,
-) -> Result<Extra, Refused> {
+fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
     let plane = shape.plane;
     let (Some(from), Some(to)) = (step.start.in_plane(plane), step.mv.end.in_plane(plane)) else { return Err(None) };
     step.mv.axes = step.mv.axes.union(plane_axes(plane));
@@ -138,10 +133,15 @@ fn resolve_arc(
         ArcShape::Radius { radius, ccw, tol } => {
             let d = distance(from, to);
             if d <= SAME_POINT {
-                return refuse(step, codes::G3003, "the arc ends where it starts, so its centre is not determined".to_owned());
+                return refuse(
+                    step,
+                    codes::G3003,
+                    "the arc ends where it starts, so its centre is not determined".to_owned(),
+                );
             }
             let Some(center) = arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol) else {
-                let message = format!("the points are {d:.4} mm apart, the radius reaches {:.4} mm", 2.0 * radius.abs());
+                let message =
+                    format!("the points are {d:.4} mm apart, the radius reaches {:.4} mm", 2.0 * radius.abs());
                 let help = format!("the radius has to be at least {:.4}", d / 2.0);
                 return Err(Some(Box::new(at(codes::G3002, step.origin, message).help(help))));
             };
@@ -198,8 +198,9 @@ fn by_center(
     }
     let off = (r2 - r1).abs();
     if off > tol + 1e-9 {
-        let message =
-            format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed");
+        let message = format!(
+            "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed"
+        );
         let found = at(codes::G3001, step.origin, message).help("check start, centre and end of the arc");
         return Err(Some(Box::new(found)));
     }

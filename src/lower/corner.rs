@@ -61,7 +61,10 @@ impl Corners {
             return;
         }
         if let Some((_, first)) = self.corner {
-            diags.push(at(codes::G3007, origin, "two chamfers or roundings follow each other").also(first.loc, "the first one"));
+            diags.push(
+                at(codes::G3007, origin, "two chamfers or roundings follow each other")
+                    .also(first.loc, "the first one"),
+            );
             self.drop_corner(out);
             return;
         }
@@ -150,7 +153,10 @@ fn cut(
     }
     for (step, which) in [(before, "before"), (after, "after")] {
         if step.leaves(plane) {
-            return refuse(codes::G3007, format!("the block {which} the {name} moves an axis outside the working plane"));
+            return refuse(
+                codes::G3007,
+                format!("the block {which} the {name} moves an axis outside the working plane"),
+            );
         }
     }
     let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
@@ -167,7 +173,9 @@ fn cut(
         }
         Err(NoCut::Arc) => return refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned()),
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
-        Err(NoCut::Degenerate) => return refuse(codes::G3007, format!("an element at the {name} has no length in the plane")),
+        Err(NoCut::Degenerate) => {
+            return refuse(codes::G3007, format!("an element at the {name} has no length in the plane"));
+        }
         Err(NoCut::Straight) => {
             return refuse(codes::G3009, format!("there is no corner to put a {name} in"));
         }

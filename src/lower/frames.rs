@@ -31,7 +31,8 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
     let end = frame.apply(&mv.end);
     let axes = frame.touched(mv.axes);
     if let Some(axis) = axes.without(end.known()).iter().next() {
-        let message = format!("under this rotation the block also moves {}, whose position is not known", axis.letter());
+        let message =
+            format!("under this rotation the block also moves {}, whose position is not known", axis.letter());
         return Err((codes::G3015, message));
     }
     let path = match &mv.path {
@@ -50,8 +51,12 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
 fn map_arc(arc: &Arc, frame: &Frame) -> Result<Arc, Unmapped> {
     let (plane, flips) = match frame.plane_map(arc.plane) {
         PlaneMap::Similar { plane, flips, .. } => (plane, flips),
-        PlaneMap::Uneven => return Err((codes::G3011, "the axes of this arc have different scaling factors".to_owned())),
-        PlaneMap::Tilted => return Err((codes::G3012, "the rotation turns this arc out of the main planes".to_owned())),
+        PlaneMap::Uneven => {
+            return Err((codes::G3011, "the axes of this arc have different scaling factors".to_owned()));
+        }
+        PlaneMap::Tilted => {
+            return Err((codes::G3012, "the rotation turns this arc out of the main planes".to_owned()));
+        }
     };
     let (_, _, third) = arc.plane.axes();
     let map = |p: Point2| {

@@ -20,8 +20,12 @@ pub fn check(mv: &Move, limits: &BTreeMap<Axis, (f64, f64)>, origin: Origin, dia
         if least < low || most > high {
             let value = if least < low { least } else { most };
             diags.push(
-                at(codes::G3018, origin, format!("{}{value:.4} is beyond the travel limits {low} to {high}", axis.letter()))
-                    .help("check the datum and the program, or `[machine] limits`"),
+                at(
+                    codes::G3018,
+                    origin,
+                    format!("{}{value:.4} is beyond the travel limits {low} to {high}", axis.letter()),
+                )
+                .help("check the datum and the program, or `[machine] limits`"),
             );
         }
     }
@@ -37,8 +41,7 @@ fn extent(mv: &Move, axis: Axis) -> (f64, f64) {
         i if i == second => 90.0,
         _ => return (end, end),
     };
-    let (start, center) =
-        if along == 0.0 { (arc.from.x, arc.center.x) } else { (arc.from.y, arc.center.y) };
+    let (start, center) = if along == 0.0 { (arc.from.x, arc.center.x) } else { (arc.from.y, arc.center.y) };
     let (mut least, mut most) = (end.min(start), end.max(start));
     let radius = distance(arc.from, arc.center);
     for (direction, value) in [(along, center + radius), (along + 180.0, center - radius)] {

@@ -14,7 +14,7 @@ pub mod step;
 use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags};
-use crate::ir::contour::{self, EndPoint, Coords, Corner, CtxRef, Sink};
+use crate::ir::contour::{self, Coords, Corner, CtxRef, EndPoint, Sink};
 use crate::ir::{Function, Origin, Pos, motion};
 use crate::machine::{Axis, Machine};
 

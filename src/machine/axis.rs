@@ -19,8 +19,7 @@ pub enum Axis {
 pub const AXES: usize = 9;
 
 impl Axis {
-    pub const ALL: [Axis; AXES] =
-        [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C, Axis::U, Axis::V, Axis::W];
+    pub const ALL: [Axis; AXES] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C, Axis::U, Axis::V, Axis::W];
 
     #[inline]
     pub fn index(self) -> usize {

@@ -50,7 +50,11 @@ const TURNINGS: &[&str] = &["manualplus4110", "manualplus620"];
 const TOOL_KEYS: &[Key] = &[
     key("number", Kind::Whole, "tool number to print; needed for a tool known by name or index only"),
     key("name", Kind::Text, "name by which programs call the tool"),
-    key("kind", Kind::Choice(&["mill", "drill", "tap", "turn", "thread", "recess-radial", "recess-axial"]), "kind of tool"),
+    key(
+        "kind",
+        Kind::Choice(&["mill", "drill", "tap", "turn", "thread", "recess-radial", "recess-axial"]),
+        "kind of tool",
+    ),
     key("radius", Kind::Number, "cutter radius in mm; nose radius of turning and recessing tools"),
     key("length", Kind::Number, "length in mm"),
     key("corner_radius", Kind::Number, "corner radius in mm"),
@@ -66,7 +70,11 @@ pub const SECTIONS: &[Section] = &[
         entry: &[],
         keys: &[
             key("kind", Kind::Choice(&["mill", "lathe"]), "lathe: turning technology on, power-on plane G18"),
-            key("geometry_axes", Kind::Texts, "names of the first, second and third geometry axis (MD 20050, MD 20080)"),
+            key(
+                "geometry_axes",
+                Kind::Texts,
+                "names of the first, second and third geometry axis (MD 20050, MD 20080)",
+            ),
             key("diameter_axis", Kind::Text, "axis programmed in diameters (MD 20100); empty for none"),
             key("md20100", Kind::Text, "same as diameter_axis"),
             key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)"),
@@ -87,8 +95,16 @@ pub const SECTIONS: &[Section] = &[
             key("feed", Kind::Number, "feed in mm/min at the start, and for F AUTO without a TOOL CALL"),
             key("rapid_feed", Kind::Number, "feed in mm/min of arcs programmed at rapid traverse"),
             key("cc_missing", Kind::Choice(&["position", "previous"]), "missing coordinate of a CC block"),
-            key("polar_missing", Kind::Choice(&["position", "programmed"]), "missing PR or PA after a block that is not polar"),
-            key("shift_axes", Kind::Choice(&["original", "transformed"]), "axes of a datum shift under rotation, mirror or scaling"),
+            key(
+                "polar_missing",
+                Kind::Choice(&["position", "programmed"]),
+                "missing PR or PA after a block that is not polar",
+            ),
+            key(
+                "shift_axes",
+                Kind::Choice(&["original", "transformed"]),
+                "axes of a datum shift under rotation, mirror or scaling",
+            ),
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree"),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
@@ -264,7 +280,9 @@ impl Reader {
             "heidenhain_turning" => control.heidenhain_turning = text(node).to_owned(),
             "skip_blocks" => {
                 control.skip_blocks = wholes(node)
-                    .map(|n| u8::try_from(n).ok().filter(|n| *n <= 9).ok_or_else(|| node.fail("skip levels are 0 to 9")))
+                    .map(|n| {
+                        u8::try_from(n).ok().filter(|n| *n <= 9).ok_or_else(|| node.fail("skip levels are 0 to 9"))
+                    })
                     .collect::<Result<_, _>>()?;
             }
             "unit" => control.unit = Some(if text(node) == "inch" { Unit::Inch } else { Unit::Mm }),
@@ -277,8 +295,7 @@ impl Reader {
                 }
             }
             "cc_missing" => {
-                control.cc_missing =
-                    if text(node) == "previous" { CcMissing::Previous } else { CcMissing::Position };
+                control.cc_missing = if text(node) == "previous" { CcMissing::Previous } else { CcMissing::Position };
             }
             "polar_missing" => {
                 control.polar_missing =

@@ -42,7 +42,10 @@ pub struct BlockText<'s> {
 pub enum Next<'s> {
     Block(BlockText<'s>),
     /// A block longer than [`MAX_BLOCK`], skipped; its start.
-    TooLong { at: u32, line: u32 },
+    TooLong {
+        at: u32,
+        line: u32,
+    },
     End,
 }
 
@@ -201,7 +204,12 @@ impl Cursor {
             return Ok(Next::TooLong { at: place.at, line: place.line });
         }
         let text = &self.window[start..end];
-        Ok(Next::Block(BlockText { text: text.strip_suffix(b"\r").unwrap_or(text), at: place.at, line: place.line, lines }))
+        Ok(Next::Block(BlockText {
+            text: text.strip_suffix(b"\r").unwrap_or(text),
+            at: place.at,
+            line: place.line,
+            lines,
+        }))
     }
 
     /// Goes to `place`, which must be the start of a block; loads the whole file the first time.

@@ -40,7 +40,8 @@ pub struct Beside(pub PathBuf);
 impl Files for Beside {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
         let name = request.name.rsplit(['/', '\\']).next().unwrap_or(request.name);
-        let candidates = std::iter::once(name.to_owned()).chain(request.extensions.iter().map(|e| format!("{name}.{e}")));
+        let candidates =
+            std::iter::once(name.to_owned()).chain(request.extensions.iter().map(|e| format!("{name}.{e}")));
         for candidate in candidates {
             let path = self.0.join("called").join(&candidate);
             if let Ok(bytes) = fs::read(&path) {
@@ -65,7 +66,8 @@ struct Lines<'a> {
 impl LineMap for Lines<'_> {
     fn line(&mut self, number: u64, origin: &Origin) {
         let text = self.sources.line(origin.loc).text.trim().to_owned();
-        let text = if origin.loc.file.0 == 0 { text } else { format!("{}: {text}", self.sources.name(origin.loc.file)) };
+        let text =
+            if origin.loc.file.0 == 0 { text } else { format!("{}: {text}", self.sources.name(origin.loc.file)) };
         self.list.push((number, text));
     }
 }

@@ -12,7 +12,9 @@ const SOON: Duration = Duration::from_secs(20);
 
 /// Few steps, so that a mutated loop ends soon.
 fn limited() -> Settings {
-    settings("[limits]\nsteps = 20000\noutput_blocks = 20000\n[control]\nfeed = 100\n[output]\ncompensation = \"control\"\n")
+    settings(
+        "[limits]\nsteps = 20000\noutput_blocks = 20000\n[control]\nfeed = 100\n[output]\ncompensation = \"control\"\n",
+    )
 }
 
 fn run(name: &str, bytes: &[u8], settings: &Settings) -> Compiled {
@@ -170,7 +172,11 @@ fn nested_repeats_stop_at_the_step_limit() {
     let compiled = run("rep.H", program.as_bytes(), &settings);
     assert_eq!(compiled.codes(), ["P4001"]);
     // The innermost repeat is named, with its count.
-    assert!(compiled.rendered[0].contains(":5:") && compiled.rendered[0].contains("1000000"), "{:?}", compiled.rendered);
+    assert!(
+        compiled.rendered[0].contains(":5:") && compiled.rendered[0].contains("1000000"),
+        "{:?}",
+        compiled.rendered
+    );
 }
 
 #[test]
@@ -203,7 +209,10 @@ fn bytes_of_all_kinds() {
             run("noise.H", &noise, &settings);
             let words: Vec<u8> = (0..size)
                 .flat_map(|_| {
-                    let words = ["L", "X+1", "IX", "C", "CC", "Q1", "=", "(", ")", "RND", "R5", "DR+", "\n", "LBL", "1", "F", "FMAX", "CALL"];
+                    let words = [
+                        "L", "X+1", "IX", "C", "CC", "Q1", "=", "(", ")", "RND", "R5", "DR+", "\n", "LBL", "1", "F",
+                        "FMAX", "CALL",
+                    ];
                     format!("{} ", words[dice.roll(words.len())]).into_bytes()
                 })
                 .collect();

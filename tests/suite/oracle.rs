@@ -151,10 +151,10 @@ fn the_comparison_sees_faults() {
     let arc = |turns, center| {
         [rs274::Move::Arc { plane: [0, 1, 2], end: [0.0, 0.0], center: [center, 0.0], turns, third: 0.0 }]
     };
-    let circle = |sweep| Meant { rapid: false, end: [Some(0.0), Some(0.0), None], arc: Some(([0, 1, 2], [5.0, 0.0], sweep)) };
+    let circle =
+        |sweep| Meant { rapid: false, end: [Some(0.0), Some(0.0), None], arc: Some(([0, 1, 2], [5.0, 0.0], sweep)) };
     assert!(compare(&arc(1, 5.0), &[circle(TAU)]).is_ok());
     assert!(compare(&arc(-1, 5.0), &[circle(TAU)]).is_err());
     assert!(compare(&arc(2, 5.0), &[circle(TAU)]).is_err());
     assert!(compare(&arc(1, 5.01), &[circle(TAU)]).is_err());
-
 }

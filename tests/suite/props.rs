@@ -31,7 +31,8 @@ fn body(text: &str, settings: &Settings) -> Vec<String> {
 }
 
 fn recorded(text: &str, settings: &Settings, sink: &mut dyn Sink) {
-    let main = Opened { name: "P.H".into(), identity: "P".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
+    let main =
+        Opened { name: "P.H".into(), identity: "P".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
     let session = Session::new(main);
     session.lower(dialect::find("klartext").expect("a dialect"), settings, &NoFiles, sink);
 }

@@ -10,7 +10,13 @@ pub enum Move {
     Rapid([f64; 3]),
     Feed([f64; 3]),
     /// First and second axis of the plane: end and centre; signed turns; end of the third axis.
-    Arc { plane: [usize; 3], end: [f64; 2], center: [f64; 2], turns: i32, third: f64 },
+    Arc {
+        plane: [usize; 3],
+        end: [f64; 2],
+        center: [f64; 2],
+        turns: i32,
+        third: f64,
+    },
 }
 
 impl Move {
@@ -78,7 +84,8 @@ pub fn interpret(program: &str, name: &str) -> Result<Vec<Move>, String> {
         .output()
         .expect("rs274 starts");
     let errors = String::from_utf8_lossy(&out.stderr);
-    let errors: Vec<&str> = errors.lines().filter(|line| !line.trim().is_empty() && line.trim() != "executing").collect();
+    let errors: Vec<&str> =
+        errors.lines().filter(|line| !line.trim().is_empty() && line.trim() != "executing").collect();
     let _ = fs::remove_dir_all(&dir);
     if !out.status.success() || !errors.is_empty() {
         return Err(errors.join("\n"));

@@ -175,7 +175,9 @@ fn number_problem(text: &[u8], block: &Block) -> Option<Problem> {
             return Some(bad(word.span));
         }
         if matches!(word.addr, Addr::M(n) if n > 9999) {
-            return Some(Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M9999"));
+            return Some(
+                Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M9999"),
+            );
         }
     }
     if block.ops.iter().any(|op| matches!(op, Op::Number(n) if too_large(*n))) {

@@ -71,9 +71,8 @@ const FORMS: &[(&str, &str)] = &[
 pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
     match error {
         ParseError::User { error } => Problem::new(codes::K1001, error.span, error.message).form(text, from),
-        ParseError::UnrecognizedToken { token: (start, tok, end), .. } | ParseError::ExtraToken { token: (start, tok, end) } => {
-            unexpected(tok, Span { start, end }, text, from)
-        }
+        ParseError::UnrecognizedToken { token: (start, tok, end), .. }
+        | ParseError::ExtraToken { token: (start, tok, end) } => unexpected(tok, Span { start, end }, text, from),
         ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
         ParseError::UnrecognizedEof { location, .. } => {
             let span = Span { start: from, end: location.max(from) };

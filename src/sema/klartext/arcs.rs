@@ -24,16 +24,24 @@ impl Run<'_> {
                 return Err(Reported);
             }
             self.report(
-                Diagnostic::new(codes::K2101, self.here.origin.loc, format!("{function} needs a circle centre or pole"))
-                    .help("program `CC X… Y…` before this block"),
+                Diagnostic::new(
+                    codes::K2101,
+                    self.here.origin.loc,
+                    format!("{function} needs a circle centre or pole"),
+                )
+                .help("program `CC X… Y…` before this block"),
             );
             return Err(Reported);
         };
         if pole.system != self.st.system {
             self.report(
-                Diagnostic::new(codes::K2108, self.here.origin.loc, "the coordinate system changed since CC was programmed")
-                    .also(pole.set, "CC is programmed here")
-                    .help("program CC again after the change"),
+                Diagnostic::new(
+                    codes::K2108,
+                    self.here.origin.loc,
+                    "the coordinate system changed since CC was programmed",
+                )
+                .also(pole.set, "CC is programmed here")
+                .help("program CC again after the change"),
             );
         }
         Ok(pole)
@@ -45,15 +53,23 @@ impl Run<'_> {
             (Some(turn), _) => turn,
             (None, Some(turn)) => {
                 self.report(
-                    Diagnostic::new(codes::K2103, self.here.origin.loc, format!("{function} without DR turns as the arc before"))
-                        .help("write DR+ or DR-"),
+                    Diagnostic::new(
+                        codes::K2103,
+                        self.here.origin.loc,
+                        format!("{function} without DR turns as the arc before"),
+                    )
+                    .help("write DR+ or DR-"),
                 );
                 turn
             }
             (None, None) => {
                 self.report(
-                    Diagnostic::new(codes::K2104, self.here.origin.loc, format!("{function} without DR, and no arc before it"))
-                        .help("write DR+ for counter-clockwise or DR- for clockwise"),
+                    Diagnostic::new(
+                        codes::K2104,
+                        self.here.origin.loc,
+                        format!("{function} without DR, and no arc before it"),
+                    )
+                    .help("write DR+ for counter-clockwise or DR- for clockwise"),
                 );
                 return Err(Reported);
             }
@@ -123,7 +139,12 @@ impl Run<'_> {
 
     pub(super) fn circle_by_radius(&mut self, w: &Words) -> Outcome {
         let Some(radius) = w.radius.filter(|r| *r != 0.0) else {
-            return self.fail_help(codes::K1006, self.block_span(), "CR needs a radius that is not zero", "write R+20 or R-20");
+            return self.fail_help(
+                codes::K1006,
+                self.block_span(),
+                "CR needs a radius that is not zero",
+                "write R+20 or R-20",
+            );
         };
         let ccw = self.turn(w, "CR")?;
         let plane = self.st.plane();

@@ -117,7 +117,8 @@ impl Run<'_> {
     pub(super) fn end_of_file(&mut self) {
         let place = self.program().cursor.place();
         let file = self.program().file;
-        let loc = Loc { file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at.saturating_sub(1), 1) };
+        let loc =
+            Loc { file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at.saturating_sub(1), 1) };
         self.here.origin.loc = loc;
         if self.cycles.is_open() {
             self.finish_cycle();
@@ -141,7 +142,8 @@ impl Run<'_> {
         let place = program.cursor.place();
         let found = loop {
             match program.cursor.next(sources) {
-                Ok(Next::Block(block)) if block.text.iter().all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x1a)) => {}
+                Ok(Next::Block(block))
+                    if block.text.iter().all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x1a)) => {}
                 Ok(Next::Block(block)) => {
                     break Some(Loc { file, line: block.line, span: Span::at(block.at, block.text.len() as u32) });
                 }
@@ -152,7 +154,11 @@ impl Run<'_> {
             program.cursor.resume(place);
         }
         if let Some(loc) = found {
-            self.report(Diagnostic::new(codes::K1012, loc, "this stands behind END PGM and is not part of the program"));
+            self.report(Diagnostic::new(
+                codes::K1012,
+                loc,
+                "this stands behind END PGM and is not part of the program",
+            ));
         }
     }
 
@@ -289,9 +295,12 @@ impl Run<'_> {
         let call_site = self.here.origin.loc;
         let kind = LevelKind::Subprogram { label_at: place.at, call_site };
         let program = self.level().program;
-        let running = self.levels.iter().rev().take_while(|level| level.program == program).any(
-            |level| matches!(level.kind, LevelKind::Subprogram { label_at, .. } if label_at == place.at),
-        );
+        let running = self
+            .levels
+            .iter()
+            .rev()
+            .take_while(|level| level.program == program)
+            .any(|level| matches!(level.kind, LevelKind::Subprogram { label_at, .. } if label_at == place.at));
         if running {
             self.error(codes::K2204, format!("{label} calls itself"));
             self.ended = true;
@@ -353,8 +362,12 @@ impl Run<'_> {
             let end = self.program().labels.as_ref().and_then(|labels| labels.zero_after(label_at));
             if place.at < label_at || end.is_some_and(|end| place.at > end) {
                 self.report(
-                    Diagnostic::new(codes::K2207, self.here.origin.loc, format!("the jump to {label} leaves the subprogram"))
-                        .help("leave a subprogram by its LBL 0"),
+                    Diagnostic::new(
+                        codes::K2207,
+                        self.here.origin.loc,
+                        format!("the jump to {label} leaves the subprogram"),
+                    )
+                    .help("leave a subprogram by its LBL 0"),
                 );
             }
         }
@@ -379,7 +392,9 @@ impl Run<'_> {
     /// Nesting the control allows, and the configured limit.
     fn check_depth(&mut self, kind: LevelKind) -> Outcome {
         let old = self.job.settings.control.klartext == Generation::Tnc426;
-        let same = |level: &&Level| matches!(level.kind, LevelKind::Program { .. }) == matches!(kind, LevelKind::Program { .. });
+        let same = |level: &&Level| {
+            matches!(level.kind, LevelKind::Program { .. }) == matches!(kind, LevelKind::Program { .. })
+        };
         let depth = self.levels[1..].iter().filter(same).count() + 1;
         let (what, most) = match kind {
             LevelKind::Program { .. } => ("programs", if old { 6 } else { 19 }),

@@ -254,7 +254,10 @@ impl Run<'_> {
             Nature::Pattern => {
                 let what = name(open.number).unwrap_or_default();
                 if self.cycles.defined.is_none() {
-                    self.error(codes::K2401, format!("cycle {} {what} runs a machining cycle, and none is defined", open.number));
+                    self.error(
+                        codes::K2401,
+                        format!("cycle {} {what} runs a machining cycle, and none is defined", open.number),
+                    );
                 } else {
                     self.error(codes::K9001, format!("cycle {} {what} is not supported yet", open.number));
                 }

@@ -136,7 +136,9 @@ impl Run<'_> {
                 format!("the {what} of tool {} is not known", tool.called),
                 &format!("add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block", tool.called),
             ),
-            None => self.fail_help(code, span, format!("no tool is called, so it has no {what}"), "program TOOL CALL first"),
+            None => {
+                self.fail_help(code, span, format!("no tool is called, so it has no {what}"), "program TOOL CALL first")
+            }
         }
     }
 
@@ -178,8 +180,12 @@ impl Run<'_> {
                 Op::DoubtfulPower(span) => {
                     if generation < Generation::Tnc7 {
                         self.report(
-                            Diagnostic::new(codes::K2306, self.loc(span), "older controls may compute this power differently")
-                                .help("write brackets"),
+                            Diagnostic::new(
+                                codes::K2306,
+                                self.loc(span),
+                                "older controls may compute this power differently",
+                            )
+                            .help("write brackets"),
                         );
                     }
                     continue;

@@ -51,7 +51,9 @@ enum Act {
     CoolantOff,
     Stop,
     OptionalStop,
-    ProgramEnd { rewind: bool },
+    ProgramEnd {
+        rewind: bool,
+    },
     ToolChange,
     Orient,
     /// Handled where the block moves: M89, M91, M99.
@@ -182,9 +184,11 @@ impl Run<'_> {
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
-                        self.job.diags.push_once(
-                            Diagnostic::new(codes::K2706, self.loc(m.span), format!("M{} is printed before the move", m.number)),
-                        );
+                        self.job.diags.push_once(Diagnostic::new(
+                            codes::K2706,
+                            self.loc(m.span),
+                            format!("M{} is printed before the move", m.number),
+                        ));
                     }
                     self.function(Function::Aux(m.number));
                 }
@@ -234,7 +238,11 @@ impl Run<'_> {
             Act::ShortWay(on) => self.st.short_way = on,
             Act::PerRevolution(on) => {
                 if on && self.level().unit == Unit::Inch {
-                    return self.fail(codes::K9008, m.span, "the unit of F under M136 in an INCH program is not documented");
+                    return self.fail(
+                        codes::K9008,
+                        m.span,
+                        "the unit of F under M136 in an INCH program is not documented",
+                    );
                 }
                 if self.st.per_revolution != on {
                     self.st.feed = None;
@@ -244,7 +252,8 @@ impl Run<'_> {
             Act::ModuloRotary => self.reduce_rotary(m.args.axes),
             Act::Retract => return self.retract(m),
             Act::Note | Act::CompensationOnly => {
-                let found = Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
+                let found =
+                    Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
                 self.report(found);
             }
             Act::Block | Act::Nothing | Act::Refused => {}
@@ -271,9 +280,11 @@ impl Run<'_> {
     /// M0: program stop, spindle stop, coolant off.
     fn stop_all(&mut self) {
         if self.st.spindle.is_some() || self.st.coolant {
-            self.job.diags.push_once(
-                Diagnostic::new(codes::K2708, self.here.origin.loc, "M0 also stops the spindle and the coolant"),
-            );
+            self.job.diags.push_once(Diagnostic::new(
+                codes::K2708,
+                self.here.origin.loc,
+                "M0 also stops the spindle and the coolant",
+            ));
         }
         if self.st.spindle.is_some() {
             self.stop_spindle();
@@ -320,7 +331,9 @@ fn refusal(number: u32) -> (&'static str, &'static str) {
         92 => ("counts from a position that the machine builder sets", "program workpiece coordinates, or M91"),
         93 | 95 | 96 => ("is an approach function of old controls", "program the approach as blocks"),
         104 => ("sets the workpiece datum back", "select the datum with cycle 247"),
-        114 | 128 | 144 => ("makes the control follow the tool tip with the rotary axes", "use 3-axis output of the CAM system"),
+        114 | 128 | 144 => {
+            ("makes the control follow the tool tip with the rotary axes", "use 3-axis output of the CAM system")
+        }
         _ => ("resets functions that partc cannot know of", "reset them one by one"),
     }
 }

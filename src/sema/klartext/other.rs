@@ -34,8 +34,12 @@ impl Run<'_> {
                     && [x, y, z].iter().zip(&min).any(|(max, min)| max <= min)
                 {
                     self.report(
-                        Diagnostic::new(codes::K2508, self.here.origin.loc, "the MAX point does not lie above the MIN point")
-                            .help("the control refuses this blank; the path does not depend on it"),
+                        Diagnostic::new(
+                            codes::K2508,
+                            self.here.origin.loc,
+                            "the MAX point does not lie above the MIN point",
+                        )
+                        .help("the control refuses this blank; the path does not depend on it"),
                     );
                 }
             }
@@ -86,7 +90,9 @@ impl Run<'_> {
     /// A statement that is known by name only.
     pub(super) fn refused(&mut self, what: Refused) -> Outcome {
         match what {
-            Refused::Plane => self.refuse_motion(codes::K9004, "the tilted working plane cannot be compiled for three axes"),
+            Refused::Plane => {
+                self.refuse_motion(codes::K9004, "the tilted working plane cannot be compiled for three axes")
+            }
             Refused::TouchProbe => self.refuse_motion(codes::K9005, "touch probe cycles run only at the machine"),
             Refused::Pattern => {
                 self.error(codes::K9010, "point patterns are not supported yet");

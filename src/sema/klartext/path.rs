@@ -407,8 +407,7 @@ impl Run<'_> {
             FeedWord::PerRevolution(f) if f > 0.0 => Feed::PerRevolution(f),
             _ => return self.fail(codes::O1001, w.feed_span, "the feed of a corner is a number above zero"),
         };
-        let shape =
-            if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
+        let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         self.m_at_start(&w, true)?;
         self.out.corner(&Corner { shape, feed }, &self.st.ctx, &self.here.origin);
         self.st.polar = None;

@@ -30,7 +30,12 @@ impl Run<'_> {
     }
 
     /// A missing polar word: the same as the position, or the last programmed one.
-    pub(super) fn inherited_polar(&mut self, w: &Words, pole: &PoleState, start: (f64, Option<Deg>)) -> (f64, Option<Deg>) {
+    pub(super) fn inherited_polar(
+        &mut self,
+        w: &Words,
+        pole: &PoleState,
+        start: (f64, Option<Deg>),
+    ) -> (f64, Option<Deg>) {
         let plain = |word: Option<(f64, bool)>| matches!(word, Some((_, false)));
         let complete = plain(w.polar_radius) && plain(w.polar_angle);
         let follows = self.st.polar.is_some_and(|last| last.pole == pole.at && last.plane == pole.plane);
@@ -218,7 +223,11 @@ impl Run<'_> {
                 let plane = self.st.plane();
                 let (first, second, _) = plane.axes();
                 if a != first && a != second {
-                    return self.fail(codes::K1005, w.axes_span, "this axis is not in the working plane: write both axes");
+                    return self.fail(
+                        codes::K1005,
+                        w.axes_span,
+                        "this axis is not in the working plane: write both axes",
+                    );
                 }
                 plane
             }
@@ -226,8 +235,12 @@ impl Run<'_> {
         };
         if axes.len() == 1 {
             self.report(
-                Diagnostic::new(codes::K2102, self.loc(span), "CC with one coordinate: the other one is taken from the position")
-                    .help("write both coordinates"),
+                Diagnostic::new(
+                    codes::K2102,
+                    self.loc(span),
+                    "CC with one coordinate: the other one is taken from the position",
+                )
+                .help("write both coordinates"),
             );
         }
         let written = self.absolute(w)?;

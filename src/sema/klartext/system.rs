@@ -43,7 +43,9 @@ impl Run<'_> {
                 (b"ID", Some(n)) => request.id = n,
                 (b"NR", Some(n)) => request.nr = n,
                 (b"IDX", _) => request.idx = Some(n),
-                _ => return self.fail(codes::K1001, value.span, "SYSREAD takes whole numbers behind ID and NR, and IDX"),
+                _ => {
+                    return self.fail(codes::K1001, value.span, "SYSREAD takes whole numbers behind ID and NR, and IDX");
+                }
             }
         }
         Ok(request)
@@ -81,7 +83,9 @@ impl Run<'_> {
                 }
             }),
             (210, 2) => Some(t.angle.0),
-            (210, 3) => Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum()),
+            (210, 3) => {
+                Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum())
+            }
             (210, 4) => index.map(|n| t.scale * t.axis_scale.get(n - 1).copied().unwrap_or(1.0)),
             (210, 5) => index.filter(|n| *n <= 3).map(|_| 0.0),
             (210, 6) => Some(0.0),

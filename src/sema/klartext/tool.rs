@@ -100,7 +100,10 @@ impl Run<'_> {
             );
             self.st.side = Side::None;
         }
-        if call.axis.is_none() && self.st.tool_axis.is_none() && tool.as_ref().is_some_and(|t| *t != Named::Number(0, 0)) {
+        if call.axis.is_none()
+            && self.st.tool_axis.is_none()
+            && tool.as_ref().is_some_and(|t| *t != Named::Number(0, 0))
+        {
             return self.fail_help(
                 codes::K2004,
                 block.span,
@@ -217,8 +220,12 @@ impl Run<'_> {
         tool.call_deltas = new;
         if dropped {
             self.report(
-                Diagnostic::new(codes::K2009, here, "this TOOL CALL does not repeat the oversizes in force, so they end")
-                    .help("write DL, DR and DR2 again if they are to stay"),
+                Diagnostic::new(
+                    codes::K2009,
+                    here,
+                    "this TOOL CALL does not repeat the oversizes in force, so they end",
+                )
+                .help("write DL, DR and DR2 again if they are to stay"),
             );
         }
         self.send_cutter();

@@ -209,7 +209,9 @@ impl Run<'_> {
             Addr::CompLeft if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Left), word.span)?,
             Addr::CompRight if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Right), word.span)?,
             Addr::ParaxialPlus if admits.has(Admits::PARAXIAL) => self.comp_word(w, Comp::Paraxial(true), word.span)?,
-            Addr::ParaxialMinus if admits.has(Admits::PARAXIAL) => self.comp_word(w, Comp::Paraxial(false), word.span)?,
+            Addr::ParaxialMinus if admits.has(Admits::PARAXIAL) => {
+                self.comp_word(w, Comp::Paraxial(false), word.span)?
+            }
             Addr::TurnPlus | Addr::TurnMinus if admits.has(Admits::TURN) => {
                 if w.turn.replace(word.addr == Addr::TurnPlus).is_some() {
                     return self.twice(word.span);
@@ -275,7 +277,9 @@ impl Run<'_> {
         let help = match (word.addr, head) {
             (Addr::Axis { .. }, "CP") => "CP takes the angle PA or IPA, and the axes outside the plane",
             (Addr::PolarRadius { .. }, "CP") => "the radius of CP is the distance from the pole",
-            (Addr::Radius { .. }, "L" | "C" | "CT" | "LP" | "CP" | "CTP") => "only CR takes a radius; compensation is R0, RL or RR",
+            (Addr::Radius { .. }, "L" | "C" | "CT" | "LP" | "CP" | "CTP") => {
+                "only CR takes a radius; compensation is R0, RL or RR"
+            }
             _ => "remove the word, or put it into a block where it belongs",
         };
         let block = if head.is_empty() { "this block".to_owned() } else { format!("a {head} block") };
@@ -296,7 +300,9 @@ impl Run<'_> {
         let mut at = 0;
         while let Some(&word) = words.get(at) {
             match word.addr {
-                Addr::Feed if takes.feed && args.feed.is_none() => args.feed = Some(self.number(word.value, word.span)?),
+                Addr::Feed if takes.feed && args.feed.is_none() => {
+                    args.feed = Some(self.number(word.value, word.span)?)
+                }
                 Addr::FeedMax if takes.retract && args.given => args.feed_max = true,
                 Addr::Axis { axis, .. } if takes.axes => {
                     args.axes.insert(axis);
@@ -317,7 +323,9 @@ impl Run<'_> {
                             at += 1;
                         }
                         Some(next) if next.addr == Addr::Name && takes.retract => {}
-                        _ => return self.fail(codes::K2707, word.span, format!("`{name}` of M{number} lacks its value")),
+                        _ => {
+                            return self.fail(codes::K2707, word.span, format!("`{name}` of M{number} lacks its value"));
+                        }
                     }
                 }
                 _ => break,
@@ -344,9 +352,13 @@ impl Run<'_> {
                 }
                 if mfunc::conflict(a.number, b.number) {
                     self.report(
-                        Diagnostic::new(codes::K1014, self.loc(b.span), format!("M{} contradicts M{}", b.number, a.number))
-                            .also(self.loc(a.span), "the other one")
-                            .help("keep one of them, or put them into two blocks"),
+                        Diagnostic::new(
+                            codes::K1014,
+                            self.loc(b.span),
+                            format!("M{} contradicts M{}", b.number, a.number),
+                        )
+                        .also(self.loc(a.span), "the other one")
+                        .help("keep one of them, or put them into two blocks"),
                     );
                     return Err(super::Reported);
                 }
