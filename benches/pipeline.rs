@@ -64,10 +64,7 @@ fn compile_formulas(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(BLOCKS)).bench(|| compile(&text));
 }
 
-fn parse_all(
-    text: &str,
-    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::problem::Problem>),
-) -> usize {
+fn parse_all(text: &str, parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::problem::Problem>)) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {
         parse(line, &mut block, &mut problems);

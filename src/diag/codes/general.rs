@@ -7,7 +7,8 @@ P0001 Error "utf16-file" "file is UTF-16"
 Save the program as UTF-8 or Windows-1252 and compile again."
 
 P0002 Error "file-too-large" "file is over 4 GiB"
-"Places in a program are counted in 32 bits, so one file holds at most 4 GiB. Split the program and call the parts."
+"Places in a program are counted in 32 bits, so one file holds at most 4 GiB. Nothing is written. Split the program and call the \
+parts from a short one with `CALL PGM`."
 
 P0003 Error "block-too-long" "block is over 1 MiB"
 "No control accepts a block of this length; the file is damaged or is no part program. The block is left out, so no output is written."
@@ -31,10 +32,12 @@ P0104 Error "include-root-missing" "no include root for this drive or folder of 
 `[include] roots = { \"TNC:\" = \"programs\" }`."
 
 P0105 Error "file-unreadable" "called program could not be read"
-"The operating system refused to read the file. Check that it exists, is a file, and may be read."
+"The operating system refused to read the file, so what it would do is not known and nothing is written. Check that it exists, is a \
+file and not a folder, and may be read."
 
 P0106 Error "too-many-files" "program calls more than 1000 different files"
-"A run opens at most 1000 files. A program that calls more is most likely calling names made up by a loop."
+"A run opens at most 1000 files. A program that calls more is most likely calling names that a loop makes up. Join programs, or call \
+the same ones again: each counts once."
 
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks (10 million by default). \
@@ -42,7 +45,8 @@ Most often a loop never ends: the condition of its jump is always true. The mess
 If the program really is that long, raise the limit."
 
 P4002 Error "output-limit" "program makes too many output blocks"
-"The output reached `[limits] output_blocks` (50 million by default). Check the loop that the message names, or raise the limit."
+"The output reached `[limits] output_blocks` (50 million by default), so it was given up: most often a loop runs too many times, or \
+never ends. Check the loops and repeats around the marked block, or raise the limit."
 
 P4003 Error "call-depth" "calls are nested too deep"
 "Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \

@@ -7,20 +7,24 @@ G3001 Error "arc-end-off-circle" "end point does not lie on the circle"
 (0.016 mm on HEIDENHAIN controls). The difference is larger, so start, centre or end is wrong."
 
 G3002 Error "radius-too-small" "radius is too small for the distance"
-"An arc by radius reaches at most two radii far. Start and end lie further apart. Check radius and end point; a sign or a decimal point may be lost."
+"An arc by radius reaches at most two radii far, and start and end lie further apart. The control stops here. Check radius and end \
+point; a sign or a decimal point may be lost."
 
 G3003 Error "radius-full-circle" "arc by radius ends where it starts"
-"From a radius alone the centre of a full circle cannot be known. Program the centre, or two half circles."
+"From a radius alone the centre of a full circle cannot be known: every circle through the point would fit. HEIDENHAIN controls \
+refuse the block, too. Program the centre (`CC`, `C`), or two half circles."
 
 G3004 Error "tangent-missing" "no element to be tangent to"
 "A tangential arc continues the direction of the contour element before it. Here none stands before it that moves in the plane of the arc, \
 or the coordinate system changed in between."
 
 G3005 Error "tangent-behind" "tangential arc cannot reach its end"
-"The end point lies exactly behind the start, seen in the direction of travel: no circle touches that direction and passes through the point."
+"The end point lies exactly behind the start, seen in the direction of travel: no circle touches that direction and passes through \
+the point. Check the end point, or put a line in between."
 
 G3006 Warning "tangent-straight" "tangential arc is a straight line"
-"The end point lies exactly ahead, so the arc degenerates to a line, which is printed. Program a line if that is meant."
+"The end point lies exactly ahead, so the arc degenerates to a line, which is printed. The path is right if a line is meant; then \
+program a line. Otherwise check the end point."
 
 G3007 Error "corner-neighbour" "chamfer or rounding has no neighbour"
 "A chamfer or rounding is put between two contour elements that both move in the working plane. Here one of them is missing: \
@@ -31,38 +35,50 @@ G3008 Error "corner-too-large" "chamfer or rounding does not fit"
 Where a short element has a corner at both ends, both have to fit on it."
 
 G3009 Warning "corner-straight" "nothing to round or chamfer"
-"The elements before and after continue in the same direction, so there is no corner. Nothing is inserted."
+"The elements before and after continue in the same direction, so there is no corner. Nothing is inserted, and the path is the one \
+without the block. Check whether the right corner was meant, else delete the block."
 
 G3010 Error "chamfer-at-arc" "chamfer next to an arc"
-"A chamfer is defined between two straight lines only: on an arc there is no length along which to cut off the corner."
+"A chamfer is defined between two straight lines only: on an arc there is no length along which to cut off the corner. Program a \
+rounding, or a line with both its end points."
 
 G3011 Error "arc-scaled-unevenly" "arc under unequal scaling"
-"Scaling with different factors in the two axes of the plane turns a circle into an ellipse, which controls refuse and plain G-code cannot say."
+"Scaling with different factors in the two axes of the plane turns a circle into an ellipse, which controls refuse and plain G-code \
+cannot say. Give both axes the same factor, or program the contour in its final size."
 
 G3012 Error "arc-out-of-plane" "arc is turned out of the main planes"
-"After rotation the arc no longer lies in XY, ZX or YZ. Plain G-code has arcs in these planes only."
+"After the rotation the arc no longer lies in XY, ZX or YZ, for example an arc in ZX under a rotation in XY. Plain G-code has arcs in \
+these planes only. Reset the rotation before the arc, or have the CAM system put out lines."
 
 G3013 Note "center-adjusted" "arc centres were adjusted"
 "Start and end of some arcs have slightly different distances from their programmed centre, within the tolerance of the control. \
 Controls that check more strictly would refuse them. The centre was moved to the nearest point that fits both; \
 start and end are as programmed. The largest shift is stated."
 
-G3014 Error "arc-without-radius" "arc of radius zero"
-"Start, end and centre of the arc coincide. Check the circle centre."
+G3014 Error "arc-without-radius" "centre of the arc lies on its start or end"
+"The centre of the arc lies on its start or on its end, so the arc has no radius. Most often the circle centre was taken over from \
+another place, or the tool stands on the centre when the arc begins. Check the circle centre and the position in front of the arc."
 
 G3015 Error "axis-unknown-in-frame" "position of the other axis is not known"
-"Under a rotation one programmed axis moves two machine axes. The position of the second one is not known yet. Program both axes once."
+"Under a rotation one programmed axis moves two machine axes. Where the other one stands was not programmed yet, so the target cannot \
+be computed. Program both axes of the plane once, in the first block under the rotation."
 
 G3016 Error "corner-plane" "corner between elements of different planes"
-"The elements before and after a chamfer or rounding lie in different planes. There is no common corner."
+"The elements before and after a chamfer or rounding lie in different planes, for example an arc in ZX and a line in XY. They have no \
+common corner. Program the transition as elements of its own."
 
 G3017 Error "corner-reversal" "contour turns back on itself"
-"The contour goes back the way it came. No radius or chamfer fits between the two directions."
+"The contour goes back the way it came. No radius or chamfer fits between the two directions. Most often an end point is wrong, or \
+the corner block stands in the wrong place."
 
 G3018 Error "travel-limit" "position is beyond the travel limits"
-"A coordinate lies outside `[machine] limits`. The output is not written."
+"A coordinate lies outside `[machine] limits` of partc.toml; for arcs the bulge counts, too. The machine would stop at the limit \
+switch, or refuse the program. Nothing is written: check the datum and the program, or the limits. Coordinates are compared as they \
+are printed, without work offsets."
 
 G3019 Error "corner-frame" "coordinate system changes inside a corner"
-"A datum shift, rotation, mirror or scaling is programmed between a chamfer or rounding and the element that follows it. The corner is undetermined."
+"A datum shift, rotation, mirror or scaling is programmed between a chamfer or rounding and the element that follows it. The two \
+elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
+the next element."
 
 }

@@ -19,47 +19,56 @@ K1001 Error "klartext-syntax" "block cannot be read"
 Compare the block with the form the help line shows."
 
 K1002 Error "klartext-statement" "unknown statement"
-"The block starts with a word that begins no Klartext block. Check the spelling; a comment starts with `;`."
+"The block starts with a word that begins no Klartext block, so nothing of it is used. Check the spelling. A remark starts with `;`; \
+a block of another language (DIN/ISO, another control) has to be converted."
 
 K1003 Warning "keyword-misspelled" "keyword is misspelled but clear"
 "The word is not spelled as the control writes it, for instance `CYCLE DEF` for `CYCL DEF`. \
 There is only one reading, and that is compiled; a control would refuse the block."
 
 K1004 Error "word-twice" "same word twice in one block"
-"An address may stand once in a block, absolute or incremental. Which of the two the programmer meant cannot be guessed."
+"An address may stand once in a block, absolute or incremental: `X+10 IX+5` counts as twice. Which of the two the programmer meant \
+cannot be guessed, and the control refuses the block. Remove one."
 
 K1005 Error "word-not-allowed" "word has no place in this block"
 "The word exists in Klartext, but not in a block of this kind, so the control would refuse the block or ignore the word. \
 partc never drops a word: remove it, or put it where it belongs."
 
 K1006 Error "word-missing" "block lacks a word"
-"A word without which the block has no meaning is missing, for example the radius of `CR` or the value behind an axis letter."
+"A word without which the block has no meaning is missing, for example the radius of `CR` or the value behind an axis letter. The \
+control would ask for it in its dialogue. Add the word."
 
 K1007 Error "unit-missing" "BEGIN PGM states neither MM nor INCH"
-"The unit decides every length of the program. The control writes it behind the name: `BEGIN PGM PART MM`. Add it."
+"The unit decides every length of the program: the difference is a factor of 25.4, and it cannot be guessed. The control writes it \
+behind the name: `BEGIN PGM PART MM`. Add it."
 
 K1008 Warning "no-program-head" "file has no BEGIN PGM block"
 "The file is a fragment. A control takes the unit from `BEGIN PGM … MM` or `INCH`; partc uses the one in `[control] unit` of \
 partc.toml, or millimetres when that is not set. Setting it silences this warning."
 
 K1009 Error "program-unit-mismatch" "BEGIN PGM and END PGM state different units"
-"The head says one unit, the end another. The control refuses to load such a file, and which one is right cannot be guessed."
+"The head says one unit, the end another. The control refuses to load such a file, and which one is right cannot be guessed: the \
+difference is a factor of 25.4. Correct the wrong one."
 
 K1010 Warning "program-name-mismatch" "BEGIN PGM and END PGM name different programs"
-"A control checks that both names are the same when it loads the file. The names have no influence on the path."
+"A control checks that both names are the same when it loads the file. The names have no influence on the path. Most often the file \
+was copied and only one end was renamed."
 
 K1011 Error "no-program-end" "file ends without END PGM"
 "The program has a head but no `END PGM` block: most likely the file was cut off in transfer, and the end of the path is missing. \
 If the program is complete, add the block."
 
 K1012 Warning "text-after-end" "blocks after END PGM are not part of the program"
-"The control ignores what follows END PGM. Delete it, or move the END PGM block to the end."
+"The control ignores what follows END PGM, and so does partc. If the blocks belong to the program, move the END PGM block behind \
+them; otherwise delete them."
 
 K1013 Error "second-program-head" "BEGIN PGM inside a program"
-"A file holds one program. A second head means that two files were joined; compile them one by one."
+"A file holds one program. A second head means that two files were joined: on the machine the second one would never load this way. \
+Put each program into a file of its own."
 
 K1014 Error "m-functions-conflict" "M functions of one block contradict each other"
-"For example M3 with M4, or M8 with M9 in one block. Which one acts last is not defined. Keep one."
+"For example M3 with M4, or M8 with M9 in one block. Which one acts last is not defined, so the spindle might turn the wrong way. \
+Keep one, or put them into two blocks."
 
 K2001 Error "position-unknown" "position of an axis is not known here"
 "The block needs the position from which it starts: for an incremental word, an arc, a chamfer or a polar word. No block before gave this axis \
@@ -78,14 +87,16 @@ K2004 Error "tool-axis-missing" "first TOOL CALL has no tool axis"
 "The tool axis (Z, Y or X) decides the working plane: which axes a pole, an arc and an angle refer to. Write it behind the tool number: `TOOL CALL 5 Z S2500`."
 
 K2005 Error "tool-name-unknown" "tool name has no number"
-"The output needs a tool number. Say which one belongs to the name in partc.toml: `[tools.\"MILL_D10\"]` with `number = 7`."
+"The program calls a tool by its name, and the output needs a number. Say which one belongs to the name in partc.toml: \
+`[tools.\"MILL_D10\"]` with `number = 7`, or name a tool table that holds it."
 
 K2006 Error "tool-index" "indexed tool needs a number of its own"
 "`TOOL CALL 5.2` is the second set of data of tool 5. The output has only whole numbers: give the index one in partc.toml, \
 `[tools.\"5.2\"]` with `number = 52`."
 
 K2007 Warning "tool-not-in-table" "tool is not in the tool table"
-"The configured tool table has no such tool, so nothing is known about its radius. A control with this table would stop."
+"The configured tool table has no such tool, so nothing is known about its radius and length. A control with this table would stop. \
+Check the number, or add the tool to the table. The change is printed as programmed."
 
 K2008 Error "tool-radius-unknown" "radius of the tool is not known"
 "The block needs the tool radius. Put a `TOOL DEF` with R into the program, name the tool table under `[tools] table`, or add \
@@ -96,14 +107,16 @@ K2009 Warning "oversize-dropped" "TOOL CALL without DL/DR ends the oversizes in 
 (the manuals are not explicit here). Repeat DL and DR if they are to stay."
 
 K2010 Error "tool-number" "tool number is not one a control knows"
-"Tool numbers are whole, from 0 to 32767, with an optional index behind a point."
+"Tool numbers are whole, from 0 to 32767, with an optional index behind a point (`5.2`). Check the number, or the parameter it comes \
+from."
 
 K2011 Note "length-oversize" "length oversize DL is part of the printed coordinates"
 "The control adds DL to the length of the tool, which lifts or lowers every cut by that amount. The output has no such word, \
 so partc adds it to the coordinates of the tool axis. Blocks in machine coordinates (M91) are not changed."
 
 K2012 Error "tool-length-unknown" "length of the tool is not known"
-"The block reads the tool length (Q114 or SYSREAD). Put `TOOL DEF` with L into the program, or the length into the tool table."
+"The block reads the tool length (Q114 or SYSREAD), and neither the program nor the configuration gives it. Put `TOOL DEF` with L \
+into the program, or the length into the tool table or `[tools.5]` of partc.toml."
 
 K2101 Error "pole-missing" "no circle centre or pole in force"
 "C, CP, LP and CTP refer to the last CC block, and there is none before this block that is still valid. Program `CC X… Y…` first."
@@ -113,17 +126,20 @@ K2102 Warning "pole-incomplete" "CC block with one coordinate"
 `[control] cc_missing = \"previous\"` takes the one of the CC before. Write both to be sure."
 
 K2103 Warning "turn-missing" "arc without DR turns as the last one did"
-"DR is missing, so the direction of the last arc holds. Write DR+ or DR- to be sure."
+"DR is missing, so the direction of the last arc holds, as on the control. That arc may stand far above, or in a subprogram. Write \
+DR+ (counter-clockwise) or DR- to be sure."
 
 K2104 Error "turn-unknown" "arc without DR, and no arc before it"
-"The direction of rotation is missing and no earlier arc gives one. Write DR+ (counter-clockwise) or DR-."
+"The direction of rotation is missing and no earlier arc gives one. The control stops here. Write DR+ (counter-clockwise) or DR- \
+(clockwise)."
 
 K2105 Error "polar-arc-sign" "signs of IPA and DR contradict each other"
 "In a CP block the sign of the incremental angle must agree with DR. Older and newer controls differ in what they do otherwise, \
 so the block is refused. With `[control] cp_sign = \"dr\"` DR wins and the angle is reduced to one turn."
 
 K2106 Warning "polar-angle-range" "absolute angle beyond 360 degrees"
-"PA of a CP block names a direction; partc reduces it to one turn. A helix of several turns is programmed with IPA."
+"PA of a CP block names a direction, so partc reduces it to one turn; the manuals do not say whether an older control would add \
+turns. A helix of several turns is programmed with IPA."
 
 K2107 Warning "polar-inherited" "missing polar word is taken from the position"
 "PR or PA is missing and the block before was not a polar block about the same pole. partc computes the missing one from the position; \
@@ -134,22 +150,28 @@ K2108 Warning "pole-moved" "pole was set before the coordinate system changed"
 the manuals do not say. Program CC again to be sure."
 
 K2109 Error "arc-without-end" "arc names no end"
-"The block has neither an end point nor an angle, so the arc is undetermined."
+"The block has neither an end point nor an angle, so the arc is undetermined. Write the end point in the working plane (C, CR, CT), \
+PR or PA (LP, CTP), or PA or IPA (CP). A full circle is `C` with the start point as its end."
 
 K2110 Error "polar-angle-undefined" "angle is undefined on the pole"
-"The tool stands on the pole, where every angle fits, and the block does not say PA. Write the angle."
+"The tool stands on the pole, where every angle fits, and the block does not say PA, or says it as an increment. Write the angle as \
+PA."
 
 K2201 Error "label-twice" "label is set twice"
-"A label may be set once in a program. Which one a call means cannot be guessed."
+"A label may be set once in a program; only LBL 0 may stand any number of times. Which of the two a call means cannot be guessed, and \
+the control refuses it. Give one of them another number or name."
 
 K2202 Error "label-missing" "label does not exist"
-"A call or jump names a label that the program does not set. Labels belong to their file."
+"A call or jump names a label that the program does not set. Labels belong to their file: one of a called program cannot be reached \
+from here. Check the number, or the spelling of the name."
 
 K2203 Error "label-zero-missing" "subprogram has no LBL 0"
-"A subprogram called by CALL LBL runs to the next LBL 0; here the program ends first."
+"A subprogram called by CALL LBL runs to the next LBL 0; here the program ends first, so the control would not find its way back to \
+the call. Put LBL 0 behind the last block of the subprogram."
 
 K2204 Error "recursive-call" "subprogram or program calls itself"
-"HEIDENHAIN controls do not allow a subprogram or a program to be called while it runs, and the call would never end."
+"HEIDENHAIN controls do not allow a subprogram or a program to be called while it runs, and the call would never end. Repeat with \
+`CALL LBL n REP` or a conditional jump instead."
 
 K2205 Error "repeat-count" "number of repeats is not usable"
 "REP takes a whole number from 0 to 65534. What the control makes of a broken one is not documented: round the parameter with INT first."
@@ -181,37 +203,43 @@ K2302 Warning "parameter-zero" "undefined Q parameter is read as 0"
 give the value in `[variables]` of partc.toml."
 
 K2303 Error "parameter-arithmetic" "computation has no result"
-"Division by zero, root of a negative number, arc sine beyond 1, logarithm of zero or a result over 1e10: the control stops here."
+"Division by zero, root of a negative number, arc sine beyond 1, logarithm of zero or a result over 1e10: the control stops here. \
+Look where the parameters of the block get their values, and test them before."
 
 K2304 Error "parameter-from-machine" "value is known only at the machine"
 "The parameter holds something that the control measures or knows at run time. partc does not make up a value: \
 give it in `[variables]` of partc.toml if it is always the same."
 
 K2305 Warning "parameter-of-control" "parameter belongs to the control"
-"Q100 to Q199 are set by the control. What a program writes there may be overwritten at any time."
+"Q100 to Q199 are set by the control, for example Q108 with the tool radius. What a program writes there may be overwritten at any \
+time. Use Q0 to Q99."
 
 K2306 Warning "formula-precedence" "formula that controls may read differently"
 "`-a^b` and `a^b^c` are computed as the TNC7 manual defines: the sign first, chained powers from right to left. \
 For older controls no rule is printed. Write brackets."
 
 K2307 Error "parameter-kind" "text and number are mixed up"
-"A string parameter (QS) stands where a number is needed, or the other way round."
+"A string parameter (QS) stands where a number is needed, or a number where a text is needed. TONUMB turns a text into a number, \
+TOCHAR a number into a text."
 
 K2308 Error "parameter-number" "no such parameter"
-"Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist."
+"Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist. The control refuses any other number. Most often a digit is too \
+many, or the blank behind the number is missing."
 
 K2309 Error "program-error-stop" "program stops with its own error"
 "The block FN 14 makes the control stop with an error text. The program itself says that something is wrong with its parameters; \
 look at the condition in front of it."
 
 K2401 Error "cycle-not-defined" "cycle call without a cycle"
-"CYCL CALL, M99 and M89 run the machining cycle defined last, and there is none."
+"CYCL CALL, M99, M89 and the pattern cycles 220 and 221 run the machining cycle defined last, and there is none. Put CYCL DEF in \
+front, or remove the call: the control stops here."
 
 K2402 Error "cycle-incomplete" "cycle definition lacks a part"
 "A dotted cycle needs all its sub-blocks, in order and directly one after the other; a cycle with Q parameters needs their values."
 
 K2403 Error "cycle-value" "value in a cycle is not usable"
-"The value is outside the range the control accepts, for example a scaling factor of zero."
+"The value is outside the range the control accepts: a scaling factor is 0.000001 to 99.999999, a dwell 0 to 3600 seconds. Check the \
+value, or the parameter it comes from."
 
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
@@ -222,7 +250,8 @@ K2502 Warning "transformation-open" "program ends with a transformation in force
 "A datum shift, mirror, rotation or scaling is still active at the end of the program. Some controls keep it for the next program."
 
 K2503 Warning "mirror-tool-axis" "tool axis is mirrored"
-"Mirroring the tool axis turns depths into heights. Controls allow it with restrictions; check the result."
+"Mirroring the tool axis turns depths into heights: a hole programmed to Z-10 goes to Z+10. Controls allow it with restrictions. \
+Check that this is meant; most often another axis is."
 
 K2504 Note "preset-to-offset" "preset number is printed as a work offset"
 "Cycle 247 activates a row of the preset table. The output selects the work offset of the same order: 1 is G54, 9 is G59.3. \
@@ -232,32 +261,36 @@ K2505 Error "preset-unmapped" "preset number has no work offset"
 "Presets 1 to 9 become G54 to G59.3. For any other number name the work offset in partc.toml: `[datums]` with `preset.12 = \"G55\"`."
 
 K2506 Error "coordinate-under-transformation" "axis cannot be moved under this transformation"
-"For instance a parallel axis U, V, W while a scaling is active: controls differ in what they scale."
+"A parallel axis U, V or W moves while a scaling or mirror is active. Controls differ in whether they scale and mirror such an axis, \
+so the block is refused. Reset the transformation first."
 
 K2507 Warning "scaling-of-depth" "scaling also changes the tool axis"
 "A machine parameter (MP 7410) decides whether scaling acts in the working plane only or on all three axes. partc scales all three, which is \
 the parameter's basic setting. `[control] scaling = \"plane\"` leaves the tool axis alone."
 
 K2508 Warning "blank-form" "blank form is not usable"
-"The MIN point of BLK FORM 0.1 must lie below the MAX point of BLK FORM 0.2 in every axis. The control refuses the blank; \
-the path does not depend on it."
+"The MIN point of BLK FORM 0.1 must lie below the MAX point of BLK FORM 0.2 in every axis. The control refuses the blank; the path \
+does not depend on it. Most often the two points are mixed up."
 
 K2509 Error "rotary-feed" "feed of a rotary axis under M116 is not supported"
 "M116 makes F a speed at the workpiece surface, which depends on the radius at which the tool stands from the rotary axis. \
 Plain G-code counts degrees per minute."
 
 K2601 Error "compensation-in-arc" "radius compensation starts or ends in an arc"
-"RL, RR and R0 take effect over a straight block. The control refuses to switch in C, CR, CT, CP and CTP."
+"RL, RR and R0 take effect over a straight block, at whose end the tool stands beside the contour. The control refuses to switch in \
+C, CR, CT, CP and CTP. Put a straight block in front of or behind the arc."
 
 K2602 Error "compensation-side" "change between RL and RR without R0"
-"Between left and right compensation at least one straight block with R0 has to lie in the working plane."
+"Between left and right compensation at least one straight block with R0 has to lie in the working plane, or the tool would cross the \
+contour. The control refuses the block."
 
 K2603 Warning "compensation-open" "radius compensation is still on"
 "The program ends, calls a tool, a cycle or a program while RL or RR is active. The control cancels the compensation there; \
 the tool may cut the contour on the way. Program a block with R0 first."
 
 K2604 Error "paraxial-compensation" "R+ or R- outside a single-axis block"
-"R+ and R- lengthen or shorten a block that moves one axis, such as `X+50 R+ F200`. They cannot be used with several axes or inside RL or RR."
+"R+ and R- lengthen or shorten a block that moves one axis by the tool radius, such as `X+50 R+ F200`. They cannot be used with \
+several axes, nor while RL or RR is active. Split the block, or program RL or RR."
 
 K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
@@ -280,7 +313,8 @@ K2706 Note "m-function-beside-move" "passed M function stands before the move"
 put it into a block of its own to be sure."
 
 K2707 Error "m-function-form" "M function lacks or has wrong words"
-"The function needs a value behind it, or has one that it does not take."
+"The function needs a value behind it, or has one that it does not take: `M140 MB 50`, `M103 F20`, `M120 LA 5`. Without it nobody \
+knows what the function would do."
 
 K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does"
 "On the control M0 also stops the spindle and the coolant; a plain M0 does not on every target. M5 and M9 are printed before it."
@@ -296,13 +330,15 @@ K9003 Error "approach-unsupported" "APPR and DEP are not supported yet"
 "The approach and departure functions depend on the tool radius and on the neighbouring contour elements; they are read but not computed yet."
 
 K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
-"PLANE functions other than RESET, and cycle 19 with angles, turn the coordinate system in space. The output has no word for that."
+"PLANE functions other than RESET, and cycle 19 with angles, turn the coordinate system in space. The output has no word for that on \
+three axes. Have the CAM system put out the tilted work for the target machine."
 
 K9005 Error "touch-probe" "touch probe cycles run only at the machine"
 "The block measures the workpiece or the tool; its result is known at the machine only. Remove it, or compile the part of the program after the setup."
 
 K9006 Error "file-function" "table and file functions run only at the control"
-"The block opens, reads or writes a file of the control. What it reads is not known here, and what it writes would be missing there."
+"The block opens, reads or writes a file of the control. What it reads is not known here, and what it writes would be missing there. \
+Put the values into the program instead."
 
 K9007 Error "compensation-unresolved" "radius compensation cannot be computed yet"
 "With `compensation = \"resolve\"` the output is the path of the tool centre. partc does not compute it yet for RL, RR, R+ and R- blocks. \
@@ -316,7 +352,8 @@ K9009 Error "iso-block" "DIN/ISO block in a Klartext program"
 so the block is refused. Convert it to L, C or CR."
 
 K9010 Error "pattern-unsupported" "point patterns are not supported yet"
-"PATTERN DEF, point tables and CYCL CALL PAT run a machining cycle at many points; machining cycles are not supported yet."
+"PATTERN DEF, point tables and CYCL CALL PAT run a machining cycle at many points; machining cycles are not supported yet, and \
+without them the holes would be missing. Program the points as blocks with a subprogram."
 
 K9011 Error "function-unsupported" "function is not supported"
 "The block is a function of newer controls that partc reads by name but does not execute. It may influence the path, so it is refused."
@@ -325,7 +362,8 @@ K9012 Error "datum-table" "datum table is not available"
 "A datum shift from a table needs the file on the control. Program the values, or put them into the program as `CYCL DEF 7.1 X+…`."
 
 K9013 Error "feed-form" "feed per tooth or by time is not supported"
-"FZ needs the number of teeth, FT and FMAXT a duration. Program the feed in mm/min or mm/rev."
+"FZ is a feed per tooth and needs the number of teeth, FT and FMAXT give the time of the block. Neither is known or printed. Program \
+the feed in mm/min (F) or mm per revolution (FU)."
 
 K9014 Error "machine-function" "block talks to the machine"
 "The block waits for, reads or sets a signal of the machine control. Leaving it out could start a motion too early, so it is refused."
@@ -338,13 +376,15 @@ K9016 Error "system-data" "system data is known only at the machine"
 transformations (ID 210, ID 220) and the programmed position (ID 270)."
 
 K9017 Error "string-function" "string function is not supported"
-"The string function reads something from the control, or its form is unknown to partc."
+"SYSSTR and CFGREAD read a text from the control, which is not known here; other names are no string function that partc knows. \
+Assign the text itself: `QS1 = \"TEXT\"`."
 
 K9019 Error "rapid-arc" "arc at rapid traverse"
 "Plain G-code moves at rapid traverse in straight lines only. Program a feed for the arc, or say in partc.toml at which feed such arcs run: \
 `[control] rapid_feed = 10000.0`."
 
 K9018 Error "contour-cycle" "contour cycles (SL) are not supported yet"
-"Cycle 14 and SEL CONTOUR name the contours that SL cycles mill. The SL cycles themselves are not supported yet."
+"SEL CONTOUR, CONTOUR DEF and DECLARE CONTOUR name the contours that SL cycles mill. The SL cycles themselves are not supported yet, \
+and without them the material would stay. Program the roughing as blocks."
 
 }

@@ -3,11 +3,12 @@
 super::codes! { OUTPUT:
 
 O1001 Error "feed-not-positive" "feed rate is zero or negative"
-"A cutting move with F0 never ends, or raises an alarm. Look where the feed word or its parameter is set."
+"A cutting move with F0 never ends, or raises an alarm. Look where the feed word or the parameter behind it is set; the F of a TOOL \
+CALL, RND or CHF block counts, too."
 
 O1002 Error "value-not-finite" "value is too large to print"
-"A coordinate or feed is beyond 1000 km, or a computation overflowed. Nothing sensible can be printed, so nothing is. \
-Look at the parameters that the block computes with."
+"A coordinate or feed is beyond 1000 km, or a computation overflowed. Nothing sensible can be printed, so nothing is. Look at the \
+parameters that the block computes with."
 
 O4001 Note "arc-as-lines" "arc is printed as straight lines"
 "The arc is so small or so flat that its printed numbers cannot describe a circle within the tolerance of the target: \

@@ -44,7 +44,11 @@ impl Run<'_> {
                 (b"NR", Some(n)) => request.nr = n,
                 (b"IDX", _) => request.idx = Some(n),
                 _ => {
-                    return self.fail(codes::K1001, value.span, "SYSREAD takes whole numbers behind ID and NR, and IDX");
+                    return self.fail(
+                        codes::K1001,
+                        value.span,
+                        "SYSREAD takes whole numbers behind ID and NR, and IDX",
+                    );
                 }
             }
         }

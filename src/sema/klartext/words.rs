@@ -324,7 +324,11 @@ impl Run<'_> {
                         }
                         Some(next) if next.addr == Addr::Name && takes.retract => {}
                         _ => {
-                            return self.fail(codes::K2707, word.span, format!("`{name}` of M{number} lacks its value"));
+                            return self.fail(
+                                codes::K2707,
+                                word.span,
+                                format!("`{name}` of M{number} lacks its value"),
+                            );
                         }
                     }
                 }
