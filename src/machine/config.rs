@@ -80,6 +80,8 @@ pub const SECTIONS: &[Section] = &[
             key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)"),
             key("limits", Kind::Free, "smallest and largest printed coordinate of an axis: X = [-10.0, 800.0]"),
             key("kinematics", Kind::Choice(&["3axis"]), "kinematics of the machine"),
+            key("reference_point", Kind::Free, "machine coordinates of the reference point (G74): X = 0.0"),
+            key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0"),
         ],
     },
     Section {
@@ -108,6 +110,15 @@ pub const SECTIONS: &[Section] = &[
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree"),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
+            key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too"),
+            key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm"),
+            key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius"),
+            key(
+                "tool_change",
+                Kind::Choice(&["t", "m6"]),
+                "word that changes the tool; default: t on a lathe, m6 on a mill",
+            ),
+            key("md11120", Kind::Flag, "variables of the main program are seen in subprograms"),
         ],
     },
     Section {
@@ -214,6 +225,13 @@ impl Reader {
                     s.machine.limits.insert(axis(name, node)?, range(node)?);
                 }
             }
+            ("machine", "reference_point" | "fixed_point") => {
+                let points =
+                    if name == "fixed_point" { &mut s.machine.fixed_point } else { &mut s.machine.reference_point };
+                for (name, node) in table_of(node) {
+                    points.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
+                }
+            }
             ("machine", "kinematics") => s.machine.kinematics = text(node).to_owned(),
             ("control", _) => return self.set_control(name, node),
             ("tools", "table") => {} // read by whoever may open files
@@ -230,6 +248,12 @@ impl Reader {
                     })?;
                     s.datums.presets.insert(n, offset);
                 }
+            }
+            ("datums", _) if matches!(node.value, Value::Text(_)) => {
+                let offset = work_offset(text(node)).ok_or_else(|| {
+                    node.fail("an offset becomes one of G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3")
+                })?;
+                s.datums.words.insert(name.to_ascii_uppercase(), offset);
             }
             ("datums", _) => {
                 let mut values = std::collections::BTreeMap::new();
@@ -308,6 +332,17 @@ impl Reader {
             "cp_sign" => control.cp_sign = if text(node) == "dr" { CpSign::Dr } else { CpSign::Refuse },
             "scaling" => control.scaling_in_plane = text(node) == "plane",
             "retract_max" => control.retract_max = number(node),
+            "sd42440" => control.frame_offset_incremental = flag(node),
+            "md21000" | "md21010" => {
+                let value = number(node).filter(|v| *v >= 0.0).ok_or_else(|| node.fail("is not below 0"))?;
+                if name == "md21000" {
+                    control.circle_error = value;
+                } else {
+                    control.circle_error_factor = value;
+                }
+            }
+            "tool_change" => control.tool_change_by_t = Some(text(node) == "t"),
+            "md11120" => control.main_variables_visible = flag(node),
             _ => return Err(node.fail(format!("`{name}` has no place in [control]"))),
         }
         Ok(())

@@ -40,6 +40,10 @@ pub struct Machine {
     /// Smallest and largest printed coordinate, by axis.
     pub limits: BTreeMap<Axis, (f64, f64)>,
     pub kinematics: String,
+    /// Machine coordinates of the reference point, by axis (G74).
+    pub reference_point: BTreeMap<Axis, f64>,
+    /// Machine coordinates of the fixed point, by axis (G75).
+    pub fixed_point: BTreeMap<Axis, f64>,
 }
 
 impl Default for Machine {
@@ -51,6 +55,8 @@ impl Default for Machine {
             power_on_diameter: true,
             limits: BTreeMap::new(),
             kinematics: "3axis".to_owned(),
+            reference_point: BTreeMap::new(),
+            fixed_point: BTreeMap::new(),
         }
     }
 }
@@ -116,7 +122,7 @@ pub enum CpSign {
 }
 
 /// `[control]`
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Control {
     pub klartext: Generation,
     pub sinumerik: String,
@@ -137,6 +143,41 @@ pub struct Control {
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
     pub retract_max: Option<f64>,
+    /// An increment behind a change of the frame travels the change, too (SD 42440).
+    pub frame_offset_incremental: bool,
+    /// Largest difference of the radii at start and end of a circle: in mm, and as a part of the radius
+    /// (MD 21000, MD 21010).
+    pub circle_error: f64,
+    pub circle_error_factor: f64,
+    /// T changes the tool, not M6; `None` for what the kind of machine does.
+    pub tool_change_by_t: Option<bool>,
+    /// Variables of the main program are seen in subprograms (MD 11120).
+    pub main_variables_visible: bool,
+}
+
+impl Default for Control {
+    fn default() -> Control {
+        Control {
+            klartext: Generation::default(),
+            sinumerik: String::new(),
+            heidenhain_turning: String::new(),
+            skip_blocks: Vec::new(),
+            unit: None,
+            feed: None,
+            rapid_feed: None,
+            cc_missing: CcMissing::default(),
+            polar_missing: PolarMissing::default(),
+            shift_axes: ShiftAxes::default(),
+            cp_sign: CpSign::default(),
+            scaling_in_plane: false,
+            retract_max: None,
+            frame_offset_incremental: true,
+            circle_error: 0.01,
+            circle_error_factor: 0.001,
+            tool_change_by_t: None,
+            main_variables_visible: false,
+        }
+    }
 }
 
 /// `[datums]`
@@ -144,6 +185,8 @@ pub struct Control {
 pub struct Datums {
     /// Work offset values the program may read, by name (`G54`).
     pub offsets: BTreeMap<String, BTreeMap<Axis, f64>>,
+    /// Work offset that is printed for a word of the program (`G500`), 1 (G54) to 9 (G59.3).
+    pub words: BTreeMap<String, u8>,
     /// Work offset word of a preset number, 1 (G54) to 9 (G59.3).
     pub presets: BTreeMap<u32, u8>,
 }

@@ -33,8 +33,288 @@ S1013 Error "siemens-modal-passes" "number of passes in a modal call"
 S1014 Error "siemens-name-length" "name is too long"
 "Labels and names have at most 32 characters; the control stops at a longer one with alarm 12420. Shorten it."
 
+S2001 Error "siemens-name-unknown" "name is not defined"
+"The name is neither a variable nor a word of the language nor a function. The control shows alarm 12550. Variables are defined by DEF at the \
+top of the program, by PROC, or in a definition file (SGUD, MGUD, UGUD, GUD4 to GUD9, macros in SMAC, MMAC, UMAC) beside the program."
+
+S2002 Error "siemens-program-missing" "called program is not found"
+"A word that is no word of the language is the call of a program (alarm 14011). It is looked for in the same archive, beside the program and \
+in the include roots, as .MPF and .SPF. A mistyped word ends here, too."
+
+S2003 Error "siemens-target-missing" "jump target is not found"
+"GOTOF searches to the end of the program, GOTOB to its start, GOTO first forward and then backward, and only in the program that jumps. \
+The control shows alarm 14080. Behind a jump that leads nowhere the run stops, because nobody knows where the program goes on."
+
+S2004 Error "siemens-structure" "control structure is not closed"
+"Every IF has its ENDIF, every WHILE its ENDWHILE, FOR its ENDFOR, LOOP its ENDLOOP, REPEAT without a label its UNTIL, in the same \
+program and without crossing. The control shows alarm 12640 or 12641."
+
+S2005 Error "siemens-type" "types do not go together"
+"The operation or the variable does not take a value of this type: texts, axes and frames are no numbers. The control shows alarm 12150. \
+Texts become numbers by NUMBER(…)."
+
+S2006 Error "siemens-arithmetic" "value cannot be computed"
+"Division by zero, a root of a negative number, an arc sine beyond 1, a result that is too large: alarm 14051. Look at the values of the \
+parameters in the block."
+
+S2007 Error "siemens-address-twice" "address stands twice in a block"
+"Each address may stand once in a block; only G and M may be repeated. The control shows alarm 12000 or 16420. One of the two words is \
+too many, or an axis letter is mistyped."
+
+S2008 Error "siemens-group-twice" "two G codes of one group"
+"Codes of one group exclude each other. The control takes the last one and shows alarm 12060; which one was meant cannot be known, so the \
+block is refused."
+
+S2009 Error "siemens-shape-twice" "two codes that shape the block"
+"Of the G groups 1 to 4 (motion, dwell and reference points, frames and poles, preprocessing) one code may stand in a block. The control \
+shows alarm 12070. Give each its own block."
+
+S2010 Error "siemens-g-unknown" "G code is not known"
+"The number belongs to no G group of the SINUMERIK language (alarm 12470). G codes of other languages, like G43, G28 or G80, mean nothing here."
+
+S2011 Error "siemens-g-index" "G group has no such index"
+"`G[group]=index` selects a code by its place in the group, counted from 1. The control shows alarm 12475."
+
+S2012 Error "siemens-word-misfit" "word does not fit the block"
+"The word has no meaning beside the others: a centre in a straight line, a repeat without a label, a modifier that the address does not take. The \
+control shows alarm 12110, or 15460 if the G code is modal only. Nothing is dropped, so the block is refused."
+
+S2013 Error "siemens-own-block" "word needs a block of its own"
+"G4, G25, G26, G110 to G112, frame statements, calls and declarations stand alone in their block. The control shows alarm 12120. \
+Put the other words into the block before or behind."
+
+S2014 Error "siemens-mixed-assignment" "assignment beside other words"
+"A block with an assignment like R1=5 holds assignments only; the control shows alarm 12080. Give it a block of its own."
+
+S2015 Error "siemens-definition-late" "definition behind executed blocks"
+"DEF and PROC stand at the top of a program, in front of the first block that does something. The control shows alarm 14500."
+
+S2016 Error "siemens-name-taken" "name is used already, or no address"
+"The name is an axis, a word of the language or a variable that exists (alarm 12170), or the letter is no address of this machine (alarm \
+12050). Choose another name, or check the letter."
+
+S2017 Error "siemens-start-values" "start values do not fit"
+"More values are given than the array has elements (alarm 12260), or the type takes no start value in DEF (alarm 12261)."
+
+S2018 Error "siemens-index" "no such element"
+"The index lies outside the array, or the number outside the R parameters, spindles or work offsets. Indices count from 0. \
+The control shows alarm 12400, 12410, 12430 or 17020."
+
+S2019 Error "siemens-passes" "number of passes does not exist"
+"A program or section is passed 1 to 9999 times; 0 and negative numbers raise alarm 14013. Look at the value of P."
+
+S2020 Error "siemens-ret-in-main" "RET in the main program"
+"RET returns to a calling program; the main program has none. The control shows alarm 14091. A main program ends by M30 or M2."
+
+S2021 Error "siemens-arguments" "arguments do not fit the parameters"
+"Number or types of the arguments differ from those of PROC or of the function: alarms 12300 to 12360, 14020, 14021, 14510. VAR needs a \
+variable of exactly the same type."
+
+S2025 Warning "siemens-r-unset" "R parameter is read before it is set"
+"R parameters keep their values from one program to the next, so what the parameter holds on the machine is not known here. It counts as 0. \
+Set it in the program or under [variables]."
+
+S2026 Warning "siemens-no-end" "program has no end"
+"The main program ends without M30, M2 or M17; a control raises alarm 14000. The output gets an M2."
+
+S2027 Error "siemens-setal" "program raises an alarm itself"
+"The way through the program reaches SETAL, with which it stops for data it finds wrong. What follows would not run on the machine, so \
+nothing is written. Look at the conditions in front of it."
+
+S2028 Error "siemens-machine-value" "value is known on the machine only"
+"The system variable is the state of a machine: inputs, actual values, machine data, offsets. A compiler cannot know it. Give a value under \
+[variables], or take the question out of the program."
+
+S2029 Error "siemens-range" "value lies outside its type"
+"INT holds whole numbers up to 2147483647, CHAR 0 to 255. The control shows alarm 12160, 12560 or 14096."
+
+S2030 Error "siemens-text-length" "text is too long"
+"A text is longer than the variable takes, or longer than 200 characters: alarm 12210 or 14099. Macros have at most 256 characters."
+
+S2031 Error "siemens-axis-needed" "an axis is needed"
+"In this place stands the name of an axis, or a variable of type AXIS that names one: alarm 12040."
+
+S2034 Error "siemens-frame" "frame cannot be built"
+"A scaling factor is 0, a value is infinite, or a component is asked of a chain of frames that has none. Check the frame statements in front of the block."
+
+S2040 Error "siemens-feed-missing" "no feed is programmed"
+"A move with G1, G2, G3 needs a feed: alarm 10860. The feed also has to be programmed again when its kind changes (G94, G95, G96)."
+
+S2041 Error "siemens-feed-zero" "feed is not above zero"
+"A path feed of zero or less never ends: alarm 14800. Look where the value comes from."
+
+S2042 Error "siemens-position-unknown" "position is not known"
+"The block counts from a position that the program did not say yet: an increment, an arc, a pole, or a line by angle at the start of the \
+program, behind a tool change, a change of the work offset or a move in machine coordinates. Program the axes absolutely once."
+
+S2043 Error "siemens-tool" "tool is not known"
+"The tool is called by a name that has no number, by a number that is none, or changed before it was chosen. Names get numbers in the \
+[tools] tables of partc.toml. The control shows alarm 17190 or 17191."
+
+S2044 Error "siemens-m-unknown" "M function of the machine builder"
+"What this M function does, and whether it moves something, is up to the machine builder. If it may be printed as it stands, list it under \
+`[output] pass_m`."
+
+S2045 Error "siemens-spindle" "spindle word cannot be carried out"
+"The speed is negative or missing, the spindle does not exist, or a dwell in turns has no fixed speed to count with."
+
+S2050 Error "siemens-pole-axis" "pole outside the working plane"
+"A pole lies in the working plane: X and Y in G17, Z and X in G18, Y and Z in G19. The control shows alarm 14270."
+
+S2051 Error "siemens-polar-mixed" "polar and Cartesian end point mixed"
+"The end point in the plane is given by AP= and RP=, or by axes, not by both. The control shows alarm 14280. The axis at a right angle to the \
+plane may stand beside AP and RP."
+
+S2052 Error "siemens-polar-radius" "polar radius is negative"
+"RP= is a distance from the pole and cannot be negative: alarm 14200, in a pole block 14250."
+
+S2053 Error "siemens-polar-angle" "polar angle out of range"
+"AP= lies between -360 and 360 degrees: alarm 14210, in a pole block 14260."
+
+S2054 Warning "siemens-polar-missing" "polar word is taken from the position"
+"After a new pole or a change of plane AP= and RP= have to be programmed again; the manuals leave open what a missing one is. It is taken from \
+where the tool stands, seen from the pole. Program both words."
+
+S2060 Error "siemens-no-diameter-axis" "no diameter axis"
+"Diameter programming and constant cutting speed refer to the one transverse axis that machine datum 20100 names; without it they raise alarm \
+16510 or 10870. Set `[machine] diameter_axis`."
+
+S2061 Error "siemens-rotary-word" "modifier does not fit the axis"
+"DC, ACP and ACN are for rotary axes, with angles from 0 to below 360 degrees: alarms 16800 to 16830."
+
+S2070 Error "siemens-angle-line" "line by angle is not determined"
+"ANG= with one end coordinate is a line; with none it is the first of two lines, and the next block has ANG and both end coordinates. \
+Alarms 10790 to 10795. Nothing but blocks without motion may stand between the two."
+
+S2071 Error "siemens-corner-word" "chamfer or rounding cannot stand here"
+"RND, CHR and CHF stand in the block that leads to the corner and are not negative: alarms 16500, 10882."
+
+S2080 Error "siemens-compensation" "radius compensation cannot change here"
+"G41, G42 and G40 take effect on a straight line with a tool selected; plane, frame, work offset and tool do not change in between. \
+Alarms 10750 to 10757, 10780."
+
+S2081 Error "siemens-thread" "thread is not determined"
+"G33 needs the lead along the axis that moves furthest: K along Z, I along X, J along Y. Alarms 16720 to 16740."
+
+S2082 Warning "siemens-compensation-open" "program ends with compensation on"
+"Radius compensation is ended by G40 with a straight move. The output ends it before M30, but the last corner is not what was meant."
+
+S3001 Error "siemens-radius" "arc by radius does not reach its end"
+"CR= is at least half the distance of start and end: alarm 14095."
+
+S3002 Error "siemens-arc-twice" "arc is given twice"
+"Centre, CR= and AR= exclude each other, and a polar arc has the pole as its centre: alarm 14900."
+
+S3003 Error "siemens-arc-open" "arc is not determined"
+"A circle needs a centre, a radius or an angle, and an arc by radius an end point that differs from its start: alarm 14040."
+
+S3004 Error "siemens-opening" "opening angle out of range"
+"AR= lies between 0.0001 and 359.9999 degrees: alarm 14910. A full circle is programmed by its centre."
+
+S3005 Error "siemens-turns" "number of turns does not exist"
+"TURN= counts additional full circles, 0 to 999: alarm 14048."
+
+S3006 Error "siemens-via" "intermediate point is missing"
+"CIP runs through a point between start and end, given by I1=, J1=, K1=: alarm 14920."
+
 S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
 "Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \
 Put each comparison in brackets. The program is compiled as the control reads it."
+
+S8002 Note "siemens-dynamics" "words for speed and accuracy are left out"
+"G64 and its kin, SOFT, FFWON, COMP…, CYCLE832, ADIS, ACC and others shape how a control follows the path, not the path itself. The \
+programmed path is printed exactly; set the path mode of the target there."
+
+S8003 Warning "siemens-several-programs" "file holds several main programs"
+"An archive can hold several main programs; the first one is compiled, the others are not looked at. Put each into a file of its own."
+
+S8004 Note "siemens-gear" "gear steps are left out"
+"M40 to M45 select the gear of a spindle. The target chooses its own, so they are not printed; list them under `[output] pass_m` to print them."
+
+S8005 Note "siemens-h" "H functions are left out"
+"H functions are messages to the machine's own control. What they do is not known, and the target has no word for them."
+
+S8006 Note "siemens-outputs" "outputs and counters are left out"
+"Writing outputs, timers and counters of the control has no effect on the path and is not printed. Values that the program reads back are kept."
+
+S8007 Warning "siemens-increment-frame" "increment behind a change of the frame"
+"Whether an increment travels the change of the frame, too, depends on setting datum 42440: with 1 it counts from the programmed value of \
+before in the new frame, with 0 from where the tool stands. Set `[control] sd42440`, or program absolutely."
+
+S8008 Warning "siemens-rnd-and-chr" "rounding and chamfer in one block"
+"With RND and CHR or CHF in one block the control makes the rounding only. Delete one of them."
+
+S8009 Warning "siemens-tool-not-listed" "tool is not in the tool table"
+"A tool table was given, and this tool is not in it. Check the number, or add the tool."
+
+S8010 Note "siemens-edges" "cutting edge is not printed"
+"A tool of the target has one set of offsets. Edges D2 and higher have their own on a SINUMERIK control; the programmed path is the same, \
+but the target has to be told the offset of this edge."
+
+S8011 Note "siemens-g500" "G500 is printed in machine coordinates"
+"G500 switches the work offset off, so positions count in machine coordinates. The target does that by G53, for straight moves only. If G500 \
+stands for a work offset on your machine, name it: `[datums] G500 = \"G54\"`."
+
+S8012 Note "siemens-written-offset" "work offset of the program is in the coordinates"
+"The program writes the work offset itself ($P_UIFR). It is put into the printed coordinates, which count from the basic system; no G54 is \
+printed for it."
+
+S8013 Note "siemens-limits" "working-area limits are left out"
+"G25 and G26 set limits for axes or spindle speeds in the control. They are no moves and have no word on the target."
+
+S8014 Note "siemens-master" "another spindle is the master"
+"SETMS makes another spindle the master. Its speed and sense of rotation are printed as those of the main spindle."
+
+S8015 Note "siemens-channels" "channel words are left out"
+"INIT, START, WAITM and others synchronize programs in several channels. The output is for one channel; what the others do is not in it."
+
+S8016 Note "siemens-interrupts" "interrupt programs are left out"
+"SETINT and others name programs that run when a signal comes. They are not part of the path."
+
+S8017 Note "siemens-files" "file access is left out"
+"WRITE, DELETE and others work on files of the control. They have no effect on the path."
+
+S9001 Error "siemens-unsupported" "not supported"
+"The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
+
+S9002 Error "siemens-interpolation" "interpolation that plain G-code cannot say"
+"Splines, polynomials, involutes, threads of changing lead and rigid tapping have no word in plain G-code. Have the CAM system put out lines and arcs."
+
+S9003 Error "siemens-iso" "ISO dialect"
+"G291 and ISOCALL switch to ISO dialect, which is another language with other rules. Translate that part, or compile it by itself."
+
+S9004 Error "siemens-synchronized" "synchronized action"
+"WHEN, WHENEVER, EVERY, FROM, DO, ID and IDS run beside the program, as signals of the machine come. What they would do cannot be known here."
+
+S9005 Error "siemens-cycle" "cycle is not supported"
+"The cycle or procedure of the control is known by name and not built. Nothing is left out in silence, so the program is refused."
+
+S9006 Error "siemens-transformation" "transformation is not supported"
+"TRAORI, TRANSMIT, TRACYL, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine."
+
+S9007 Error "siemens-other-spindle" "word for another spindle"
+"Only speed and sense of rotation of further spindles can be printed."
+
+S9008 Error "siemens-axis-motion" "axis motion that cannot be printed"
+"Positioning axes that run beside the path, and approaches of machine-fixed points, need data of the machine. Reference and fixed points can be \
+given under [machine]."
+
+S9009 Error "siemens-feed-kind" "kind of feed that cannot be printed"
+"G93, G931 and the feeds that are kept at a switch cannot be printed. Program the feed by G94 or G95."
+
+S9010 Error "siemens-resolve" "tool-centre path is not built"
+"Computing the path of the tool centre is not built yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
+
+S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordinates"
+"Under G53, G153, SUPA and G500 only straight absolute moves can be printed."
+
+S9012 Error "siemens-thread-start" "start angle of a thread"
+"The target starts every thread at the same angle of the spindle. Shift the start point along the thread instead."
+
+S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
+"Plain G-code has circles in the main planes only."
+
+S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
+"The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
 
 }

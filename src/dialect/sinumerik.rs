@@ -1,0 +1,22 @@
+//! SINUMERIK NC language.
+
+use crate::sema::sinumerik;
+
+use super::Dialect;
+
+pub(super) const DIALECT: Dialect = Dialect {
+    id: "sinumerik",
+    name: "SINUMERIK",
+    extensions: &["mpf", "spf", "arc"],
+    recognizes,
+    run: sinumerik::run,
+    check_form: sinumerik::check_form,
+};
+
+/// A transfer header starts a line: `%_N_NAME_MPF`.
+fn recognizes(head: &[u8]) -> bool {
+    head.split(|b| matches!(b, b'\n' | b'\r')).any(|line| {
+        let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
+        line.starts_with(b"%_N_") || line.starts_with(b";$PATH=/_N_")
+    })
+}

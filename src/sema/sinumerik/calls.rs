@@ -1,0 +1,661 @@
+//! Calls of programs: levels, parameters, passes, return.
+//!
+//! Source: reference section 5.6.
+
+use crate::diag::{CallPath, Diagnostic, codes};
+use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op, TypeName, Variable};
+use crate::parser::symbols::Symbol;
+use crate::sema::exec::open_program;
+use crate::text::blocks::Place;
+use crate::text::{FileError, Loc, Request, Span};
+
+use super::programs::{UnitKind, bare_name};
+use super::state::Saved;
+use super::value::{Val, type_name};
+use super::vars::{Slot, Var};
+use super::{Outcome, Reported, Run};
+
+/// A level of the call stack.
+#[derive(Debug)]
+pub(super) struct Level {
+    pub kind: LevelKind,
+    /// The program that runs on this level.
+    pub unit: usize,
+    pub call: CallPath,
+    /// The FOR that ENDFOR came from.
+    pub counting: Option<u32>,
+    /// Arguments that wait for PROC.
+    pub arguments: Option<Vec<Argument>>,
+    /// Something was executed, so DEF is too late.
+    pub executed: bool,
+}
+
+#[derive(Debug)]
+pub(super) enum LevelKind {
+    Main,
+    Program {
+        /// Where the caller goes on.
+        back: Place,
+        passes: u32,
+        /// Runs up to this offset only.
+        stop: Option<u32>,
+        start: Place,
+        /// State that SAVE brings back.
+        saved: Option<Box<Saved>>,
+        /// Values that go back to the caller: parameter and what it stands for.
+        references: Vec<(Symbol, Reference)>,
+        modal: bool,
+        site: Loc,
+    },
+    /// REPEAT: a section of the same program.
+    Section {
+        from: Place,
+        stop: u32,
+        left: u32,
+        back: Place,
+    },
+}
+
+/// A variable that a VAR parameter stands for.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reference {
+    Variable(Slot),
+    Element(Slot, usize),
+    R(u32),
+}
+
+/// An argument of a call.
+#[derive(Debug, Clone)]
+pub(super) struct Argument {
+    pub value: Val,
+    pub reference: Option<Reference>,
+    pub loc: Loc,
+}
+
+/// A program that runs behind every positioning block.
+#[derive(Debug, Clone)]
+pub(super) struct Modal {
+    pub unit: usize,
+    pub arguments: Vec<Argument>,
+    pub site: Loc,
+}
+
+impl Level {
+    pub fn main(unit: usize) -> Level {
+        Level { kind: LevelKind::Main, unit, call: CallPath::MAIN, counting: None, arguments: None, executed: false }
+    }
+}
+
+impl Run<'_> {
+    /// The level of a program, below any repeats.
+    pub(super) fn program_level(&mut self) -> &mut Level {
+        let at = self.levels.iter().rposition(|level| !matches!(level.kind, LevelKind::Section { .. })).unwrap_or(0);
+        &mut self.levels[at]
+    }
+
+    pub(super) fn enter_section(&mut self, from: Place, stop: u32, times: u32) -> Outcome {
+        self.check_depth()?;
+        let level = self.level();
+        let (unit, call) = (level.unit, level.call);
+        let back = self.place();
+        let executed = true;
+        let kind = LevelKind::Section { from, stop, left: times - 1, back };
+        self.levels.push(Level { kind, unit, call, counting: None, arguments: None, executed });
+        self.budget.jump(self.here.origin.loc);
+        self.resume(from)
+    }
+
+    fn check_depth(&self) -> Outcome {
+        if self.levels.len() >= self.job.settings.limits.call_depth {
+            let message = format!("programs and repeats are nested deeper than {}", self.levels.len());
+            self.stop_run();
+            self.fail_help(codes::P4003, 14012, Span::default(), message, "check for a program that calls itself")
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Where the current program goes on.
+    pub(super) fn place(&mut self) -> Place {
+        let file = self.programs.units[self.unit()].file;
+        self.programs.files[file].cursor.place()
+    }
+
+    /// A section or program ran up to its last block. False if nothing ended.
+    pub(super) fn ends_here(&mut self, at: u32) -> bool {
+        let level = self.level();
+        match &mut level.kind {
+            LevelKind::Section { from, stop, left, back } if at >= *stop || at < from.at => {
+                let (from, back) = (*from, *back);
+                let again = *left > 0;
+                if again {
+                    *left -= 1;
+                } else {
+                    self.levels.pop();
+                }
+                // A file that was read once can be read again.
+                let _ = self.resume(if again { from } else { back });
+                true
+            }
+            LevelKind::Program { stop: Some(stop), .. } if at >= *stop => {
+                self.leave_program();
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Finds the program `name`: in the archive, beside it, in the include roots.
+    pub(super) fn find_program(&mut self, name: &str, span: Span) -> Outcome<usize> {
+        let (bare, _) = bare_name(&name.to_ascii_uppercase());
+        let plain = bare.rsplit(['/', '\\']).next().unwrap_or(&bare).to_owned();
+        let (plain, _) = bare_name(&plain);
+        let file = self.programs.units[self.unit()].file;
+        if self.programs.list(&self.job, file).is_ok()
+            && let Some(unit) = self.programs.find_in_file(file, &plain)
+        {
+            return Ok(unit);
+        }
+        if file != 0
+            && let Some(unit) = self.programs.find_in_file(0, &plain)
+        {
+            return Ok(unit);
+        }
+        if let Some(&unit) = self.found.get(name) {
+            return Ok(unit);
+        }
+        let loc = self.loc(span);
+        let wanted = if name.contains(['/', '\\']) { file_name(name) } else { plain.clone() };
+        let request = Request { from: &self.job.sources.identity(loc.file), name: &wanted, extensions: EXTENSIONS };
+        let error = match self.job.files.open(&request) {
+            Ok(_) => None,
+            Err(error) => Some(error),
+        };
+        if let Some(FileError::NotFound { tried, similar }) = error {
+            let like = similar.first().cloned();
+            return self.program_missing(&plain, &tried, like, span);
+        }
+        let Some(id) = open_program(&self.job, &wanted, EXTENSIONS, loc, self.here.origin.call) else {
+            self.stop_run();
+            return Err(Reported);
+        };
+        let Some(unit) = self.programs.open(&self.job, id, loc) else {
+            self.stop_run();
+            return Err(Reported);
+        };
+        let file = self.programs.units[unit].file;
+        let unit = match self.programs.list(&self.job, file) {
+            Ok(()) => self.programs.find_in_file(file, &plain).unwrap_or(unit),
+            Err(_) => unit,
+        };
+        self.found.insert(name.to_owned(), unit);
+        Ok(unit)
+    }
+
+    fn program_missing<T>(&mut self, name: &str, tried: &[String], like: Option<String>, span: Span) -> Outcome<T> {
+        self.stop_run();
+        let found =
+            Diagnostic::new(codes::S2002, self.loc(span), format!("there is no program `{name}` (alarm 14011)"))
+                .here(format!("looked for {}", tried.join(", ")));
+        let known: Vec<&str> = self.programs.units.iter().map(|unit| unit.name.as_str()).collect();
+        let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
+        self.report(match like {
+            Some(like) => found.help(format!("did you mean `{like}`?")),
+            None => found.help("put the program beside this one or into an include root; or correct the word"),
+        });
+        Err(Reported)
+    }
+
+    /// Evaluates the arguments of a call.
+    pub(super) fn arguments(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Vec<Argument>> {
+        let formulas: Vec<Formula> = block.arguments(args).to_vec();
+        let mut list = Vec::with_capacity(formulas.len());
+        for formula in formulas {
+            let reference = self.reference(formula, block, text)?;
+            let array = match reference {
+                Some(Reference::Variable(slot)) => self.vars.get(slot).is_some_and(|var| !var.sizes.is_empty()),
+                _ => false,
+            };
+            let value = if array { Val::Missing } else { self.eval(formula, block, text)? };
+            list.push(Argument { value, reference, loc: self.loc(formula.span) });
+        }
+        Ok(list)
+    }
+
+    /// The variable that a formula is, if it is nothing else.
+    fn reference(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Option<Reference>> {
+        Ok(match block.formula(formula) {
+            [Op::R(n, _)] => Some(Reference::R(*n)),
+            [Op::Name(name, _)] => self.vars.find(*name).map(Reference::Variable),
+            [indices @ .., Op::Index(base, count, span)] if indices.len() == *count as usize => {
+                let mut values = Vec::with_capacity(indices.len());
+                for op in indices {
+                    let one = Block { ops: vec![*op], ..Block::default() };
+                    let formula = Formula { from: 0, to: 1, span: *span };
+                    values.push(self.eval(formula, &one, text)?);
+                }
+                match base {
+                    crate::parser::sinumerik::ast::Base::Letter(b'R') => {
+                        Some(Reference::R(self.r_index(&values, *span)?))
+                    }
+                    crate::parser::sinumerik::ast::Base::Name(name) => match self.vars.find(*name) {
+                        Some(slot) => {
+                            let indices = self.indices(&values, *span)?;
+                            let offset = self.vars.get(slot).and_then(|var| var.offset(&indices));
+                            offset.map(|at| Reference::Element(slot, at))
+                        }
+                        None => None,
+                    },
+                    _ => None,
+                }
+            }
+            _ => None,
+        })
+    }
+
+    /// Calls a program.
+    pub(super) fn call_unit(&mut self, unit: usize, arguments: Vec<Argument>, passes: u32, modal: bool) -> Outcome {
+        self.call_part(unit, arguments, passes, modal, None)
+    }
+
+    /// Calls a program, or its blocks from `part.0` to the offset `part.1`.
+    pub(super) fn call_part(
+        &mut self,
+        unit: usize,
+        arguments: Vec<Argument>,
+        passes: u32,
+        modal: bool,
+        part: Option<(Place, u32)>,
+    ) -> Outcome {
+        self.check_depth()?;
+        let back = self.place();
+        let file = self.programs.units[unit].file;
+        let busy = self.levels.iter().any(|level| self.programs.units[level.unit].file == file);
+        let site = self.here.origin.loc;
+        let call = self.job.trail.enter(self.here.origin.call, site);
+        let start = part.map_or(self.programs.units[unit].start, |(start, _)| start);
+        let kind = LevelKind::Program {
+            back,
+            passes,
+            stop: part.map(|(_, stop)| stop),
+            start,
+            saved: None,
+            references: Vec::new(),
+            modal,
+            site,
+        };
+        let executed = part.is_some();
+        let arguments = (!arguments.is_empty()).then_some(arguments);
+        self.levels.push(Level { kind, unit, call, counting: None, arguments, executed });
+        self.vars.enter();
+        self.budget.jump(site);
+        let cursor = &mut self.programs.files[file].cursor;
+        let result = if busy { cursor.load(self.job.sources) } else { Ok(()) };
+        if let Err(error) = result.and_then(|()| cursor.seek(self.job.sources, start)) {
+            return self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}"));
+        }
+        Ok(())
+    }
+
+    /// The current program is over: M17, RET, its end of file.
+    pub(super) fn leave_program(&mut self) {
+        while matches!(self.level().kind, LevelKind::Section { .. }) {
+            self.levels.pop();
+        }
+        let unit = self.level().unit;
+        let LevelKind::Program { back, passes, start, saved, references, .. } = &mut self.level().kind else {
+            self.ended.set(true);
+            return;
+        };
+        let (back, start, again) = (*back, *start, *passes > 1);
+        let (saved, references) = (saved.take(), std::mem::take(references));
+        if again {
+            *passes -= 1;
+        }
+        self.give_back(&references);
+        self.vars.leave();
+        if let Some(saved) = saved {
+            self.restore(*saved);
+        }
+        if again {
+            self.vars.enter();
+            let level = self.level();
+            level.executed = false;
+            level.arguments = None;
+            let file = self.programs.units[unit].file;
+            let _ = self.programs.files[file].cursor.seek(self.job.sources, start);
+            self.budget.jump(self.here.origin.loc);
+            return;
+        }
+        self.levels.pop();
+        let caller = self.programs.units[self.unit()].file;
+        let cursor = &mut self.programs.files[caller].cursor;
+        if cursor.place() != back {
+            let _ = cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, back));
+        }
+    }
+
+    fn give_back(&mut self, references: &[(Symbol, Reference)]) {
+        for (name, reference) in references {
+            let Some(value) = self.vars.of_level(*name).and_then(|var| var.values.first()).cloned() else { continue };
+            match *reference {
+                Reference::R(n) => self.vars.set_r(n, value.number().unwrap_or(0.0)),
+                Reference::Variable(slot) => {
+                    if let Some(first) = self.vars.get_mut(slot).and_then(|var| var.values.first_mut()) {
+                        *first = value;
+                    }
+                }
+                Reference::Element(slot, at) => {
+                    if let Some(element) = self.vars.get_mut(slot).and_then(|var| var.values.get_mut(at)) {
+                        *element = value;
+                    }
+                }
+            }
+        }
+    }
+
+    /// PROC: the arguments of the call become variables.
+    pub(super) fn proc_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let level = self.program_level();
+        if level.executed {
+            return self.fail(codes::S2015, 14500, block.span, "PROC stands behind executed blocks");
+        }
+        let arguments = level.arguments.take().unwrap_or_default();
+        let in_main = matches!(level.kind, LevelKind::Main);
+        let save = block.words.iter().any(|word| match word.target {
+            crate::parser::sinumerik::ast::Target::Name(name) => self.symbols.name(name) == "SAVE",
+            _ => false,
+        });
+        if save {
+            let state = self.save();
+            if let LevelKind::Program { saved, .. } = &mut self.program_level().kind {
+                *saved = Some(Box::new(state));
+            }
+        }
+        if arguments.len() > block.variables.len() {
+            let loc = arguments[block.variables.len()].loc;
+            let count = block.variables.len();
+            let found =
+                Diagnostic::new(codes::S2021, loc, format!("the program takes {count} arguments (alarm 12340)"));
+            self.report(found.also(self.loc(block.span), "its parameters"));
+            return Err(Reported);
+        }
+        let mut arguments = arguments.into_iter();
+        for variable in block.variables.clone() {
+            let argument = arguments.next();
+            self.parameter(variable, argument, in_main, block, text)?;
+        }
+        Ok(())
+    }
+
+    fn parameter(
+        &mut self,
+        variable: Variable,
+        argument: Option<Argument>,
+        in_main: bool,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let Some(name) = variable.name else {
+            return self.fail(codes::S2021, 12080, variable.span, "a parameter of PROC needs a name");
+        };
+        let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
+        if variable.by_reference {
+            return self.reference_parameter(name, variable, given, in_main);
+        }
+        let shown = self.symbols.name(name).to_owned();
+        let value = match (given, variable.value) {
+            (Some(argument), _) => match argument.value.converted(variable.kind) {
+                Ok(value) => value,
+                Err(_) => {
+                    let message = format!(
+                        "parameter {shown} is {}, the argument is {} (alarm 12330)",
+                        type_name(variable.kind),
+                        argument.value.what()
+                    );
+                    self.report(Diagnostic::new(codes::S2021, argument.loc, message));
+                    return Err(Reported);
+                }
+            },
+            (None, Some(formula)) => {
+                let value = self.eval(formula, block, text)?;
+                self.converted(&value, variable.kind, formula.span)?
+            }
+            (None, None) if variable.kind == TypeName::Axis && !in_main => {
+                return self.missing_argument(&shown, 12310);
+            }
+            (None, None) => Val::zero(variable.kind),
+        };
+        let length = match variable.length {
+            Some(formula) => self.number(formula, block, text)? as usize,
+            None => super::value::MOST_TEXT,
+        };
+        let var = Var {
+            kind: variable.kind,
+            sizes: Vec::new(),
+            values: vec![value],
+            length,
+            defined: self.loc(variable.span),
+            lost: false,
+        };
+        self.vars.define(name, var, false);
+        self.given_parameters.push((name, given.is_some()));
+        Ok(())
+    }
+
+    fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
+        let LevelKind::Program { site, .. } = self.program_level().kind else { return Ok(()) };
+        let message = format!("the argument for parameter {name} is missing (alarm {alarm})");
+        self.report(
+            Diagnostic::new(codes::S2021, site, message).help("give a variable; this parameter has no default"),
+        );
+        Err(Reported)
+    }
+
+    fn reference_parameter(
+        &mut self,
+        name: Symbol,
+        variable: Variable,
+        given: Option<&Argument>,
+        in_main: bool,
+    ) -> Outcome {
+        let shown = self.symbols.name(name).to_owned();
+        let Some(argument) = given else {
+            if in_main {
+                return Ok(());
+            }
+            return self.missing_argument(&shown, 12300);
+        };
+        let Some(reference) = argument.reference else {
+            let message = format!("parameter {shown} is VAR and needs a variable (alarm 12320)");
+            self.report(Diagnostic::new(codes::S2021, argument.loc, message).help("a formula cannot take the result"));
+            return Err(Reported);
+        };
+        let (kind, array) = match reference {
+            Reference::R(_) => (TypeName::Real, false),
+            Reference::Variable(slot) | Reference::Element(slot, _) => {
+                let Some(var) = self.vars.get(slot) else { return Err(Reported) };
+                (var.kind, matches!(reference, Reference::Variable(_)) && !var.sizes.is_empty())
+            }
+        };
+        let wants_array = variable.open || variable.sizes.count > 0;
+        if kind != variable.kind || array != wants_array {
+            let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
+            let message = format!(
+                "parameter {shown} is VAR {}, the argument is {} (alarm 12330)",
+                what(variable.kind, wants_array),
+                what(kind, array)
+            );
+            self.report(Diagnostic::new(codes::S2021, argument.loc, message).help("both need the same type"));
+            return Err(Reported);
+        }
+        if let Reference::Variable(slot @ Slot::Local(_)) = reference {
+            self.vars.bind(name, slot);
+            return Ok(());
+        }
+        let var = match reference {
+            Reference::Variable(slot) => self.vars.get(slot).cloned(),
+            _ => None,
+        };
+        let var = var.unwrap_or_else(|| Var {
+            kind,
+            sizes: Vec::new(),
+            values: vec![argument.value.clone()],
+            length: super::value::MOST_TEXT,
+            defined: argument.loc,
+            lost: false,
+        });
+        self.vars.define(name, var, false);
+        if let LevelKind::Program { references, .. } = &mut self.program_level().kind {
+            references.push((name, reference));
+        }
+        Ok(())
+    }
+
+    /// A call waits for a PROC that does not come.
+    pub(super) fn refuse_arguments(&mut self) {
+        if let Some(argument) = self.program_level().arguments.take().and_then(|list| list.into_iter().next()) {
+            let message = "arguments are given, but the program has no PROC (alarm 14510)";
+            let found = Diagnostic::new(codes::S2021, argument.loc, message);
+            self.report(found.help("write `PROC NAME(…)` as the first block of the called program"));
+        }
+    }
+
+    // Forms of calls.
+
+    pub(super) fn call_form(&mut self, form: CallForm, block: &Block, text: &[u8]) -> Outcome {
+        match form {
+            CallForm::Text(formula) | CallForm::External(formula) => {
+                let name = self.program_name(formula, block, text)?;
+                let unit = self.find_program(&name, formula.span)?;
+                self.call_unit(unit, Vec::new(), 1, false)
+            }
+            CallForm::Section { program, from, to } => {
+                let unit = match program {
+                    Some(formula) => {
+                        let name = self.program_name(formula, block, text)?;
+                        self.find_program(&name, formula.span)?
+                    }
+                    None => self.level().unit,
+                };
+                self.call_section(unit, from, to, block.span)
+            }
+            CallForm::Path { path, args } => {
+                let name = String::from_utf8_lossy(path.of(text)).replace(' ', "");
+                let arguments = self.arguments(args, block, text)?;
+                let unit = self.find_program(&name, path)?;
+                self.call_unit(unit, arguments, 1, false)
+            }
+            CallForm::Modal { name, args } => self.modal_call(name, args, block, text),
+            CallForm::ModalOff => {
+                self.modal = None;
+                self.modal_cycle = None;
+                Ok(())
+            }
+            CallForm::Iso => self.fail_help(
+                codes::S9003,
+                0,
+                block.span,
+                "ISOCALL calls a program in ISO dialect",
+                "translate the program, or leave the call out",
+            ),
+        }
+    }
+
+    /// `CALL "NAME"`; `CALL NAME` means a text variable, or a program of that name.
+    fn program_name(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<String> {
+        if let [Op::Name(name, _)] = block.formula(formula)
+            && self.vars.find(*name).is_none()
+        {
+            return Ok(self.symbols.name(*name).to_owned());
+        }
+        match self.eval(formula, block, text)? {
+            Val::Text(text) if !text.is_empty() => Ok(String::from_utf8_lossy(&text).into_owned()),
+            other => {
+                let message = format!("the name of a program is a text, this is {}", other.what());
+                self.fail(codes::S2005, 12150, formula.span, message)
+            }
+        }
+    }
+
+    fn call_section(&mut self, unit: usize, from: Symbol, to: Symbol, span: Span) -> Outcome {
+        let skeleton = match self.programs.skeleton(&self.job, unit, &mut self.symbols) {
+            Ok(made) => made,
+            Err(error) => return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}")),
+        };
+        let forward = crate::parser::sinumerik::ast::Search::Forward;
+        let any = crate::parser::sinumerik::ast::Search::Both;
+        let Some(start) = skeleton.label(from, 0, any) else {
+            let message = format!("there is no label `{}` in the program", self.symbols.name(from));
+            self.stop_run();
+            return self.fail(codes::S2003, 14082, span, message);
+        };
+        let end = if from == to { Some(start) } else { skeleton.label(to, start.place.at, forward) };
+        let Some(end) = end else {
+            let message = format!("there is no label `{}` behind the first", self.symbols.name(to));
+            self.stop_run();
+            return self.fail(codes::S2003, 14082, span, message);
+        };
+        self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
+    }
+
+    fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
+        let word = self.symbols.name(name).to_owned();
+        if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
+            return result;
+        }
+        let arguments = self.arguments(args, block, text)?;
+        let unit = self.find_program(&word, block.span)?;
+        self.modal = Some(Modal { unit, arguments, site: self.here.origin.loc });
+        self.modal_cycle = None;
+        Ok(())
+    }
+
+    /// Behind a block that moved: the modal program, unless it is the one that moved.
+    pub(super) fn call_modal(&mut self) -> Outcome {
+        let inside = self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { modal: true, .. }));
+        match &self.modal {
+            Some(modal) if !inside => {
+                let (unit, arguments) = (modal.unit, modal.arguments.clone());
+                self.call_unit(unit, arguments, 1, true)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The kind of the program that runs.
+    pub(super) fn in_main(&mut self) -> bool {
+        matches!(self.program_level().kind, LevelKind::Main)
+    }
+
+    /// Kinds of programs that end without M17 or M30 are worth a word.
+    pub(super) fn end_of_program_text(&mut self) {
+        self.refuse_arguments();
+        if self.in_main() {
+            let unit = &self.programs.units[self.unit()];
+            if unit.kind == UnitKind::Main {
+                let loc = self.here.origin.loc;
+                let found = Diagnostic::new(codes::S2026, loc, "the program ends without M30, M2 or M17 (alarm 14000)");
+                self.report(found.help("write M30 as its last block"));
+            }
+            self.ended.set(true);
+            return;
+        }
+        self.leave_program();
+    }
+}
+
+/// Extensions of programs that are called by name.
+const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
+
+/// `/_N_SPF_DIR/_N_X_SPF` is `/_N_SPF_DIR/X.SPF`.
+fn file_name(path: &str) -> String {
+    let (folder, name) = path.rsplit_once(['/', '\\']).unwrap_or(("", path));
+    let upper = name.to_ascii_uppercase();
+    let (bare, kind) = bare_name(&upper);
+    if bare == upper {
+        return path.to_owned();
+    }
+    let extension = if kind == UnitKind::Sub { "SPF" } else { "MPF" };
+    format!("{folder}/{bare}.{extension}")
+}

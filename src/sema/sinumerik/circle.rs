@@ -1,0 +1,327 @@
+//! Circles: G2, G3, CIP and CT with all their words, helices, polar arcs.
+//!
+//! Source: reference sections 2.3 to 2.5.
+
+use crate::diag::codes;
+use crate::geo::angle::rotated;
+use crate::geo::{Deg, Plane, Point2};
+use crate::ir::contour::{Arc, ArcShape, Path};
+use crate::ir::{Feed, Pos};
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::vocabulary::{Address, Code};
+use super::words::{Given, Mode, Words};
+use super::{Outcome, Run};
+
+/// Most extra turns of a helix.
+const MOST_TURNS: f64 = 999.0;
+
+/// Interpolation parameters by axis.
+const CENTER: [(Address, Axis); 3] = [(Address::I, Axis::X), (Address::J, Axis::Y), (Address::K, Axis::Z)];
+const VIA: [(Address, Axis); 3] = [(Address::I1, Axis::X), (Address::J1, Axis::Y), (Address::K1, Axis::Z)];
+
+impl Run<'_> {
+    /// The plane of a circle: the working plane, or the one of two axes that are not both in it.
+    fn circle_plane(&self, w: &Words, names: &[(Address, Axis); 3]) -> Plane {
+        let plane = self.st.plane();
+        let mut geometry = w.axes.common(AxisSet::MAIN).iter();
+        let (Some(a), Some(b), None) = (geometry.next(), geometry.next(), geometry.next()) else { return plane };
+        let has = |plane: Plane, axis: Axis| {
+            let (first, second, _) = plane.axes();
+            axis.index() == first || axis.index() == second
+        };
+        if has(plane, a) && has(plane, b) {
+            return plane;
+        }
+        let other = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(|p| has(*p, a) && has(*p, b));
+        let Some(other) = other else { return plane };
+        // Parameters of the working plane mean a helix whose one end coordinate stays.
+        let fits = names.iter().all(|(address, axis)| w.get(*address).is_none() || has(other, *axis));
+        if fits && w.get(Address::Ar).is_none() { other } else { plane }
+    }
+
+    pub(super) fn circle_block(&mut self, w: &mut Words, ccw: bool, polar: bool) -> Outcome {
+        if polar {
+            return self.polar_circle(w, ccw);
+        }
+        let plane = self.circle_plane(w, &CENTER);
+        let feed = self.path_feed(w, false)?;
+        let turns = self.turns(w)?;
+        let mut end = self.targets(w)?;
+        let start = self.start_in(plane, w)?;
+        let named = self.plane_axes_named(w, plane);
+        let to = self.end_in(&end, plane, start);
+        let span = self.arc_span(w);
+        let center = self.center(w, plane, start)?;
+        let shape = match (w.take(Address::Cr), w.take(Address::Ar), center) {
+            (Some(cr), None, None) => {
+                if !named {
+                    return self.fail_help(
+                        codes::S3003,
+                        14040,
+                        cr.span,
+                        "an arc by CR= needs an end point that differs from its start",
+                        "program the end point, or a full circle with I, J, K",
+                    );
+                }
+                let radius = cr.value * self.st.length_unit();
+                if radius == 0.0 {
+                    return self.fail(codes::S3001, 14095, cr.span, "the radius CR= is 0");
+                }
+                ArcShape::Radius { radius, ccw, tol: self.circle_tolerance(radius) }
+            }
+            (None, Some(ar), center) => {
+                let sweep = self.opening(ar, ccw)?;
+                match center {
+                    Some(_) if named => {
+                        return self.fail_help(
+                            codes::S3002,
+                            14900,
+                            ar.span,
+                            "AR= stands beside both a centre and an end point",
+                            "give the end point or the centre",
+                        );
+                    }
+                    Some(center) => {
+                        end.set_in_plane(plane, rotated(start, center, sweep));
+                        ArcShape::Sweep { center, sweep }
+                    }
+                    None if named => ArcShape::Opening { sweep },
+                    None => return self.fail(codes::S3003, 14040, ar.span, "AR= needs an end point or a centre"),
+                }
+            }
+            (None, None, Some(center)) => {
+                end.set_in_plane(plane, to);
+                let radius = crate::geo::distance(start, center);
+                ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }
+            }
+            (None, None, None) => {
+                return self.fail_help(
+                    codes::S3003,
+                    14040,
+                    span,
+                    "the arc has neither a centre nor a radius",
+                    "give I, J, K, CR= or AR=; for a straight line program G1",
+                );
+            }
+            _ => {
+                return self.fail_help(
+                    codes::S3002,
+                    14900,
+                    span,
+                    "centre, CR= and AR= exclude each other",
+                    "keep one of them",
+                );
+            }
+        };
+        if !matches!(shape, ArcShape::Sweep { .. }) {
+            end.set_in_plane(plane, to);
+        }
+        self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
+    }
+
+    fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Option<Feed>, span: Span) -> Outcome {
+        if let Some(third) =
+            AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.pos.get(*axis).is_none())
+        {
+            return self.unknown_axis(third, span);
+        }
+        self.pending_must_be_done(span)?;
+        self.send(end, Path::Arc(arc), feed);
+        Ok(())
+    }
+
+    /// Largest difference of the radii at start and end (MD 21000, MD 21010).
+    fn circle_tolerance(&self, radius: f64) -> f64 {
+        let control = &self.job.settings.control;
+        control.circle_error.max(control.circle_error_factor * radius.abs())
+    }
+
+    fn arc_span(&self, w: &Words) -> Span {
+        let words = CENTER.iter().map(|(address, _)| *address).chain([Address::Cr, Address::Ar]);
+        words.filter_map(|address| w.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
+    }
+
+    fn plane_axes_named(&self, w: &Words, plane: Plane) -> bool {
+        let (first, second, _) = plane.axes();
+        w.axes.contains(Axis::ALL[first]) || w.axes.contains(Axis::ALL[second])
+    }
+
+    /// Where the arc starts.
+    fn start_in(&mut self, plane: Plane, w: &Words) -> Outcome<Point2> {
+        if let Some(start) = self.st.pos.in_plane(plane) {
+            return Ok(start);
+        }
+        let (first, second, _) = plane.axes();
+        let missing = [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.st.pos.get(*axis).is_none());
+        let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
+        self.unknown_axis(missing.unwrap_or(Axis::X), span)
+    }
+
+    /// The end in the plane; coordinates that are not named stay.
+    fn end_in(&self, end: &Pos, plane: Plane, start: Point2) -> Point2 {
+        let (first, second, _) = plane.axes();
+        Point2::new(end.get(Axis::ALL[first]).unwrap_or(start.x), end.get(Axis::ALL[second]).unwrap_or(start.y))
+    }
+
+    /// The centre from I, J, K; `None` if none of them is given.
+    fn center(&mut self, w: &mut Words, plane: Plane, start: Point2) -> Outcome<Option<Point2>> {
+        self.point_of(w, &CENTER, plane, start, false)
+    }
+
+    fn point_of(
+        &mut self,
+        w: &mut Words,
+        names: &[(Address, Axis); 3],
+        plane: Plane,
+        start: Point2,
+        follows_g90: bool,
+    ) -> Outcome<Option<Point2>> {
+        let (first, second, _) = plane.axes();
+        let mut point = start;
+        let mut any = false;
+        for (address, axis) in names {
+            let Some(given) = w.get(*address) else { continue };
+            let place = match axis.index() {
+                i if i == first => &mut point.x,
+                i if i == second => &mut point.y,
+                _ => {
+                    let message = format!("{} lies outside the plane of the circle", axis.letter());
+                    return self.fail_help(
+                        codes::S2012,
+                        12110,
+                        given.span,
+                        message,
+                        "G17 takes I and J, G18 K and I, G19 J and K",
+                    );
+                }
+            };
+            w.take(*address);
+            any = true;
+            let absolute = match given.mode {
+                Mode::Plain => follows_g90 && !self.st.is(Code::G91),
+                Mode::Ac => true,
+                Mode::Ic => false,
+                _ => {
+                    return self.fail(codes::S2012, 12020, given.span, "only AC(…) and IC(…) fit here");
+                }
+            };
+            if absolute {
+                *place = self.length(*axis, Given { mode: Mode::Ac, ..given }, false)?;
+            } else if follows_g90 {
+                *place += self.length(*axis, Given { mode: Mode::Ic, ..given }, true)?;
+            } else {
+                // The way to a centre is a radius whatever DIAMON says.
+                *place += given.value * self.st.length_unit();
+            }
+        }
+        Ok(any.then_some(point))
+    }
+
+    fn opening(&self, ar: Given, ccw: bool) -> Outcome<Deg> {
+        if !(0.0001..=359.9999).contains(&ar.value) {
+            let message = format!("AR={} lies outside 0.0001 to 359.9999 degrees", ar.value);
+            return self.fail_help(codes::S3004, 14910, ar.span, message, "the sense of rotation comes from G2 or G3");
+        }
+        Ok(Deg(if ccw { ar.value } else { -ar.value }))
+    }
+
+    fn turns(&self, w: &mut Words) -> Outcome<u32> {
+        let Some(turn) = w.take(Address::Turn) else { return Ok(0) };
+        if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
+            let message = format!("TURN={} is no number of turns", turn.value);
+            return self.fail_help(
+                codes::S3005,
+                14048,
+                turn.span,
+                message,
+                "TURN counts additional full circles, 0 to 999",
+            );
+        }
+        Ok(turn.value as u32)
+    }
+
+    /// G2 or G3 with AP and RP: the pole is the centre.
+    fn polar_circle(&mut self, w: &mut Words, ccw: bool) -> Outcome {
+        for address in [Address::I, Address::J, Address::K, Address::Cr, Address::Ar] {
+            if let Some(given) = w.get(address) {
+                return self.fail_help(
+                    codes::S3002,
+                    14900,
+                    given.span,
+                    "a polar arc has the pole as its centre",
+                    "leave the centre, CR= and AR= out, or program the end point by axes",
+                );
+            }
+        }
+        let plane = self.st.plane();
+        let feed = self.path_feed(w, false)?;
+        let turns = self.turns(w)?;
+        self.start_in(plane, w)?;
+        let span = w.get(Address::Ap).or(w.get(Address::Rp)).map(|given| given.span).unwrap_or_default();
+        let end = self.polar_end(w)?;
+        let center = self.st.pole;
+        let radius = self.st.rp.unwrap_or(0.0);
+        let shape = ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) };
+        self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
+    }
+
+    /// CIP
+    pub(super) fn via_block(&mut self, w: &mut Words) -> Outcome {
+        let plane = self.circle_plane(w, &VIA);
+        let feed = self.path_feed(w, false)?;
+        let turns = self.turns(w)?;
+        let start = self.start_in(plane, w)?;
+        let span = VIA.iter().filter_map(|(a, _)| w.get(*a)).map(|g| g.span).reduce(Span::to).unwrap_or_default();
+        let (_, _, third) = plane.axes();
+        let third = Axis::ALL[third];
+        // An intermediate point outside the plane: the circle stands obliquely in space.
+        if let Some((address, axis)) = VIA.iter().find(|(address, axis)| *axis == third && w.get(*address).is_some()) {
+            let given = w.get(*address).unwrap_or_default();
+            let at = self.target(*axis, Given { mode: given.mode, ..given })?;
+            let level = |pos: Option<f64>| pos.is_none_or(|v| (v - at).abs() < 1e-9);
+            let end_level = w.axis(*axis);
+            let end = match end_level {
+                Some(given) => Some(self.target(*axis, given)?),
+                None => None,
+            };
+            if !level(self.st.pos.get(*axis)) || !level(end) {
+                return self.fail_help(
+                    codes::S9013,
+                    0,
+                    given.span,
+                    "the circle stands obliquely in space",
+                    "plain G-code has circles in the main planes only; have the CAM system put out lines",
+                );
+            }
+            w.take(*address);
+        }
+        let mut end = self.targets(w)?;
+        let to = self.end_in(&end, plane, start);
+        let Some(point) = self.point_of(w, &VIA, plane, start, true)? else {
+            return self.fail_help(
+                codes::S3006,
+                14920,
+                w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|g| g.span).unwrap_or_default(),
+                "CIP needs an intermediate point",
+                "give I1=, J1=, K1=",
+            );
+        };
+        end.set_in_plane(plane, to);
+        self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
+    }
+
+    /// CT
+    pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
+        let plane = self.st.plane();
+        let feed = self.path_feed(w, false)?;
+        let turns = self.turns(w)?;
+        let start = self.start_in(plane, w)?;
+        let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
+        let mut end = if polar { self.polar_end(w)? } else { self.targets(w)? };
+        let to = self.end_in(&end, plane, start);
+        end.set_in_plane(plane, to);
+        self.send_arc(&end, Arc { plane, shape: ArcShape::Tangent, turns }, feed, Span::default())
+    }
+}

@@ -1,0 +1,339 @@
+//! Contour definitions: lines by angle, chamfers and roundings.
+//!
+//! Source: reference sections 2.10 and 2.11.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
+use crate::ir::contour::{Coords, Corner, CornerShape, EndPoint, Move, Path};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::machine::Axis;
+use crate::text::Span;
+
+use super::vocabulary::{Address, Code};
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+/// First line of a pair: its end comes with the next block.
+#[derive(Debug)]
+pub(super) struct Pending {
+    angle: Deg,
+    plane: Plane,
+    rest: Pos,
+    path: Path,
+    feed: Option<Feed>,
+    side: Side,
+    corner: Option<Corner>,
+    origin: Origin,
+    /// What the program did since; it comes behind the line.
+    functions: Vec<(Function, Origin)>,
+}
+
+impl Run<'_> {
+    /// A line with ANG, or the line behind one without an end.
+    pub(super) fn angle_block(
+        &mut self,
+        w: &mut Words,
+        path: Path,
+        feed: Option<Feed>,
+        corner: Option<&Corner>,
+    ) -> Outcome {
+        let plane = self.st.plane();
+        let [first, second, _] = self.st.roles();
+        let named = [first, second].map(|axis| w.axes.contains(axis));
+        let angle = w.take(Address::Ang);
+        let Some(given) = angle else {
+            let origin = self.pending.take().map(|pending| pending.origin);
+            let found = Diagnostic::new(
+                codes::S2070,
+                self.here.origin.loc,
+                "the second line of the pair has no ANG (alarm 10794)",
+            );
+            let found = match origin {
+                Some(origin) => found.also(origin.loc, "the first line"),
+                None => found,
+            };
+            self.report(
+                found.help("give the angle and both end coordinates of the second line, or the end of the first"),
+            );
+            return Err(Reported);
+        };
+        let end = self.targets(w)?;
+        let angle = Deg(given.value);
+        match (named, self.pending.take()) {
+            ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, feed, given.span),
+            (_, Some(pending)) => {
+                let found = Diagnostic::new(
+                    codes::S2070,
+                    self.loc(given.span),
+                    "the second line of the pair needs both end coordinates (alarm 10794)",
+                );
+                self.report(found.also(pending.origin.loc, "the first line"));
+                Err(Reported)
+            }
+            ([true, true], None) => self.fail_help(
+                codes::S2070,
+                10795,
+                given.span,
+                "both end coordinates and an angle say too much",
+                "leave ANG out; only the second line of a pair has all three",
+            ),
+            ([false, false], None) => {
+                if self.st.pos.in_plane(plane).is_none() {
+                    let axis = if self.st.pos.get(first).is_none() { first } else { second };
+                    return self.unknown_axis(axis, given.span);
+                }
+                if self.st.machine_coordinates {
+                    return self.fail(codes::S9011, 0, given.span, "under G500 contour definitions cannot be printed");
+                }
+                self.pending = Some(Box::new(Pending {
+                    angle,
+                    plane,
+                    rest: end,
+                    path,
+                    feed,
+                    side: self.st.side(),
+                    corner: corner.copied(),
+                    origin: self.here.origin,
+                    functions: Vec::new(),
+                }));
+                Ok(())
+            }
+            _ => {
+                let end = self.one_coordinate(&end, angle, plane, [first, second], given.span)?;
+                self.send(&end, path, feed);
+                Ok(())
+            }
+        }
+    }
+
+    /// One end coordinate and the angle.
+    fn one_coordinate(&mut self, end: &Pos, angle: Deg, plane: Plane, axes: [Axis; 2], span: Span) -> Outcome<Pos> {
+        let Some(start) = self.st.pos.in_plane(plane) else {
+            let axis = if self.st.pos.get(axes[0]).is_none() { axes[0] } else { axes[1] };
+            return self.unknown_axis(axis, span);
+        };
+        let u = angle.unit();
+        let (along, across) = match (end.get(axes[0]), end.get(axes[1])) {
+            (Some(x), _) => (x - start.x, u.x),
+            (_, Some(y)) => (y - start.y, u.y),
+            _ => return Err(Reported),
+        };
+        if across.abs() < SAME_DIRECTION {
+            return self.fail_help(
+                codes::S2070,
+                10795,
+                span,
+                "the end coordinate cannot be reached at this angle",
+                "the line runs at a right angle to the axis of the end coordinate",
+            );
+        }
+        let way = along / across;
+        if way < -1e-9 {
+            return self.fail_help(
+                codes::S2070,
+                10795,
+                span,
+                "the end coordinate lies behind the start, seen along the angle",
+                "turn the angle by 180 degrees, or check the end coordinate",
+            );
+        }
+        let mut made = *end;
+        let mut point = start + u * way;
+        // The programmed coordinate stays as it was written.
+        if let Some(x) = end.get(axes[0]) {
+            point.x = x;
+        }
+        if let Some(y) = end.get(axes[1]) {
+            point.y = y;
+        }
+        made.set_in_plane(plane, point);
+        Ok(made)
+    }
+
+    fn second_line(
+        &mut self,
+        pending: Box<Pending>,
+        angle: Deg,
+        end: &Pos,
+        path: Path,
+        feed: Option<Feed>,
+        span: Span,
+    ) -> Outcome {
+        let first = Diagnostic::new(codes::S2070, self.loc(span), "");
+        let refuse = |run: &Self, message: &str, help: &str| -> Outcome {
+            let found = Diagnostic { message: message.to_owned(), ..first.clone() };
+            run.report(found.also(pending.origin.loc, "the first line").help(help));
+            Err(Reported)
+        };
+        if pending.plane != self.st.plane() {
+            return refuse(
+                self,
+                "the plane changes between the two lines (alarm 10790)",
+                "change the plane in front of the pair",
+            );
+        }
+        let (Some(start), Some(to)) = (self.st.pos.in_plane(pending.plane), end.in_plane(pending.plane)) else {
+            return Err(Reported);
+        };
+        let (u, v) = (pending.angle.unit(), angle.unit());
+        let Some((s, _)) = intersect::lines(start, u, to, v, SAME_DIRECTION) else {
+            return refuse(self, "the two lines are parallel and have no corner (alarm 10791)", "check the two angles");
+        };
+        let corner: Point2 = start + u * s;
+        let behind = (to - corner).dot(&v);
+        if s < -1e-9 || behind < -1e-9 {
+            let which =
+                if s < -1e-9 { "the first line would run backwards" } else { "the second line would run backwards" };
+            return refuse(
+                self,
+                &format!("the lines meet behind the start: {which} (alarm 10791)"),
+                "turn that angle by 180 degrees, or check the end point",
+            );
+        }
+        let mut first_end = pending.rest;
+        first_end.set_in_plane(pending.plane, corner);
+        let mv = Move {
+            end: EndPoint::Cartesian(first_end),
+            path: pending.path,
+            feed: pending.feed,
+            side: pending.side,
+            coords: Coords::Frame,
+        };
+        self.out.movement(&mv, &self.st.ctx, &pending.origin);
+        self.moved_to(&first_end);
+        if let Some(corner) = &pending.corner {
+            self.out.corner(corner, &self.st.ctx, &pending.origin);
+        }
+        for (function, origin) in &pending.functions {
+            self.out.function(function, &self.st.ctx, origin);
+        }
+        self.send(end, path, feed);
+        Ok(())
+    }
+
+    /// Something that cannot stand between the two lines of a pair.
+    pub(super) fn pending_must_be_done(&mut self, span: Span) -> Outcome {
+        let Some(pending) = self.pending.take() else { return Ok(()) };
+        let found =
+            Diagnostic::new(codes::S2070, pending.origin.loc, "the second line of the pair is missing (alarm 10793)");
+        self.report(
+            found
+                .also(self.loc(span), "this comes before it")
+                .help("write the second line behind the first: X… Y… ANG=…"),
+        );
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        Err(Reported)
+    }
+
+    /// Holds a function back while the first line of a pair waits for its end.
+    pub(super) fn held_back(&mut self, function: &Function) -> bool {
+        let origin = self.here.origin;
+        match &mut self.pending {
+            Some(pending) => {
+                pending.functions.push((function.clone(), origin));
+                true
+            }
+            None => false,
+        }
+    }
+
+    // Corners.
+
+    pub(super) fn has_corner_words(&self, w: &Words) -> bool {
+        [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().any(|address| w.get(*address).is_some())
+    }
+
+    pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
+        self.fail_help(
+            codes::S2071,
+            10882,
+            span,
+            "a chamfer or rounding stands in a block that does not move",
+            "write it into the block that leads to the corner",
+        )
+    }
+
+    /// RNDM and FRCM.
+    pub(super) fn modal_contour_words(&mut self, w: &mut Words) -> Outcome {
+        if let Some(rndm) = w.take(Address::Rndm) {
+            if rndm.value < 0.0 {
+                return self.negative(rndm.span);
+            }
+            self.st.rndm = rndm.value * self.st.length_unit();
+        }
+        if let Some(frcm) = w.take(Address::Frcm) {
+            if frcm.value < 0.0 {
+                return self.fail(codes::S2041, 14800, frcm.span, "the feed FRCM= is negative");
+            }
+            self.st.frcm = (frcm.value > 0.0).then(|| self.feed_of(frcm.value));
+        }
+        Ok(())
+    }
+
+    fn negative<T>(&self, span: Span) -> Outcome<T> {
+        self.fail(codes::S2071, 16500, span, "a chamfer or rounding is negative")
+    }
+
+    /// The corner that the block asks for at its end.
+    pub(super) fn corner_words(&mut self, w: &mut Words) -> Outcome<Option<Corner>> {
+        if !self.has_corner_words(w) && self.st.rndm == 0.0 {
+            return Ok(None);
+        }
+        let (rnd, chr, chf, frc) =
+            (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
+        for given in [rnd, chr, chf].into_iter().flatten() {
+            if given.value < 0.0 {
+                return self.negative(given.span);
+            }
+        }
+        let unit = self.st.length_unit();
+        // A rounding goes before a chamfer in the same block.
+        if let (Some(_), Some(other)) = (rnd, chr.or(chf)) {
+            let found = Diagnostic::new(
+                codes::S8008,
+                self.loc(other.span),
+                "RND and a chamfer stand in one block: only RND counts",
+            );
+            self.report(found.help("delete one of them"));
+        }
+        if let (Some(_), Some(chf)) = (chr, chf) {
+            return self.fail_help(codes::S2071, 0, chf.span, "CHR and CHF stand in one block", "keep one of them");
+        }
+        let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
+        let shape = match (rnd, chr, chf) {
+            (Some(rnd), _, _) => CornerShape::Rounding { radius: rnd.value * unit },
+            (None, Some(chr), _) => CornerShape::Chamfer { side: chr.value * unit },
+            (None, None, Some(chf)) => CornerShape::ChamferLength { length: chf.value * unit },
+            (None, None, None) => CornerShape::Rounding { radius: self.st.rndm },
+        };
+        let feed = match frc {
+            Some(frc) if frc.value > 0.0 => Some(self.feed_of(frc.value)),
+            Some(frc) => return self.fail(codes::S2041, 14800, frc.span, "the feed FRC= is not above 0"),
+            None => self.st.frcm,
+        };
+        if !explicit && self.st.rndm == 0.0 {
+            return self.fail_help(
+                codes::S2071,
+                0,
+                frc.map(|given| given.span).unwrap_or_default(),
+                "FRC= stands without a chamfer or rounding",
+                "give RND=, CHR= or CHF= in the same block",
+            );
+        }
+        let size = match shape {
+            CornerShape::Rounding { radius } => radius,
+            CornerShape::Chamfer { side } => side,
+            CornerShape::ChamferLength { length } => length,
+        };
+        Ok((size > 0.0).then_some(Corner { shape, feed, modal: !explicit }))
+    }
+
+    pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
+        let Some(corner) = corner else { return };
+        // A modal rounding is for moves that cut.
+        if corner.modal && self.st.is(Code::G0) {
+            return;
+        }
+        self.out.corner(&corner, &self.st.ctx, &self.here.origin);
+    }
+}

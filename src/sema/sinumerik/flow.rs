@@ -1,0 +1,386 @@
+//! Program flow inside a program: structures, jumps, repeated sections.
+//!
+//! Source: reference sections 5.3 to 5.5.
+
+use crate::diag::{Diagnostic, codes};
+use crate::machine::tree::did_you_mean;
+use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
+use crate::parser::symbols::Symbol;
+use crate::text::Span;
+use crate::text::blocks::Place;
+
+use super::calls::LevelKind;
+use super::programs::{Mark, Skeleton, Structure};
+use super::value::{Val, to_text, whole};
+use super::{Outcome, Reported, Run};
+
+/// Most passes of a program or a repeat.
+pub(super) const MOST_PASSES: i32 = 9999;
+
+impl Run<'_> {
+    pub(super) fn skeleton(&mut self) -> Outcome<std::rc::Rc<Skeleton>> {
+        let unit = self.level().unit;
+        match self.programs.skeleton(&self.job, unit, &mut self.symbols) {
+            Ok(made) => Ok(made),
+            Err(error) => self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}")),
+        }
+    }
+
+    /// Goes on at `place` of the current program. Repeats that do not hold the place end.
+    fn go_to(&mut self, place: Place) -> Outcome {
+        while let LevelKind::Section { from, stop, .. } = self.level().kind
+            && !(from.at <= place.at && place.at < stop)
+        {
+            self.levels.pop();
+        }
+        self.resume(place)
+    }
+
+    pub(super) fn resume(&mut self, place: Place) -> Outcome {
+        let file = self.programs.units[self.unit()].file;
+        let cursor = &mut self.programs.files[file].cursor;
+        if let Err(error) = cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, place)) {
+            return self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}"));
+        }
+        if place.at <= self.here.at {
+            self.budget.jump(self.here.origin.loc);
+        }
+        Ok(())
+    }
+
+    /// The structure that the current block belongs to. A structure that is not closed was reported.
+    fn own_structure(&mut self) -> Outcome<Structure> {
+        let at = self.here.at;
+        let found = self.skeleton()?.structure_of(at);
+        match found {
+            Some(found) => Ok(found),
+            None => {
+                // Without its partner nobody knows where the program goes on.
+                self.stop_run();
+                Err(Reported)
+            }
+        }
+    }
+
+    pub(super) fn structure(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let own = self.own_structure()?;
+        match block.stmt {
+            Stmt::If(condition) => {
+                if !self.decides(condition, block, text)? {
+                    let next = own.middle.map_or(own.close.after, |middle| middle.after);
+                    return self.go_to(next);
+                }
+                Ok(())
+            }
+            Stmt::Else => self.go_to(own.close.after),
+            Stmt::While(condition) => {
+                if self.decides(condition, block, text)? {
+                    Ok(())
+                } else {
+                    self.go_to(own.close.after)
+                }
+            }
+            Stmt::EndWhile => self.go_to(own.open.place),
+            Stmt::EndLoop => self.go_to(own.open.after),
+            Stmt::Until(condition) => {
+                if self.decides(condition, block, text)? {
+                    Ok(())
+                } else {
+                    self.go_to(own.open.after)
+                }
+            }
+            Stmt::For { variable, from, to } => self.for_block(own, variable, from, to, block, text),
+            Stmt::EndFor => {
+                self.level().counting = Some(own.open.place.at);
+                self.go_to(own.open.place)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A condition on which the way of the program depends: without it the run cannot go on.
+    fn decides(&mut self, condition: Formula, block: &Block, text: &[u8]) -> Outcome<bool> {
+        let result = self.condition(condition, block, text);
+        if result.is_err() {
+            self.stop_run();
+        }
+        result
+    }
+
+    fn for_block(
+        &mut self,
+        own: Structure,
+        variable: Target,
+        from: Formula,
+        to: Formula,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let counts = self.level().counting.take() == Some(self.here.at);
+        let result = self.count(counts, variable, from, to, block, text);
+        match result {
+            Ok(true) => Ok(()),
+            Ok(false) => self.go_to(own.close.after),
+            Err(reported) => {
+                self.stop_run();
+                Err(reported)
+            }
+        }
+    }
+
+    fn count(
+        &mut self,
+        counts: bool,
+        variable: Target,
+        from: Formula,
+        to: Formula,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        let rounded = |run: &mut Self, formula: Formula| {
+            let value = run.number(formula, block, text)?;
+            match whole(value) {
+                Some(n) => Ok(n),
+                None => run.fail(codes::S2029, 12560, formula.span, "the count of FOR fits no INT"),
+            }
+        };
+        let value = if counts {
+            let now = self.read_target(variable, block, text)?;
+            let Some(next) = now.number().and_then(whole).and_then(|n| n.checked_add(1)) else {
+                return self.fail(codes::S2029, 12560, block.span, "the count of FOR fits no INT");
+            };
+            next
+        } else {
+            rounded(self, from)?
+        };
+        let last = rounded(self, to)?;
+        self.write_target(variable, Val::Int(value), block.span, block, text)?;
+        Ok(value <= last)
+    }
+
+    // Jumps.
+
+    pub(super) fn if_jumps(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        for arm in &block.arms {
+            if let When::Condition(condition) = arm.when
+                && self.decides(condition, block, text)?
+            {
+                return self.jump(arm.jump, block, text);
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn case_block(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome {
+        let value = match self.number(formula, block, text) {
+            Ok(value) => value,
+            Err(reported) => {
+                self.stop_run();
+                return Err(reported);
+            }
+        };
+        let chosen = |arm: &&Arm| match arm.when {
+            When::Constant(n) => n as f64 == libm::floor(value + 0.5),
+            When::Default => true,
+            When::Condition(_) => false,
+        };
+        match block.arms.iter().find(chosen) {
+            Some(arm) => self.jump(arm.jump, block, text),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn jump(&mut self, jump: Jump, block: &Block, text: &[u8]) -> Outcome {
+        let result = self.find_target(jump, block, text);
+        match result {
+            Ok(Some(mark)) => self.go_to(mark.place),
+            Ok(None) => Ok(()),
+            Err(reported) => {
+                self.stop_run();
+                Err(reported)
+            }
+        }
+    }
+
+    fn find_target(&mut self, jump: Jump, block: &Block, text: &[u8]) -> Outcome<Option<Mark>> {
+        let from = self.here.at;
+        let (found, what) = match jump.target {
+            JumpTarget::Number(n) => (self.skeleton()?.number(n, from, jump.search), format!("block N{n}")),
+            JumpTarget::Label(name) => self.label_or_variable(name, from, jump)?,
+            JumpTarget::Text(formula) => {
+                let value = self.eval(formula, block, text)?;
+                self.named_target(&value, from, jump)?
+            }
+        };
+        if found.is_some() || jump.search == Search::BothQuiet {
+            return Ok(found);
+        }
+        self.no_target(jump, &what)
+    }
+
+    /// A label; a text variable of that name if there is no such label.
+    fn label_or_variable(&mut self, name: Symbol, from: u32, jump: Jump) -> Outcome<(Option<Mark>, String)> {
+        let found = self.skeleton()?.label(name, from, jump.search);
+        if found.is_none()
+            && let Some(slot) = self.vars.find(name)
+        {
+            let value = self.variable_value(slot, &[], jump.span)?;
+            return self.named_target(&value, from, jump);
+        }
+        Ok((found, format!("label `{}`", self.symbols.name(name))))
+    }
+
+    /// `"N100"`, `"100"` or `"LABEL"`.
+    fn named_target(&mut self, value: &Val, from: u32, jump: Jump) -> Outcome<(Option<Mark>, String)> {
+        let Some(text) = to_text(value).filter(|text| !text.is_empty()) else {
+            return self.fail(codes::S2003, 14080, jump.span, "the jump target is no text");
+        };
+        let shown = String::from_utf8_lossy(&text).into_owned();
+        let upper = text.to_ascii_uppercase();
+        let digits = upper.strip_prefix(b"N").or_else(|| upper.strip_prefix(b":")).unwrap_or(&upper);
+        let digits = digits.strip_suffix(b":").unwrap_or(digits);
+        let number = std::str::from_utf8(digits).ok().and_then(|digits| digits.parse().ok());
+        let skeleton = self.skeleton()?;
+        let found = match number {
+            Some(n) => skeleton.number(n, from, jump.search),
+            None => {
+                let name = upper.strip_suffix(b":").unwrap_or(&upper).to_vec();
+                let name = self.symbols.intern(&name);
+                skeleton.label(name, from, jump.search)
+            }
+        };
+        Ok((found, format!("jump target `{shown}`")))
+    }
+
+    fn no_target<T>(&mut self, jump: Jump, what: &str) -> Outcome<T> {
+        let skeleton = self.skeleton()?;
+        let elsewhere = match jump.target {
+            JumpTarget::Label(name) => skeleton.label(name, self.here.at, Search::Both),
+            JumpTarget::Number(n) => skeleton.number(n, self.here.at, Search::Both),
+            JumpTarget::Text(_) => None,
+        };
+        let way = match jump.search {
+            Search::Forward => " behind this block",
+            Search::Backward => " in front of this block",
+            _ => "",
+        };
+        let found =
+            Diagnostic::new(codes::S2003, self.loc(jump.span), format!("there is no {what}{way} (alarm 14080)"));
+        let found = match (elsewhere, jump.target) {
+            (Some(mark), _) => {
+                let loc = self.mark_loc(mark);
+                let other = if jump.search == Search::Forward { "GOTOB" } else { "GOTOF" };
+                found.also(loc, "it stands here").help(format!("jump by {other} or GOTO"))
+            }
+            (None, JumpTarget::Label(name)) => {
+                let wanted = self.symbols.name(name);
+                let names: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
+                match did_you_mean(wanted, names) {
+                    Some(like) => found.help(format!("did you mean `{like}`?")),
+                    None => found.help("write the label in front of the block to jump to: `NAME:`"),
+                }
+            }
+            _ => found.help("check the target of the jump"),
+        };
+        self.report(found);
+        Err(Reported)
+    }
+
+    fn mark_loc(&mut self, mark: Mark) -> crate::text::Loc {
+        let file = self.programs.units[self.unit()].file;
+        let span = Span::at(mark.place.at, (mark.after.at - mark.place.at).saturating_sub(1));
+        crate::text::Loc { file: self.programs.files[file].file, line: mark.place.line, span }
+    }
+
+    // Repeated sections.
+
+    pub(super) fn repeat(
+        &mut self,
+        from: Symbol,
+        to: Option<Symbol>,
+        times: Option<Formula>,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let start = self.section_label(from, block.span)?;
+        let stop = match to {
+            Some(to) => {
+                let end = self.section_label(to, block.span)?;
+                if end.place.at < start.place.at {
+                    let message = "the last label of the section stands in front of its first";
+                    return self.fail(codes::S2003, 14080, block.span, message);
+                }
+                end.after.at
+            }
+            None => {
+                let end = self.symbols.intern(b"ENDLABEL");
+                match self.skeleton()?.label(end, start.place.at, Search::Forward) {
+                    Some(end) => end.after.at,
+                    None if start.place.at < self.here.at => self.here.at,
+                    None => {
+                        let message = "the section behind this block has no ENDLABEL";
+                        return self.fail(codes::S2003, 14080, block.span, message);
+                    }
+                }
+            }
+        };
+        self.repeat_section(start.place, stop, times, block, text)
+    }
+
+    pub(super) fn repeat_block(
+        &mut self,
+        label: Symbol,
+        times: Option<Formula>,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let mark = self.section_label(label, block.span)?;
+        self.repeat_section(mark.place, mark.after.at, times, block, text)
+    }
+
+    /// A label of a repeat: the nearest one in front, else behind.
+    pub(super) fn section_label(&mut self, name: Symbol, span: Span) -> Outcome<Mark> {
+        let at = self.here.at;
+        let skeleton = self.skeleton()?;
+        match skeleton.label(name, at, Search::Backward).or_else(|| skeleton.label(name, at, Search::Forward)) {
+            Some(mark) => Ok(mark),
+            None => {
+                let jump = Jump { search: Search::Both, target: JumpTarget::Label(name), span };
+                let what = format!("label `{}`", self.symbols.name(name));
+                self.stop_run();
+                self.no_target(jump, &what)
+            }
+        }
+    }
+
+    fn repeat_section(
+        &mut self,
+        from: Place,
+        stop: u32,
+        times: Option<Formula>,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let times = match times {
+            Some(formula) => self.passes(formula, block, text)?,
+            None => 1,
+        };
+        self.enter_section(from, stop, times)
+    }
+
+    /// A number of passes.
+    pub(super) fn passes(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<u32> {
+        let value = self.number(formula, block, text)?;
+        self.check_passes(value, formula.span)
+    }
+
+    pub(super) fn check_passes(&mut self, value: f64, span: Span) -> Outcome<u32> {
+        match whole(value).filter(|n| (1..=MOST_PASSES).contains(n)) {
+            Some(n) => Ok(n as u32),
+            None => {
+                let message = format!("P={value} is no number of passes");
+                self.fail_help(codes::S2019, 14013, span, message, "P is 1 to 9999")
+            }
+        }
+    }
+}

@@ -1,0 +1,528 @@
+//! Runs a SINUMERIK program: an explicit program counter and call stack, variables, modal state.
+//!
+//! Every block is resolved completely in its turn; only the first line of a two-line contour definition waits
+//! for the second. Order inside a block: assignments, G codes, F S T D, spindle and coolant, motion, stops and
+//! end, modal call. Source: `reference/sinumerik-core`.
+
+mod assign;
+mod calls;
+mod circle;
+mod contour;
+mod cycles;
+mod eval;
+mod flow;
+mod frames;
+mod functions;
+mod motion;
+mod polar;
+mod programs;
+mod special;
+mod state;
+mod system;
+mod tech;
+mod value;
+mod vars;
+mod vocabulary;
+mod words;
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diag::{CallPath, Code, Diagnostic, codes};
+use crate::ir::Function;
+use crate::ir::contour::Sink;
+use crate::machine::Axis;
+use crate::parser::problem::Problem;
+use crate::parser::sinumerik::ast::{Block, Op, Stmt};
+use crate::parser::sinumerik::{SPLIT, parse_block};
+use crate::parser::symbols::{Symbol, Symbols};
+use crate::text::blocks::Place;
+use crate::text::{FileId, Loc, Next, Span};
+
+use super::Job;
+use super::exec::{Budget, open_cursor};
+use super::here::Here;
+use calls::{Level, Modal};
+use contour::Pending;
+use programs::{Programs, UnitKind};
+use state::State;
+use value::Val;
+use vars::Vars;
+use vocabulary::{GCodes, Meaning};
+use words::Words;
+
+/// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
+pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
+    let mut run = Run::new(job, out);
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
+    let unit = run.main_unit(first);
+    run.levels.push(Level::main(unit));
+    run.vars.enter();
+    while !run.ended.get() {
+        run.step();
+    }
+    run.finish(unit);
+    run.programs.files[0].cursor.content_hash(job.sources).unwrap_or(0)
+}
+
+/// Reads every block of the file, whether it runs or not, and reports what is wrong with its form.
+pub fn check_form(job: &Job<'_>) {
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
+    let mut block = Block::default();
+    let mut symbols = Symbols::default();
+    let mut problems = Vec::new();
+    let mut macros = false;
+    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
+        parse_block(text.text, &mut block, &mut symbols, &mut problems);
+        macros |= matches!(block.stmt, Stmt::Define(_));
+        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        for problem in problems.drain(..) {
+            // A macro may stand for anything.
+            if !macros {
+                job.diags.push(here.diagnostic(job, problem));
+            }
+        }
+    }
+}
+
+/// A block with what its execution needs besides.
+#[derive(Debug, Clone, Default)]
+struct Parsed {
+    block: Block,
+    text: Vec<u8>,
+    lines: u32,
+    next: Place,
+    /// Macros were replaced: spans do not fit the file.
+    expanded: bool,
+}
+
+/// A run of a program.
+struct Run<'a> {
+    job: Job<'a>,
+    out: &'a mut dyn Sink,
+    st: State,
+    vars: Vars,
+    symbols: Symbols,
+    meanings: Vec<Option<Meaning>>,
+    vocabulary: FxHashMap<&'static str, Meaning>,
+    gcodes: GCodes,
+    programs: Programs,
+    levels: Vec<Level>,
+    budget: Budget,
+    /// System variables that the program wrote.
+    system: BTreeMap<String, Val>,
+    macros: FxHashMap<Symbol, Box<[u8]>>,
+    definitions_read: bool,
+    /// Programs by the name they were called by.
+    found: FxHashMap<String, usize>,
+    warned_r: FxHashSet<u32>,
+    given_parameters: Vec<(Symbol, bool)>,
+    modal: Option<Modal>,
+    modal_cycle: Option<cycles::ModalCycle>,
+    pending: Option<Box<Pending>>,
+    /// Lead of the last thread and the axis along which it counts.
+    lead: Option<(Axis, f64)>,
+    axis_feed: BTreeMap<Axis, f64>,
+    compensation_starts: bool,
+    stack: Vec<Val>,
+    words: Option<Box<Words>>,
+    here: Here,
+    expanded: bool,
+    problems: Vec<Problem>,
+    scratch: Option<Box<Parsed>>,
+    ended: Cell<bool>,
+}
+
+/// A block that could not be executed; the reason was reported.
+#[derive(Debug, Clone, Copy)]
+struct Reported;
+
+type Outcome<T = ()> = Result<T, Reported>;
+
+impl<'a> Run<'a> {
+    fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
+        let mut vars = Vars::new(&job.settings.variables);
+        vars.main_visible = job.settings.control.main_variables_visible;
+        Run {
+            job: *job,
+            out,
+            st: State::new(job.settings),
+            vars,
+            symbols: Symbols::default(),
+            meanings: Vec::new(),
+            vocabulary: vocabulary::words(),
+            gcodes: GCodes::new(),
+            programs: Programs::default(),
+            levels: Vec::new(),
+            budget: Budget::new(job.settings.limits.steps),
+            system: BTreeMap::new(),
+            macros: FxHashMap::default(),
+            definitions_read: false,
+            found: FxHashMap::default(),
+            warned_r: FxHashSet::default(),
+            given_parameters: Vec::new(),
+            modal: None,
+            modal_cycle: None,
+            pending: None,
+            lead: None,
+            axis_feed: BTreeMap::new(),
+            compensation_starts: false,
+            stack: Vec::new(),
+            words: None,
+            here: Here::default(),
+            expanded: false,
+            problems: Vec::new(),
+            scratch: None,
+            ended: Cell::new(false),
+        }
+    }
+
+    /// The main program of a file: an archive may begin with its subprograms.
+    fn main_unit(&mut self, first: usize) -> usize {
+        if self.programs.units[first].kind == UnitKind::Main {
+            return first;
+        }
+        let _ = self.programs.list(&self.job, 0);
+        let main = self.programs.units.iter().position(|unit| unit.kind == UnitKind::Main);
+        let unit = main.unwrap_or(first);
+        let start = self.programs.units[unit].start;
+        let _ = self.programs.files[0].cursor.seek(self.job.sources, start);
+        unit
+    }
+
+    fn level(&mut self) -> &mut Level {
+        self.levels.last_mut().expect("the main level is popped only when the run ends")
+    }
+
+    /// The program that runs.
+    fn unit(&self) -> usize {
+        self.levels.last().map_or(0, |level| level.unit)
+    }
+
+    fn stop_run(&self) {
+        self.ended.set(true);
+    }
+
+    /// Executes one block.
+    fn step(&mut self) {
+        let (unit, call) = (self.level().unit, self.level().call);
+        if !self.budget.step() {
+            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+            self.ended.set(true);
+            return;
+        }
+        let (at, end) = (self.programs.units[unit].file, self.programs.units[unit].end);
+        let file = &mut self.programs.files[at];
+        let place = file.cursor.place();
+        if self.levels.len() > 1 && self.ends_here(place.at) {
+            return;
+        }
+        if place.at >= end {
+            return self.end_of_file();
+        }
+        let file = &mut self.programs.files[at];
+        if file.cursor.is_whole()
+            && let Some(parsed) = file.cache.get(place.at)
+        {
+            file.cursor.resume(parsed.next);
+            self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
+            self.expanded = parsed.expanded;
+            self.execute(&parsed.block, &parsed.text);
+            return;
+        }
+        let mut parsed = self.scratch.take().unwrap_or_default();
+        parsed.text.clear();
+        self.read(at, place, call, &mut parsed);
+        self.scratch = Some(parsed);
+    }
+
+    fn read(&mut self, at: usize, place: Place, call: CallPath, parsed: &mut Parsed) {
+        let file = &mut self.programs.files[at];
+        match file.cursor.next(self.job.sources) {
+            Ok(Next::Block(found)) => {
+                self.here = Here::new(file.file, place.at, place.line, found.lines, call);
+                parsed.lines = found.lines;
+                parsed.expanded = false;
+                if self.macros.is_empty() {
+                    parse_block(found.text, &mut parsed.block, &mut self.symbols, &mut self.problems);
+                    if needs_text(&parsed.block) {
+                        parsed.text.extend_from_slice(found.text);
+                    }
+                } else {
+                    let text = found.text.to_vec();
+                    let replaced = self.expanded(&text);
+                    parsed.expanded = replaced.is_some();
+                    parsed.text = replaced.unwrap_or(text);
+                    parse_block(&parsed.text, &mut parsed.block, &mut self.symbols, &mut self.problems);
+                }
+                self.expanded = parsed.expanded;
+                let file = &mut self.programs.files[at];
+                if file.cursor.is_whole() {
+                    parsed.next = file.cursor.place();
+                    file.cache.insert(place.at, Rc::new(Parsed::clone(parsed)));
+                }
+                if !self.problems.is_empty() {
+                    self.report_problems();
+                }
+                self.execute(&parsed.block, &parsed.text);
+            }
+            Ok(Next::TooLong { at, line }) => {
+                let loc = Loc { file: file.file, line, span: Span::at(at, 1) };
+                self.job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB"));
+            }
+            Ok(Next::End) => self.end_of_file(),
+            Err(error) => {
+                let loc = Loc { file: file.file, line: place.line, span: Span::at(place.at, 0) };
+                self.job.diags.push(Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}")));
+                self.ended.set(true);
+            }
+        }
+    }
+
+    fn end_of_file(&mut self) {
+        let _ = self.pending_must_be_done(Span::default());
+        self.end_of_program_text();
+    }
+
+    fn report_problems(&mut self) {
+        let expanded = self.expanded;
+        for problem in std::mem::take(&mut self.problems) {
+            let mut found = self.here.diagnostic(&self.job, problem);
+            if expanded {
+                found.label.loc = self.here.origin.loc;
+            }
+            self.job.diags.push(found);
+        }
+    }
+
+    fn execute(&mut self, block: &Block, text: &[u8]) {
+        self.here.origin.loc.span =
+            if self.expanded { Span::at(self.here.at, 1) } else { block.span.shifted(self.here.at) };
+        if let Some(level) = block.skip
+            && self.job.settings.control.skip_blocks.contains(&level)
+        {
+            return;
+        }
+        if self.job.settings.output.comments
+            && let Some(comment) = block.comment
+        {
+            self.comment(comment.of(text));
+        }
+        if block.stmt == Stmt::Empty {
+            return;
+        }
+        // What went wrong was reported; the next block may show more.
+        let _ = self.statement(block, text);
+    }
+
+    fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        match block.stmt {
+            Stmt::Empty => return Ok(()),
+            Stmt::Words => return self.words_block(block, text),
+            Stmt::Header => return self.header(),
+            Stmt::Bad => {
+                self.begins_executing();
+                self.st.lose(Axis::ALL.into_iter().collect());
+                self.pending = None;
+                self.lost();
+                return Err(Reported);
+            }
+            Stmt::Def { kind, length, global } => return self.def_block(kind, length, global, block, text),
+            Stmt::Proc(_) => return self.proc_block(block, text),
+            Stmt::Extern(_) | Stmt::Redef(_) => return Ok(()),
+            Stmt::Define(span) => return self.define_macro(span.of(text), span),
+            _ => {}
+        }
+        self.begins_executing();
+        match block.stmt {
+            Stmt::IfJump => self.if_jumps(block, text),
+            Stmt::Goto(jump) => self.jump(jump, block, text),
+            Stmt::GotoStart => Ok(()),
+            Stmt::Case(formula) => self.case_block(formula, block, text),
+            Stmt::Repeat { from, to, times } => self.repeat(from, to, times, block, text),
+            Stmt::RepeatBlock { label, times } => self.repeat_block(label, times, block, text),
+            Stmt::Call(form) => {
+                self.pending_must_be_done(block.span)?;
+                let result = self.call_form(form, block, text);
+                if result.is_err() {
+                    self.st.lose(Axis::ALL.into_iter().collect());
+                    self.lost();
+                }
+                result
+            }
+            Stmt::Sync(span) => self.fail_help(
+                codes::S9004,
+                0,
+                span,
+                "synchronized actions run beside the program, as the machine's signals come",
+                "leave the action out, or replace it by blocks of the program",
+            ),
+            _ => self.structure(block, text),
+        }
+    }
+
+    /// A `%` line: the program of an archive that follows is another one.
+    fn header(&mut self) -> Outcome {
+        let unit = self.level().unit;
+        if self.here.at != self.programs.units[unit].start.at && self.starts_program() {
+            self.end_of_file();
+        }
+        Ok(())
+    }
+
+    fn starts_program(&self) -> bool {
+        self.job.sources.bytes(self.here.file, Span::at(self.here.at, 1)) == b"%"
+    }
+
+    /// An executable block: DEF is too late from here on, arguments without PROC are too many.
+    fn begins_executing(&mut self) {
+        let level = self.program_level();
+        if level.executed {
+            return;
+        }
+        level.executed = true;
+        if level.arguments.is_some() {
+            self.refuse_arguments();
+        }
+    }
+
+    /// Reads the block again, now that more is known.
+    fn again(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let line = if text.is_empty() { self.block_text(block) } else { text.to_vec() };
+        self.execute_line(&line, block.span)
+    }
+
+    fn block_text(&self, block: &Block) -> Vec<u8> {
+        self.job.sources.bytes(self.here.file, block.span.shifted(self.here.at))
+    }
+
+    /// Executes a text as a block: EXECSTRING, or a block with macros.
+    fn execute_line(&mut self, line: &[u8], span: Span) -> Outcome {
+        let loc = self.loc(span);
+        let line = self.expanded(line).unwrap_or_else(|| line.to_vec());
+        let mut block = Block::default();
+        parse_block(&line, &mut block, &mut self.symbols, &mut self.problems);
+        self.expanded = true;
+        self.here.origin.loc = loc;
+        self.report_problems();
+        match block.stmt {
+            Stmt::Words => {
+                // The words of the block around are in use.
+                let kept = self.words.take();
+                let result = self.words_block(&block, &line);
+                if kept.is_some() {
+                    self.words = kept;
+                }
+                result
+            }
+            Stmt::Empty => Ok(()),
+            Stmt::Bad => Err(Reported),
+            Stmt::Call(form) => self.call_form(form, &block, &line),
+            _ => {
+                self.fail(codes::S2013, 12080, span, "a control structure or declaration cannot be executed as a text")
+            }
+        }
+    }
+
+    /// The words of the block without the procedure that was done.
+    fn words_again(&mut self, w: &mut Words, block: &Block) -> Outcome {
+        self.run_words_of(w, block)
+    }
+
+    fn comment(&mut self, text: &[u8]) {
+        let text = text.trim_ascii();
+        if !text.is_empty() {
+            self.function(Function::Comment(text.to_vec()));
+        }
+    }
+
+    fn function(&mut self, function: Function) {
+        if self.pending.is_some() && self.held_back(&function) {
+            return;
+        }
+        self.out.function(&function, &self.st.ctx, &self.here.origin);
+    }
+
+    /// Nobody knows where the tool is.
+    fn lost(&mut self) {
+        self.out.lost(&self.st.ctx, &self.here.origin);
+    }
+
+    fn report(&self, found: Diagnostic) {
+        self.job.diags.push(found.called(self.here.origin.call));
+    }
+
+    /// Reports an error about `span` of the block, or about the whole block, and gives it up. `alarm` is the
+    /// number that the control shows; 0 for none.
+    fn fail<T>(&self, code: &'static Code, alarm: u32, span: Span, message: impl Into<String>) -> Outcome<T> {
+        self.report(self.found(code, alarm, span, message.into()));
+        Err(Reported)
+    }
+
+    /// The same with a line of help.
+    fn fail_help<T>(
+        &self,
+        code: &'static Code,
+        alarm: u32,
+        span: Span,
+        message: impl Into<String>,
+        help: &str,
+    ) -> Outcome<T> {
+        self.report(self.found(code, alarm, span, message.into()).help(help));
+        Err(Reported)
+    }
+
+    fn found(&self, code: &'static Code, alarm: u32, span: Span, message: String) -> Diagnostic {
+        let message = if alarm == 0 { message } else { format!("{message} (alarm {alarm})") };
+        Diagnostic::new(code, self.loc(span), message)
+    }
+
+    /// A note that is made once for the whole program.
+    fn note_once(&self, code: &'static Code, span: Span, message: impl Into<String>) {
+        if self.job.diags.first_time(code) {
+            self.report(Diagnostic::new(code, self.loc(span), message));
+        }
+    }
+
+    /// A place in the current block; the whole block for an empty span.
+    fn loc(&self, span: Span) -> Loc {
+        if self.expanded || span.is_empty() { self.here.origin.loc } else { self.here.loc(&self.job, span) }
+    }
+
+    /// End of the whole run: what is still open is worth a word.
+    fn finish(&mut self, unit: usize) {
+        if self.st.side() != crate::ir::Side::None {
+            let found =
+                Diagnostic::new(codes::S2082, self.here.origin.loc, "the program ends with radius compensation on");
+            self.report(found.help("program G40 with a straight move before the end"));
+        }
+        let _ = self.programs.list_rest(&self.job);
+        let others: Vec<&str> = self
+            .programs
+            .units
+            .iter()
+            .enumerate()
+            .filter(|(at, other)| *at != unit && other.file == 0 && other.kind == UnitKind::Main)
+            .map(|(_, other)| other.name.as_str())
+            .collect();
+        if !others.is_empty() {
+            let start = Loc { file: FileId(0), line: 1, span: Span::default() };
+            let name = &self.programs.units[unit].name;
+            let message = format!("the file holds several main programs; {name} is compiled");
+            let found = Diagnostic::new(codes::S8003, start, message);
+            self.job.diags.push(found.help(format!("put {} into files of their own", others.join(", "))));
+        }
+    }
+}
+
+/// Does executing the block need more of its text than the spans of its words?
+fn needs_text(block: &Block) -> bool {
+    block.comment.is_some()
+        || !matches!(block.stmt, Stmt::Words | Stmt::Empty)
+        || block.ops.iter().any(|op| matches!(op, Op::Text(_)))
+}

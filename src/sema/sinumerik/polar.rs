@@ -1,0 +1,180 @@
+//! Poles and polar end points: G110, G111, G112, AP and RP.
+//!
+//! Source: reference section 2.4.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::angle::polar_point;
+use crate::geo::{Deg, Point2};
+use crate::ir::Pos;
+use crate::text::Span;
+
+use super::vocabulary::{Address, Code};
+use super::words::{Given, Mode, Words};
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// G110, G111 or G112: the pole, by coordinates or by angle and radius.
+    pub(super) fn pole_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        let result = self.set_pole(code, span, w);
+        self.st.pole_lost = result.is_err();
+        result
+    }
+
+    fn set_pole(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        let plane = self.st.plane();
+        let [first, second, third] = self.st.roles();
+        for axis in w.axes.iter() {
+            if axis != first && axis != second {
+                let given = w.axis(axis).unwrap_or_default();
+                let message = format!("{} is no axis of the working plane", axis.letter());
+                let help = format!("a pole has {} and {}", first.letter(), second.letter());
+                let help = if axis == third { format!("{help}; check G17, G18, G19") } else { help };
+                return self.fail_help(codes::S2050, 14270, given.span, message, &help);
+            }
+        }
+        let base = match code {
+            Code::G111 => Point2::origin(),
+            Code::G112 => {
+                if self.st.pole_lost {
+                    return Err(Reported);
+                }
+                self.st.pole
+            }
+            _ => match self.st.pos.in_plane(plane) {
+                Some(at) => at,
+                None => {
+                    let axis = if self.st.pos.get(first).is_none() { first } else { second };
+                    return self.unknown_axis(axis, span);
+                }
+            },
+        };
+        let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
+        let pole = if ap.is_some() || rp.is_some() {
+            if !w.axes.is_empty() {
+                return self.mixed(span);
+            }
+            let (Some(ap), Some(rp)) = (ap, rp) else {
+                return self.fail_help(codes::S2054, 0, span, "a polar pole needs AP= and RP=", "give both");
+            };
+            self.check_angle(ap, 14260)?;
+            self.check_radius(rp, 14250)?;
+            polar_point(base, rp.value * self.st.length_unit(), Deg(ap.value))
+        } else {
+            // G90, G91, AC and IC do not matter; the diameter axis counts as it is programmed.
+            let mut way = [0.0; 2];
+            for (place, axis) in way.iter_mut().zip([first, second]) {
+                if let Some(given) = w.axis(axis) {
+                    *place = self.length(axis, Given { mode: Mode::Plain, ..given }, false)?;
+                }
+            }
+            Point2::new(base.x + way[0], base.y + way[1])
+        };
+        self.st.pole = pole;
+        self.st.ap = None;
+        Ok(())
+    }
+
+    fn mixed<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2051,
+            14280,
+            span,
+            "AP= or RP= stands beside an axis of the working plane",
+            "give the end point by AP= and RP=, or by its axes",
+        )
+    }
+
+    fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
+        if ap.value.abs() > 360.0 {
+            let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
+            return self.fail(codes::S2053, alarm, ap.span, message);
+        }
+        Ok(())
+    }
+
+    fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
+        if rp.value < 0.0 {
+            return self.fail_help(
+                codes::S2052,
+                alarm,
+                rp.span,
+                format!("RP={} is negative", rp.value),
+                "a polar radius is positive; turn AP by 180 degrees instead",
+            );
+        }
+        Ok(())
+    }
+
+    /// The end point of a block with AP or RP.
+    pub(super) fn polar_end(&mut self, w: &mut Words) -> Outcome<Pos> {
+        if self.st.pole_lost {
+            return Err(Reported);
+        }
+        let plane = self.st.plane();
+        let [first, second, _] = self.st.roles();
+        let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
+        let span = ap.or(rp).map(|given| given.span).unwrap_or_default();
+        if w.axes.contains(first) || w.axes.contains(second) {
+            return self.mixed(span);
+        }
+        let radius = match rp {
+            Some(rp) => {
+                self.check_radius(rp, 14200)?;
+                rp.value * self.st.length_unit()
+            }
+            None => match self.st.rp {
+                Some(radius) => radius,
+                None => self.from_position(span, "RP=")?.0,
+            },
+        };
+        let angle = match ap {
+            Some(ap) => {
+                self.check_angle(ap, 14210)?;
+                let incremental = match ap.mode {
+                    Mode::Plain => self.st.is(Code::G91),
+                    Mode::Ac => false,
+                    Mode::Ic => true,
+                    _ => return self.fail(codes::S2012, 12020, ap.span, "only AC(…) and IC(…) fit AP="),
+                };
+                if incremental {
+                    let base = match self.st.ap {
+                        Some(angle) => angle,
+                        None => self.from_position(span, "the angle that AP= counts from")?.1,
+                    };
+                    base + ap.value
+                } else {
+                    ap.value
+                }
+            }
+            None => match self.st.ap {
+                Some(angle) => angle,
+                None => self.from_position(span, "AP=")?.1,
+            },
+        };
+        self.st.rp = Some(radius);
+        self.st.ap = Some(angle);
+        let mut end = self.targets(w)?;
+        end.set_in_plane(plane, polar_point(self.st.pole, radius, Deg(angle)));
+        Ok(end)
+    }
+
+    /// Radius and angle of the position about the pole, where the program does not say them.
+    fn from_position(&mut self, span: Span, what: &str) -> Outcome<(f64, f64)> {
+        let plane = self.st.plane();
+        let Some(at) = self.st.pos.in_plane(plane) else {
+            let [first, second, _] = self.st.roles();
+            let axis = if self.st.pos.get(first).is_none() { first } else { second };
+            return self.unknown_axis(axis, span);
+        };
+        let way = at - self.st.pole;
+        let found =
+            Diagnostic::new(codes::S2054, self.loc(span), format!("{what} was not programmed since the pole was set"));
+        let (radius, angle) = (crate::geo::length(way), Deg::of(way).0);
+        self.report(
+            found
+                .here(format!("taken from the position: RP={radius:.4}, AP={angle:.4}"))
+                .help("program AP= and RP= in this block"),
+        );
+        Ok((radius, angle))
+    }
+}

@@ -1,0 +1,390 @@
+//! The programs of a run: files, the programs in an archive, and their skeletons for jumps.
+//!
+//! Source: reference sections 1.1, 5.3 and 5.4.
+
+use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::sinumerik::SPLIT;
+use crate::parser::sinumerik::ast::Search;
+use crate::parser::sinumerik::scan::{Word, scan};
+use crate::parser::symbols::{Symbol, Symbols};
+use crate::sema::Job;
+use crate::sema::exec::{Cache, open_cursor};
+use crate::text::blocks::Place;
+use crate::text::{Cursor, FileId, Loc, Next, Span};
+
+use super::Parsed;
+
+/// Deepest nesting of structures that any control allows.
+const MOST_NESTED: usize = 16;
+
+/// A file of the run.
+#[derive(Debug)]
+pub(super) struct File {
+    pub file: FileId,
+    pub cursor: Cursor,
+    pub cache: Cache<Parsed>,
+    /// The programs of the file were listed.
+    listed: bool,
+}
+
+/// Main program or subprogram, as far as the header says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum UnitKind {
+    Main,
+    Sub,
+    /// Definitions and data.
+    Other,
+}
+
+/// A program: a file, or a part of an archive.
+#[derive(Debug)]
+pub(super) struct Unit {
+    pub file: usize,
+    /// Upper case, without `_N_` and the suffix.
+    pub name: String,
+    pub kind: UnitKind,
+    pub start: Place,
+    /// Offset of the header of the next program; the end of the file is not looked for.
+    pub end: u32,
+    pub skeleton: Option<Rc<Skeleton>>,
+}
+
+/// All of them.
+#[derive(Debug, Default)]
+pub(super) struct Programs {
+    pub files: Vec<File>,
+    pub units: Vec<Unit>,
+}
+
+impl Programs {
+    /// Opens a file; its first program is the result.
+    pub fn open(&mut self, job: &Job<'_>, file: FileId, from: Loc) -> Option<usize> {
+        if let Some(at) = self.files.iter().position(|known| known.file == file) {
+            return self.units.iter().position(|unit| unit.file == at);
+        }
+        let cursor = open_cursor(job, file, SPLIT, from)?;
+        let header = first_line(cursor.head());
+        let (name, kind) = match header_name(header) {
+            Some(found) => found,
+            None => (stem(&job.sources.name(file)), UnitKind::Main),
+        };
+        let start = cursor.start();
+        self.files.push(File { file, cursor, cache: Cache::default(), listed: false });
+        let file = self.files.len() - 1;
+        self.units.push(Unit { file, name, kind, start, end: u32::MAX, skeleton: None });
+        Some(self.units.len() - 1)
+    }
+
+    /// Lists the programs of a file by their headers. Keeps the reading position.
+    pub fn list(&mut self, job: &Job<'_>, file: usize) -> std::io::Result<()> {
+        let Some(entry) = self.files.get_mut(file).filter(|entry| !entry.listed) else { return Ok(()) };
+        entry.listed = true;
+        let cursor = &mut entry.cursor;
+        cursor.load(job.sources)?;
+        let back = cursor.place();
+        cursor.seek(job.sources, cursor.start())?;
+        let mut found: Vec<(Place, String, UnitKind)> = Vec::new();
+        loop {
+            let place = cursor.place();
+            match cursor.next(job.sources)? {
+                Next::Block(block) => {
+                    if let Some((name, kind)) = header_name(block.text) {
+                        found.push((place, name, kind));
+                    }
+                }
+                Next::TooLong { .. } => {}
+                Next::End => break,
+            }
+        }
+        cursor.seek(job.sources, back)?;
+        let Some(first) = self.units.iter().position(|unit| unit.file == file) else { return Ok(()) };
+        for (place, name, kind) in found {
+            if place == self.units[first].start {
+                continue;
+            }
+            let last = self.units.iter_mut().rev().find(|unit| unit.file == file);
+            if let Some(last) = last {
+                last.end = last.end.min(place.at);
+            }
+            self.units.push(Unit { file, name, kind, start: place, end: u32::MAX, skeleton: None });
+        }
+        Ok(())
+    }
+
+    /// Lists the programs behind the one that ran, without loading the file.
+    pub fn list_rest(&mut self, job: &Job<'_>) -> std::io::Result<()> {
+        let Some(entry) = self.files.first_mut().filter(|entry| !entry.listed) else { return Ok(()) };
+        let mut found = Vec::new();
+        loop {
+            let place = entry.cursor.place();
+            match entry.cursor.next(job.sources)? {
+                Next::Block(block) => {
+                    if let Some((name, kind)) = header_name(block.text) {
+                        found.push(Unit { file: 0, name, kind, start: place, end: u32::MAX, skeleton: None });
+                    }
+                }
+                Next::TooLong { .. } => {}
+                Next::End => break,
+            }
+        }
+        self.units.extend(found);
+        Ok(())
+    }
+
+    /// A program of the same archive.
+    pub fn find_in_file(&self, file: usize, name: &str) -> Option<usize> {
+        let mut of_file =
+            self.units.iter().enumerate().filter(|(_, unit)| unit.file == file && unit.kind != UnitKind::Other);
+        of_file.find(|(_, unit)| unit.name == name).map(|(at, _)| at)
+    }
+
+    /// The skeleton of a program, made on demand.
+    pub fn skeleton(&mut self, job: &Job<'_>, unit: usize, symbols: &mut Symbols) -> std::io::Result<Rc<Skeleton>> {
+        if let Some(known) = &self.units[unit].skeleton {
+            return Ok(Rc::clone(known));
+        }
+        let file = self.units[unit].file;
+        self.list(job, file)?;
+        let (start, end) = (self.units[unit].start, self.units[unit].end);
+        let entry = &mut self.files[file];
+        let back = entry.cursor.place();
+        entry.cursor.seek(job.sources, start)?;
+        let mut made = Skeleton::default();
+        let mut open = Vec::new();
+        loop {
+            let place = entry.cursor.place();
+            if place.at >= end {
+                break;
+            }
+            let mark = match entry.cursor.next(job.sources)? {
+                Next::Block(block) => scan(block.text, symbols),
+                Next::TooLong { .. } => continue,
+                Next::End => break,
+            };
+            let after = entry.cursor.place();
+            let loc = Loc {
+                file: entry.file,
+                line: place.line,
+                span: Span::at(place.at, after.at.saturating_sub(place.at + 1)),
+            };
+            if let Some(label) = mark.label {
+                made.labels.entry(label).or_default().push(Mark { place, after });
+            }
+            if let Some(number) = mark.number {
+                made.numbers.entry(number).or_default().push(Mark { place, after });
+            }
+            if let Some(word) = mark.structure {
+                made.structure(job, word, Mark { place, after }, loc, &mut open);
+            }
+        }
+        for (word, mark) in open {
+            let loc = Loc {
+                file: entry.file,
+                line: mark.place.line,
+                span: Span::at(mark.place.at, mark.after.at - mark.place.at),
+            };
+            let found = Diagnostic::new(
+                codes::S2004,
+                loc,
+                format!("{} is not closed (alarm 12640)", if word == Word::Else { "IF" } else { name(word) }),
+            );
+            job.diags.push(found.help(format!("write {} at its end", closing(word))));
+        }
+        entry.cursor.seek(job.sources, back)?;
+        let made = Rc::new(made);
+        self.units[unit].skeleton = Some(Rc::clone(&made));
+        Ok(made)
+    }
+}
+
+/// A block and where the one behind it starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Mark {
+    pub place: Place,
+    pub after: Place,
+}
+
+/// A control structure.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Structure {
+    pub open: Mark,
+    /// ELSE.
+    pub middle: Option<Mark>,
+    pub close: Mark,
+}
+
+/// Where the labels, block numbers and structures of a program are.
+#[derive(Debug, Default)]
+pub(super) struct Skeleton {
+    labels: FxHashMap<Symbol, Vec<Mark>>,
+    numbers: FxHashMap<u32, Vec<Mark>>,
+    structures: Vec<Structure>,
+    /// Structure that a block belongs to, by the offset of the block.
+    by_block: FxHashMap<u32, usize>,
+}
+
+impl Skeleton {
+    fn structure(&mut self, job: &Job<'_>, word: Word, mark: Mark, loc: Loc, open: &mut Vec<(Word, Mark)>) {
+        match word {
+            Word::If | Word::While | Word::For | Word::Loop | Word::Repeat => {
+                if open.len() == MOST_NESTED {
+                    let message = format!("structures are nested more than {MOST_NESTED} deep (alarm 12641)");
+                    job.diags.push(
+                        Diagnostic::new(codes::S2004, loc, message).help("move the inner part into a subprogram"),
+                    );
+                }
+                open.push((word, mark));
+                return;
+            }
+            Word::Else => {
+                if let Some((Word::If, opener)) = open.last().copied() {
+                    // The ELSE stands in for its IF until ENDIF comes.
+                    let at = self.structures.len();
+                    self.structures.push(Structure { open: opener, middle: Some(mark), close: mark });
+                    self.by_block.insert(opener.place.at, at);
+                    self.by_block.insert(mark.place.at, at);
+                    if let Some(last) = open.last_mut() {
+                        last.0 = Word::Else;
+                    }
+                    return;
+                }
+            }
+            _ => {
+                if let Some((opener, from)) = open.last().copied()
+                    && closes(opener, word)
+                {
+                    open.pop();
+                    let at = match self.by_block.get(&from.place.at) {
+                        Some(at) => *at,
+                        None => {
+                            self.structures.push(Structure { open: from, middle: None, close: mark });
+                            self.by_block.insert(from.place.at, self.structures.len() - 1);
+                            self.structures.len() - 1
+                        }
+                    };
+                    self.structures[at].close = mark;
+                    self.by_block.insert(mark.place.at, at);
+                    return;
+                }
+            }
+        }
+        let found = Diagnostic::new(codes::S2004, loc, format!("{} has no opening (alarm 12640)", name(word)));
+        let found = match open.last() {
+            Some((opener, from)) => {
+                let opened =
+                    Loc { line: from.place.line, span: Span::at(from.place.at, from.after.at - from.place.at), ..loc };
+                found
+                    .also(opened, format!("{} is open here", name(*opener)))
+                    .help(format!("close it by {} first", closing(*opener)))
+            }
+            None => found.help(format!("delete {} or write its opening", name(word))),
+        };
+        job.diags.push(found);
+    }
+
+    pub fn structure_of(&self, at: u32) -> Option<Structure> {
+        self.by_block.get(&at).map(|i| self.structures[*i])
+    }
+
+    pub fn label(&self, name: Symbol, from: u32, search: Search) -> Option<Mark> {
+        nearest(self.labels.get(&name)?, from, search)
+    }
+
+    pub fn number(&self, number: u32, from: u32, search: Search) -> Option<Mark> {
+        nearest(self.numbers.get(&number)?, from, search)
+    }
+
+    pub fn labels(&self) -> impl Iterator<Item = Symbol> + '_ {
+        self.labels.keys().copied()
+    }
+}
+
+/// The nearest mark in the direction of the search; a block finds itself backwards.
+fn nearest(marks: &[Mark], from: u32, search: Search) -> Option<Mark> {
+    let split = marks.partition_point(|mark| mark.place.at <= from);
+    let forward = marks.get(split).copied();
+    let backward = split.checked_sub(1).and_then(|at| marks.get(at)).copied();
+    match search {
+        Search::Forward => forward,
+        Search::Backward => backward,
+        Search::Both | Search::BothQuiet => forward.or(backward),
+    }
+}
+
+fn closes(opener: Word, word: Word) -> bool {
+    matches!(
+        (opener, word),
+        (Word::If | Word::Else, Word::EndIf)
+            | (Word::While, Word::EndWhile)
+            | (Word::For, Word::EndFor)
+            | (Word::Loop, Word::EndLoop)
+            | (Word::Repeat, Word::Until)
+    )
+}
+
+fn closing(opener: Word) -> &'static str {
+    match opener {
+        Word::While => "ENDWHILE",
+        Word::For => "ENDFOR",
+        Word::Loop => "ENDLOOP",
+        Word::Repeat => "UNTIL",
+        _ => "ENDIF",
+    }
+}
+
+fn name(word: Word) -> &'static str {
+    match word {
+        Word::If => "IF",
+        Word::Else => "ELSE",
+        Word::EndIf => "ENDIF",
+        Word::While => "WHILE",
+        Word::EndWhile => "ENDWHILE",
+        Word::For => "FOR",
+        Word::EndFor => "ENDFOR",
+        Word::Loop => "LOOP",
+        Word::EndLoop => "ENDLOOP",
+        Word::Repeat => "REPEAT",
+        Word::Until => "UNTIL",
+    }
+}
+
+fn first_line(head: &[u8]) -> &[u8] {
+    let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+    let end = head.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(head.len());
+    &head[..end]
+}
+
+/// Name and kind of a program from `%_N_NAME_MPF`.
+pub(super) fn header_name(line: &[u8]) -> Option<(String, UnitKind)> {
+    let line = line.strip_prefix(b"%")?.trim_ascii();
+    let end = line.iter().position(|b| *b == b';' || b.is_ascii_whitespace()).unwrap_or(line.len());
+    let name = String::from_utf8_lossy(&line[..end]).to_ascii_uppercase();
+    Some(bare_name(&name))
+}
+
+/// `_N_PART_MPF` is PART, a main program.
+pub(super) fn bare_name(name: &str) -> (String, UnitKind) {
+    let name = name.strip_prefix("_N_").unwrap_or(name);
+    for (suffix, kind) in [("_MPF", UnitKind::Main), ("_SPF", UnitKind::Sub), ("_CYC", UnitKind::Sub)] {
+        if let Some(stem) = name.strip_suffix(suffix) {
+            return (stem.to_owned(), kind);
+        }
+    }
+    for suffix in ["_DEF", "_INI", "_TEA", "_TOA", "_UFR", "_RPA", "_ARC", "_COM"] {
+        if let Some(stem) = name.strip_suffix(suffix) {
+            return (stem.to_owned(), UnitKind::Other);
+        }
+    }
+    (name.to_owned(), UnitKind::Main)
+}
+
+/// Name of a program by its file.
+fn stem(file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let upper = name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_ascii_uppercase();
+    bare_name(&upper).0
+}

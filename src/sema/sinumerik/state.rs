@@ -1,0 +1,263 @@
+//! Modal state of a run. Written here and by the statements, sampled by every item.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use crate::geo::{Plane, Point2};
+use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
+
+use super::Run;
+use super::frames::FrameValue;
+use super::vocabulary::{Code, GROUPS, defaults};
+
+/// How values of the diameter axis count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Diameter {
+    Off,
+    /// Absolute and incremental values are diameters.
+    On,
+    /// Absolute values are diameters, increments radii.
+    Absolute,
+}
+
+/// Everything modal.
+#[derive(Debug)]
+pub(super) struct State {
+    /// Active index by G group.
+    pub groups: [u8; GROUPS],
+    pub geometry_axes: [Axis; 3],
+    pub lathe: bool,
+    pub ctx: CtxRef,
+    /// Programmed position in the workpiece system of the program, mm and radius.
+    pub pos: Pos,
+    /// Axes whose position was lost by a reported error.
+    pub lost: AxisSet,
+    /// Coordinates as last programmed, before any change of the frame (SD 42440).
+    pub programmed: Pos,
+    pub pole: Point2,
+    /// The pole was set under an error.
+    pub pole_lost: bool,
+    pub ap: Option<f64>,
+    pub rp: Option<f64>,
+    /// F word in mm, with the kind of feed under which it was written.
+    pub feed: Option<Feed>,
+    pub feed_lost: bool,
+    pub rndm: f64,
+    pub frcm: Option<Feed>,
+    pub speed: Option<f64>,
+    pub speed_limit: Option<f64>,
+    pub constant_cut: bool,
+    /// Master spindle.
+    pub master: u8,
+    pub programmable: FrameValue,
+    /// Work offsets that the program wrote, by number (0 is G500).
+    pub written: BTreeMap<u8, FrameValue>,
+    /// The work offset in force, where the program wrote it.
+    pub settable: Option<FrameValue>,
+    /// Number of the work offset in force.
+    pub offset: u8,
+    /// Blocks count in machine coordinates: G500 is in force.
+    pub machine_coordinates: bool,
+    pub diameter: Option<Diameter>,
+    pub tool: Tool,
+    pub basic_unit: Unit,
+}
+
+/// The tool in use.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Tool {
+    /// In the spindle or turret.
+    pub active: Option<u32>,
+    /// Chosen by T, not yet changed.
+    pub next: Option<u32>,
+    /// Edge (D number).
+    pub edge: Option<u32>,
+    pub lost: bool,
+}
+
+/// What SAVE brings back.
+#[derive(Debug, Clone)]
+pub(super) struct Saved {
+    groups: [u8; GROUPS],
+    programmable: FrameValue,
+}
+
+impl State {
+    pub fn new(settings: &Settings) -> State {
+        let mut groups = defaults();
+        let machine = &settings.machine;
+        let lathe = machine.kind == MachineKind::Lathe;
+        let basic_unit = settings.control.unit.unwrap_or_default();
+        if lathe {
+            groups[6] = Code::G18.index;
+            if machine.power_on_diameter && machine.diameter_axis.is_some() {
+                groups[29] = Code::DIAMON.index;
+            }
+        }
+        if basic_unit == Unit::Inch {
+            groups[13] = Code::G70.index;
+        }
+        let plane = if lathe { Plane::Zx } else { Plane::Xy };
+        State {
+            groups,
+            geometry_axes: machine.geometry_axes,
+            lathe,
+            ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
+            pos: Pos::UNKNOWN,
+            lost: AxisSet::EMPTY,
+            programmed: Pos::UNKNOWN,
+            pole: Point2::origin(),
+            pole_lost: false,
+            ap: None,
+            rp: None,
+            feed: None,
+            feed_lost: false,
+            rndm: 0.0,
+            frcm: None,
+            speed: None,
+            speed_limit: None,
+            constant_cut: false,
+            master: 1,
+            programmable: FrameValue::default(),
+            written: BTreeMap::new(),
+            settable: None,
+            offset: 0,
+            machine_coordinates: false,
+            diameter: None,
+            tool: Tool::default(),
+            basic_unit,
+        }
+    }
+
+    pub fn is(&self, code: Code) -> bool {
+        self.groups[code.group as usize] == code.index
+    }
+
+    pub fn plane(&self) -> Plane {
+        self.ctx.plane
+    }
+
+    /// Millimetres in a programmed unit of length.
+    #[inline]
+    pub fn length_unit(&self) -> f64 {
+        match self.groups[13] {
+            1 | 3 => 25.4,
+            _ => 1.0,
+        }
+    }
+
+    /// Millimetres in the unit of length of F.
+    pub fn feed_unit(&self) -> f64 {
+        match self.groups[13] {
+            3 => 25.4,
+            4 => 1.0,
+            _ => self.basic_unit.mm(),
+        }
+    }
+
+    /// Does F count per revolution?
+    pub fn per_revolution(&self) -> bool {
+        matches!(self.groups[15], 3..=5)
+    }
+
+    pub fn side(&self) -> Side {
+        match self.groups[7] {
+            2 => Side::Left,
+            3 => Side::Right,
+            _ => Side::None,
+        }
+    }
+
+    pub fn diameter_mode(&self) -> Diameter {
+        self.diameter.unwrap_or(match self.groups[29] {
+            2 => Diameter::On,
+            3 => Diameter::Absolute,
+            _ => Diameter::Off,
+        })
+    }
+
+    /// Axes of the working plane and the one at a right angle to it.
+    pub fn roles(&self) -> [Axis; 3] {
+        let (first, second, third) = self.plane().axes();
+        [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]]
+    }
+
+    /// Forgets where an axis is, because of a reported error.
+    pub fn lose(&mut self, axes: AxisSet) {
+        for axis in axes.iter() {
+            self.pos.forget(axis);
+            self.programmed.forget(axis);
+        }
+        self.lost = self.lost.union(axes);
+    }
+
+    /// Forgets where an axis is; the program has to say it.
+    pub fn forget(&mut self, axis: Axis) {
+        self.pos.forget(axis);
+        self.programmed.forget(axis);
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn save(&self) -> Saved {
+        Saved { groups: self.st.groups, programmable: self.st.programmable.clone() }
+    }
+
+    pub(super) fn restore(&mut self, saved: Saved) {
+        let changed = self.st.groups[15] != saved.groups[15];
+        let (kept_offset, kept_plane) = (self.st.groups[8], saved.groups[6]);
+        self.st.groups = saved.groups;
+        // The work offset of the subprogram stays (MD 10617).
+        self.st.groups[8] = kept_offset;
+        self.st.programmable = saved.programmable;
+        self.set_plane(kept_plane);
+        self.refresh_frame();
+        if changed {
+            self.feed_mode_changed();
+        }
+    }
+
+    /// The context with the plane of group 6.
+    pub(super) fn set_plane(&mut self, index: u8) {
+        let (i, j) = match index {
+            2 => (2, 0),
+            3 => (1, 2),
+            _ => (0, 1),
+        };
+        let axes = self.st.geometry_axes;
+        let fits = |plane: &Plane| {
+            let (first, second, _) = plane.axes();
+            (Axis::ALL[first], Axis::ALL[second]) == (axes[i], axes[j])
+        };
+        let plane = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(fits).unwrap_or(self.st.ctx.plane);
+        if plane != self.st.ctx.plane {
+            self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
+            self.st.ap = None;
+            self.st.pole = Point2::origin();
+        }
+    }
+
+    /// Makes the context fit the frames; the tool stays where it is.
+    pub(super) fn refresh_frame(&mut self) {
+        let total = match &self.st.settable {
+            Some(outer) => outer.chain(&self.st.programmable),
+            None => self.st.programmable.clone(),
+        };
+        let Some(frame) = total.map() else {
+            let _: super::Outcome = self.fail(
+                crate::diag::codes::S2034,
+                0,
+                crate::text::Span::default(),
+                "the frame cannot be inverted: a scaling factor is zero or a value is infinite",
+            );
+            return;
+        };
+        if frame != self.st.ctx.frame {
+            let tool = self.st.ctx.frame.apply(&self.st.pos);
+            self.st.pos = frame.unapply(&tool);
+            self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });
+        }
+    }
+}

@@ -1,0 +1,388 @@
+//! System variables that a compiler can know, and functions that need the program.
+//!
+//! Source: reference sections 4.7 and 5.7.
+
+use std::rc::Rc;
+
+use crate::diag::codes;
+use crate::machine::Axis;
+use crate::parser::symbols::Symbol;
+use crate::text::Span;
+
+use super::frames::FrameValue;
+use super::value::{Val, whole};
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// Reads `$NAME[args]`.
+    pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
+        let word = self.symbols.name(name).to_owned();
+        if let Some(value) = self.known_value(&word, args, span)? {
+            return Ok(value);
+        }
+        let key = system_key(&word, args);
+        if let Some(value) = self.system.get(&key) {
+            return Ok(value.clone());
+        }
+        if let Some(value) = self.job.settings.variables.get(&key) {
+            return Ok(Val::Real(*value));
+        }
+        self.fail_help(
+            codes::S2028,
+            0,
+            span,
+            format!("the value of {key} is known on the machine only"),
+            &format!("give it under [variables]: \"{key}\" = value"),
+        )
+    }
+
+    fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
+        Ok(Some(match word {
+            "$PI" => Val::Real(core::f64::consts::PI),
+            "$P_EP" | "$AA_IW" => {
+                let [Val::Axis(axis)] = args else {
+                    return self.fail(codes::S2031, 12040, span, format!("{word} needs an axis: {word}[X]"));
+                };
+                Val::Real(self.position_value(*axis, span)?)
+            }
+            "$P_TOOLNO" => match self.st.tool.active {
+                Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
+                None => return Ok(None),
+            },
+            "$P_TOOLP" => match self.st.tool.next.or(self.st.tool.active) {
+                Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
+                None => return Ok(None),
+            },
+            "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge.unwrap_or(1)).unwrap_or(1)),
+            "$P_TOOLR" => match self.active_tool().and_then(|tool| tool.radius) {
+                Some(radius) => Val::Real(radius / self.st.length_unit()),
+                None => return Ok(None),
+            },
+            "$P_GG" => {
+                let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
+                match group.and_then(|group| self.st.groups.get(group)) {
+                    Some(index) => Val::Int(i32::from(*index)),
+                    None => return self.fail(codes::S2018, 17020, span, "there is no such G group"),
+                }
+            }
+            "$P_AXN1" => Val::Axis(self.st.roles()[0]),
+            "$P_AXN2" => Val::Axis(self.st.roles()[1]),
+            "$P_AXN3" => Val::Axis(self.st.roles()[2]),
+            "$P_F" => match self.st.feed {
+                Some(feed) => Val::Real(feed.value() / self.st.feed_unit()),
+                None => Val::Real(0.0),
+            },
+            "$P_S" => match self.st.speed {
+                Some(speed) => Val::Real(speed),
+                None => Val::Real(0.0),
+            },
+            "$P_MSNUM" => Val::Int(i32::from(self.st.master)),
+            "$P_SIM" | "$P_SEARCH" | "$P_SEARCHL" | "$P_ISTEST" | "$P_DRYRUN" | "$P_PROGPATH_SIM" => {
+                if self.job.settings.variables.contains_key(word) {
+                    return Ok(None);
+                }
+                Val::Bool(false)
+            }
+            "$P_UIFRNUM" => Val::Int(i32::from(self.st.offset)),
+            "$P_PFRAME" => {
+                let frame = Rc::new(self.st.programmable.clone());
+                return self.frame_or_component(&frame, args, span).map(Some);
+            }
+            "$P_IFRAME" => {
+                let Some(frame) = self.st.settable.clone() else { return Ok(None) };
+                return self.frame_or_component(&Rc::new(frame), args, span).map(Some);
+            }
+            "$P_UIFR" => {
+                let Some((number, rest)) = self.offset_number(args, span)? else { return Ok(None) };
+                let Some(frame) = self.offset_frame(number) else { return Ok(None) };
+                return self.frame_or_component(&Rc::new(frame), rest, span).map(Some);
+            }
+            "$P_SUBPAR" => {
+                let n = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
+                let given = n.and_then(|n| n.checked_sub(1)).and_then(|n| self.given_parameters.get(n));
+                Val::Bool(given.is_some_and(|(_, given)| *given))
+            }
+            "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn frame_or_component(&self, frame: &Rc<FrameValue>, args: &[Val], span: Span) -> Outcome<Val> {
+        if args.is_empty() {
+            return Ok(Val::Frame(Rc::clone(frame)));
+        }
+        self.frame_component(frame, args, span)
+    }
+
+    /// Number of a work offset and what follows it in the brackets.
+    fn offset_number<'v>(&self, args: &'v [Val], span: Span) -> Outcome<Option<(u8, &'v [Val])>> {
+        let Some((first, rest)) = args.split_first() else { return Ok(None) };
+        match first.number().and_then(whole).and_then(|n| u8::try_from(n).ok()).filter(|n| *n <= 99) {
+            Some(number) => Ok(Some((number, rest))),
+            None => self.fail(codes::S2018, 17020, span, "work offsets have the numbers 0 to 99"),
+        }
+    }
+
+    /// A work offset as far as it is known: written by the program, or given under `[datums]`.
+    pub(super) fn offset_frame(&self, number: u8) -> Option<FrameValue> {
+        if let Some(frame) = self.st.written.get(&number) {
+            return Some(frame.clone());
+        }
+        let values = self.job.settings.datums.offsets.get(&offset_word(number))?;
+        let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
+        Some(FrameValue::shifted(&values))
+    }
+
+    /// Where an axis stands, as the program would write it.
+    fn position_value(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
+        if self.st.lost.contains(axis) {
+            return Err(Reported);
+        }
+        let Some(value) = self.st.pos.get(axis) else {
+            let message = format!("where {} stands was not programmed yet", axis.letter());
+            return self.fail_help(
+                codes::S2042,
+                0,
+                span,
+                message,
+                "program the axis once in absolute coordinates before reading its position",
+            );
+        };
+        if axis.is_rotary() {
+            return Ok(value);
+        }
+        let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::state::Diameter::Off;
+        Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.length_unit())
+    }
+
+    /// Writes `$NAME[args]`.
+    pub(super) fn write_system(&mut self, name: Symbol, args: &[Val], value: Val, span: Span) -> Outcome {
+        let word = self.symbols.name(name).to_owned();
+        match word.as_str() {
+            "$P_PFRAME" => {
+                let frame = self.new_frame(&self.st.programmable.clone(), args, &value, span)?;
+                self.st.programmable = frame;
+                self.refresh_frame();
+                Ok(())
+            }
+            "$P_IFRAME" => {
+                let old = self.st.settable.clone().unwrap_or_default();
+                let frame = self.new_frame(&old, args, &value, span)?;
+                self.resolved_offset_note(span);
+                self.switch_offset(Some(frame));
+                Ok(())
+            }
+            "$P_UIFR" => {
+                let Some((number, rest)) = self.offset_number(args, span)? else {
+                    return self.fail(codes::S2018, 17020, span, "the number of the work offset is missing");
+                };
+                let old = match self.offset_frame(number) {
+                    Some(frame) => frame,
+                    None if rest.is_empty() => FrameValue::default(),
+                    None => {
+                        let word = offset_word(number);
+                        let message =
+                            format!("one component of {word} is set, the others are known on the machine only");
+                        return self.fail_help(codes::S2028, 0, span, message, &format!("give {word} under [datums]"));
+                    }
+                };
+                let frame = self.new_frame(&old, rest, &value, span)?;
+                self.st.written.insert(number, frame);
+                self.resolved_offset_note(span);
+                Ok(())
+            }
+            _ if word.starts_with("$TC_")
+                || word.starts_with("$SC_")
+                || word.starts_with("$AC_MARKER")
+                || word.starts_with("$AC_PARAM")
+                || word.starts_with("$P_AD")
+                || word.starts_with("$SN_") =>
+            {
+                self.system.insert(system_key(&word, args), value);
+                Ok(())
+            }
+            _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
+                self.note_once(
+                    codes::S8006,
+                    span,
+                    format!("{word} is an output or a counter of the control and is left out"),
+                );
+                self.system.insert(system_key(&word, args), value);
+                Ok(())
+            }
+            _ => self.fail_help(
+                codes::S2028,
+                0,
+                span,
+                format!("{word} cannot be set by a compiled program"),
+                "it changes the machine or the control; set it there",
+            ),
+        }
+    }
+
+    fn new_frame(&self, old: &FrameValue, args: &[Val], value: &Val, span: Span) -> Outcome<FrameValue> {
+        if args.is_empty() {
+            return match value {
+                Val::Frame(frame) => Ok((**frame).clone()),
+                other => self.fail(codes::S2005, 12150, span, format!("a frame is needed, this is {}", other.what())),
+            };
+        }
+        let mut frame = old.clone();
+        self.set_frame_component(&mut frame, args, value, span)?;
+        Ok(frame)
+    }
+
+    /// Functions that make frames or ask about the program; `None` for others.
+    pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Option<Outcome<Val>> {
+        Some(match name {
+            "CTRANS" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
+            "CFINE" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
+            "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
+            "CSCALE" => self.triple(args, 1.0, span).and_then(|scale| {
+                if scale.contains(&0.0) {
+                    return self.fail(codes::S2034, 0, span, "a scaling factor is 0");
+                }
+                Ok(frame(FrameValue::scaled(scale)))
+            }),
+            "CMIRROR" => self.mirrored(args, span),
+            "CRPL" => self.rotated_in_plane(args, span),
+            "INVFRAME" => match args {
+                [Val::Frame(inner)] => match inner.inverse() {
+                    Some(made) => Ok(frame(made)),
+                    None => self.fail(codes::S2034, 0, span, "the frame cannot be inverted"),
+                },
+                _ => self.fail(codes::S2021, 14021, span, "INVFRAME takes a frame"),
+            },
+            "ISVAR" | "ISFILE" => return self.is_known(name, args, span),
+            "MODAXVAL" => match args {
+                [_, value] => match value.number() {
+                    Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
+                    None => self.fail(codes::S2005, 12150, span, "MODAXVAL takes an axis and an angle"),
+                },
+                _ => self.fail(codes::S2021, 14021, span, "MODAXVAL takes an axis and an angle"),
+            },
+            "SET" | "REP" => {
+                self.fail(codes::S2005, 12150, span, format!("{name} fills an array and is no value of its own"))
+            }
+            _ => return None,
+        })
+    }
+
+    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Option<Outcome<Val>> {
+        let [Val::Text(text)] = args else {
+            return Some(self.fail(codes::S2021, 14021, span, format!("{name} takes a text")));
+        };
+        let wanted = String::from_utf8_lossy(text).into_owned();
+        if name == "ISVAR" {
+            let symbol = self.symbols.intern(wanted.trim_end_matches(']').split('[').next().unwrap_or("").as_bytes());
+            return Some(Ok(Val::Bool(self.vars.find(symbol).is_some())));
+        }
+        let identity = self.job.sources.identity(self.job.main);
+        let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
+        let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
+        let here = self.programs.find_in_file(0, &bare).is_some();
+        Some(Ok(Val::Bool(here || self.job.files.open(&request).is_ok())))
+    }
+
+    /// `X, 10, Y, 20`
+    fn axis_pairs(&self, args: &[Val], span: Span) -> Outcome<Vec<(Axis, f64)>> {
+        let mut pairs = Vec::new();
+        for pair in args.chunks(2) {
+            let [Val::Axis(axis), value] = pair else {
+                return self.fail_help(
+                    codes::S2021,
+                    14020,
+                    span,
+                    "axes and values follow each other",
+                    "for example (X,10,Y,20)",
+                );
+            };
+            let value = self.as_number(value, span)?;
+            let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
+            pairs.push((*axis, value * unit));
+        }
+        Ok(pairs)
+    }
+
+    fn triple(&self, args: &[Val], neutral: f64, span: Span) -> Outcome<[f64; 3]> {
+        let mut values = [neutral; 3];
+        for pair in args.chunks(2) {
+            let [Val::Axis(axis), value] = pair else {
+                return self.fail_help(
+                    codes::S2021,
+                    14020,
+                    span,
+                    "axes and values follow each other",
+                    "for example (Z,45)",
+                );
+            };
+            let value = self.as_number(value, span)?;
+            match values.get_mut(axis.index()) {
+                Some(place) => *place = value,
+                None => return self.fail(codes::S2031, 12040, span, format!("{} is no geometry axis", axis.letter())),
+            }
+        }
+        Ok(values)
+    }
+
+    fn mirrored(&self, args: &[Val], span: Span) -> Outcome<Val> {
+        let mut mirror = [false; 3];
+        for value in args {
+            match value {
+                Val::Axis(axis) if axis.index() < 3 => mirror[axis.index()] = true,
+                // A number behind the axis does not matter.
+                other if other.number().is_some() => {}
+                _ => return self.fail(codes::S2021, 14020, span, "CMIRROR takes geometry axes"),
+            }
+        }
+        Ok(frame(FrameValue::mirrored(mirror)))
+    }
+
+    /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
+    fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
+        let [plane, angle] = args else {
+            return self.fail(codes::S2021, 14021, span, "CRPL takes a plane and an angle");
+        };
+        let angle = self.as_number(angle, span)?;
+        let about = match plane.number().and_then(whole) {
+            Some(0) => self.st.roles()[2].index(),
+            Some(1) => 2,
+            Some(2) => 1,
+            Some(3) => 0,
+            _ => return self.fail(codes::S2021, 14020, span, "the plane of CRPL is 0 to 3"),
+        };
+        let mut angles = [0.0; 3];
+        if let Some(place) = angles.get_mut(about) {
+            *place = angle;
+        }
+        Ok(frame(FrameValue::rotated(angles)))
+    }
+}
+
+fn frame(value: FrameValue) -> Val {
+    Val::Frame(Rc::new(value))
+}
+
+/// G54 is 1, G57 is 4, G505 is 5.
+pub(super) fn offset_word(number: u8) -> String {
+    match number {
+        0 => "G500".to_owned(),
+        1..=4 => format!("G{}", 53 + u32::from(number)),
+        _ => format!("G{}", 500 + u32::from(number)),
+    }
+}
+
+/// `$TC_DP6[1,1]`
+fn system_key(word: &str, args: &[Val]) -> String {
+    if args.is_empty() {
+        return word.to_owned();
+    }
+    let shown: Vec<String> = args
+        .iter()
+        .map(|value| match super::value::to_text(value) {
+            Some(text) => String::from_utf8_lossy(&text).into_owned(),
+            None => String::new(),
+        })
+        .collect();
+    format!("{word}[{}]", shown.join(","))
+}

@@ -1,0 +1,173 @@
+//! Values of variables and formulas, their types and conversions.
+//!
+//! Source: reference sections 5.1 and 5.2.
+
+use std::rc::Rc;
+
+use crate::machine::Axis;
+use crate::parser::sinumerik::ast::TypeName;
+
+use super::frames::FrameValue;
+
+/// Longest text of a variable.
+pub(super) const MOST_TEXT: usize = 200;
+
+/// A value of a formula.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Val {
+    Int(i32),
+    Real(f64),
+    Bool(bool),
+    Char(u8),
+    Text(Rc<[u8]>),
+    Axis(Axis),
+    Frame(Rc<FrameValue>),
+    /// Several values in brackets, for `SET` and `PO`.
+    List(Rc<[Val]>),
+    /// An omitted argument.
+    Missing,
+}
+
+impl Val {
+    pub fn text(bytes: &[u8]) -> Val {
+        Val::Text(bytes.into())
+    }
+
+    /// What the value is, for messages.
+    pub fn what(&self) -> &'static str {
+        match self {
+            Val::Int(_) => "an INT",
+            Val::Real(_) => "a REAL",
+            Val::Bool(_) => "a BOOL",
+            Val::Char(_) => "a CHAR",
+            Val::Text(_) => "a text",
+            Val::Axis(_) => "an axis",
+            Val::Frame(_) => "a frame",
+            Val::List(_) => "a list",
+            Val::Missing => "nothing",
+        }
+    }
+
+    /// The value as a number; texts, axes and frames are none.
+    pub fn number(&self) -> Option<f64> {
+        match *self {
+            Val::Int(n) => Some(f64::from(n)),
+            Val::Real(v) => Some(v),
+            Val::Bool(b) => Some(f64::from(u8::from(b))),
+            Val::Char(c) => Some(f64::from(c)),
+            _ => None,
+        }
+    }
+
+    /// The value as a condition.
+    pub fn truth(&self) -> Option<bool> {
+        match self {
+            Val::Text(text) => Some(!text.is_empty()),
+            other => other.number().map(|v| v != 0.0),
+        }
+    }
+
+    /// The start value of a type.
+    pub fn zero(kind: TypeName) -> Val {
+        match kind {
+            TypeName::Int => Val::Int(0),
+            TypeName::Real => Val::Real(0.0),
+            TypeName::Bool => Val::Bool(false),
+            TypeName::Char => Val::Char(0),
+            TypeName::String => Val::text(b""),
+            // An axis variable names no axis until it is set.
+            TypeName::Axis => Val::Missing,
+            TypeName::Frame => Val::Frame(Rc::new(FrameValue::default())),
+        }
+    }
+
+    /// The value as one of `kind`.
+    pub fn converted(&self, kind: TypeName) -> Result<Val, NoValue> {
+        let converted = match (kind, self) {
+            (TypeName::Int, Val::Int(_))
+            | (TypeName::Real, Val::Real(_))
+            | (TypeName::Bool, Val::Bool(_))
+            | (TypeName::Char, Val::Char(_))
+            | (TypeName::String, Val::Text(_))
+            | (TypeName::Axis, Val::Axis(_))
+            | (TypeName::Frame, Val::Frame(_)) => self.clone(),
+            (TypeName::Bool, value) => Val::Bool(value.truth().ok_or(NoValue::Type)?),
+            (TypeName::Int, value) => Val::Int(whole(value.number().ok_or(NoValue::Type)?).ok_or(NoValue::Range)?),
+            (TypeName::Real, value) => Val::Real(value.number().ok_or(NoValue::Type)?),
+            (TypeName::Char, Val::Text(text)) => match text.as_ref() {
+                [one] => Val::Char(*one),
+                _ => return Err(NoValue::Range),
+            },
+            (TypeName::Char, value) => {
+                let n = whole(value.number().ok_or(NoValue::Type)?).ok_or(NoValue::Range)?;
+                Val::Char(u8::try_from(n).map_err(|_| NoValue::Range)?)
+            }
+            (TypeName::String, Val::Char(c)) => Val::text(&[*c]),
+            _ => return Err(NoValue::Type),
+        };
+        Ok(converted)
+    }
+}
+
+/// Why a value does not become one of another type.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum NoValue {
+    Type,
+    Range,
+}
+
+/// Name of a type.
+pub(super) fn type_name(kind: TypeName) -> &'static str {
+    match kind {
+        TypeName::Int => "INT",
+        TypeName::Real => "REAL",
+        TypeName::Bool => "BOOL",
+        TypeName::Char => "CHAR",
+        TypeName::String => "STRING",
+        TypeName::Axis => "AXIS",
+        TypeName::Frame => "FRAME",
+    }
+}
+
+/// A number rounded to an INT: halves go up.
+pub(super) fn whole(value: f64) -> Option<i32> {
+    let rounded = libm::floor(value + 0.5);
+    (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&rounded).then_some(rounded as i32)
+}
+
+/// A value as `<<` writes it.
+pub(super) fn to_text(value: &Val) -> Option<Vec<u8>> {
+    Some(match value {
+        Val::Int(n) => n.to_string().into_bytes(),
+        Val::Real(v) => real_text(*v).into_bytes(),
+        Val::Bool(b) => vec![if *b { b'1' } else { b'0' }],
+        Val::Char(c) => vec![*c],
+        Val::Text(text) => text.to_vec(),
+        Val::Axis(axis) => vec![axis.letter() as u8],
+        Val::Frame(_) | Val::List(_) | Val::Missing => return None,
+    })
+}
+
+/// Up to ten decimal places without zeros at the end.
+fn real_text(value: f64) -> String {
+    let text = format!("{value:.10}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conversions() {
+        assert_eq!(Val::Real(2.5).converted(TypeName::Int), Ok(Val::Int(3)));
+        assert_eq!(Val::Real(-2.5).converted(TypeName::Int), Ok(Val::Int(-2)));
+        assert_eq!(Val::Real(3e10).converted(TypeName::Int), Err(NoValue::Range));
+        assert_eq!(Val::text(b"").converted(TypeName::Bool), Ok(Val::Bool(false)));
+        assert_eq!(Val::text(b"A").converted(TypeName::Char), Ok(Val::Char(b'A')));
+        assert_eq!(Val::text(b"12").converted(TypeName::Real), Err(NoValue::Type));
+        assert_eq!(to_text(&Val::Real(1.5)), Some(b"1.5".to_vec()));
+        assert_eq!(to_text(&Val::Real(-0.0)), Some(b"0".to_vec()));
+    }
+}

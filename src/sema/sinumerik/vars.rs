@@ -1,0 +1,207 @@
+//! Variables: R parameters, DEF in programs, definition files.
+//!
+//! Source: reference section 5.1.
+
+use std::collections::BTreeMap;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::parser::sinumerik::ast::TypeName;
+use crate::parser::symbols::Symbol;
+use crate::text::Loc;
+
+use super::value::Val;
+
+/// Highest R parameter.
+pub(super) const MOST_R: u32 = 32_534;
+/// Most elements of an array.
+pub(super) const MOST_ELEMENTS: u32 = 32_767;
+/// Elements of all variables together.
+const MOST_VALUES: usize = 4_000_000;
+
+/// Number of a variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct VarId(u32);
+
+/// A declared variable.
+#[derive(Debug, Clone)]
+pub(super) struct Var {
+    pub kind: TypeName,
+    /// Sizes of an array; empty for a single value.
+    pub sizes: Vec<u32>,
+    pub values: Vec<Val>,
+    /// Longest text of a STRING.
+    pub length: usize,
+    pub defined: Loc,
+    /// The value could not be computed, which was reported.
+    pub lost: bool,
+}
+
+/// Names of one program level.
+#[derive(Debug, Default)]
+pub(super) struct Scope {
+    names: FxHashMap<Symbol, VarId>,
+    /// Variables that end with the level.
+    first: usize,
+}
+
+/// All variables of a run.
+#[derive(Debug, Default)]
+pub(super) struct Vars {
+    r: Vec<f64>,
+    r_set: FxHashSet<u32>,
+    r_lost: FxHashSet<u32>,
+    arena: Vec<Var>,
+    scopes: Vec<Scope>,
+    global: FxHashMap<Symbol, Var>,
+    values: usize,
+    /// Variables of the main program are seen in subprograms (MD 11120).
+    pub main_visible: bool,
+}
+
+/// Where a variable stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Slot {
+    Local(VarId),
+    Global(Symbol),
+}
+
+impl Vars {
+    pub fn new(start: &BTreeMap<String, f64>) -> Vars {
+        let mut vars = Vars::default();
+        for (name, value) in start {
+            if let Some(n) = name.strip_prefix('R').and_then(|digits| digits.parse().ok())
+                && n <= MOST_R
+            {
+                vars.set_r(n, *value);
+            }
+        }
+        vars
+    }
+
+    /// An R parameter and whether it was ever set; `None` for a value that was lost.
+    pub fn r(&self, n: u32) -> Option<(f64, bool)> {
+        if self.r_lost.contains(&n) {
+            return None;
+        }
+        match self.r.get(n as usize) {
+            Some(value) => Some((*value, *value != 0.0 || self.r_set.contains(&n))),
+            None => Some((0.0, false)),
+        }
+    }
+
+    /// Sets an R parameter; `n` is at most [`MOST_R`].
+    pub fn set_r(&mut self, n: u32, value: f64) {
+        let at = n as usize;
+        if self.r.len() <= at {
+            self.r.resize(at + 1, 0.0);
+        }
+        self.r[at] = value;
+        if value == 0.0 {
+            self.r_set.insert(n);
+        }
+        if !self.r_lost.is_empty() {
+            self.r_lost.remove(&n);
+        }
+    }
+
+    pub fn lose_r(&mut self, n: u32) {
+        self.r_lost.insert(n);
+    }
+
+    // Levels.
+
+    pub fn enter(&mut self) {
+        self.scopes.push(Scope { names: FxHashMap::default(), first: self.arena.len() });
+    }
+
+    pub fn leave(&mut self) {
+        if let Some(scope) = self.scopes.pop() {
+            for var in self.arena.drain(scope.first.min(self.arena.len())..) {
+                self.values -= var.values.len().min(self.values);
+            }
+        }
+    }
+
+    pub fn find(&self, name: Symbol) -> Option<Slot> {
+        if let Some(id) = self.scopes.last().and_then(|scope| scope.names.get(&name)) {
+            return Some(Slot::Local(*id));
+        }
+        if self.main_visible
+            && let Some(id) = self.scopes.first().and_then(|scope| scope.names.get(&name))
+        {
+            return Some(Slot::Local(*id));
+        }
+        self.global.contains_key(&name).then_some(Slot::Global(name))
+    }
+
+    /// A variable of this level only.
+    pub fn of_level(&self, name: Symbol) -> Option<&Var> {
+        let id = self.scopes.last()?.names.get(&name)?;
+        self.arena.get(id.0 as usize)
+    }
+
+    pub fn get(&self, slot: Slot) -> Option<&Var> {
+        match slot {
+            Slot::Local(id) => self.arena.get(id.0 as usize),
+            Slot::Global(name) => self.global.get(&name),
+        }
+    }
+
+    pub fn get_mut(&mut self, slot: Slot) -> Option<&mut Var> {
+        match slot {
+            Slot::Local(id) => self.arena.get_mut(id.0 as usize),
+            Slot::Global(name) => self.global.get_mut(&name),
+        }
+    }
+
+    /// Makes a variable of the current level, or a global one; false when there are too many values.
+    pub fn define(&mut self, name: Symbol, var: Var, global: bool) -> bool {
+        if self.values + var.values.len() > MOST_VALUES {
+            return false;
+        }
+        self.values += var.values.len();
+        if global {
+            self.global.insert(name, var);
+            return true;
+        }
+        let id = VarId(self.arena.len() as u32);
+        self.arena.push(var);
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.names.insert(name, id);
+        }
+        true
+    }
+
+    /// Gives the variable in `slot` a second name in the current level: a VAR parameter.
+    pub fn bind(&mut self, name: Symbol, slot: Slot) {
+        if let (Slot::Local(id), Some(scope)) = (slot, self.scopes.last_mut()) {
+            scope.names.insert(name, id);
+        }
+    }
+
+    /// Names that can be seen, for suggestions.
+    pub fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
+        self.scopes
+            .iter()
+            .rev()
+            .take(1)
+            .flat_map(|scope| scope.names.keys().copied())
+            .chain(self.global.keys().copied())
+    }
+}
+
+impl Var {
+    /// Offset of an element, row by row.
+    pub fn offset(&self, indices: &[i32]) -> Option<usize> {
+        if indices.len() != self.sizes.len() {
+            return None;
+        }
+        let mut at = 0usize;
+        for (&index, &size) in indices.iter().zip(&self.sizes) {
+            let index = u32::try_from(index).ok().filter(|index| *index < size)?;
+            at = at * size as usize + index as usize;
+        }
+        (at < self.values.len()).then_some(at)
+    }
+}

@@ -1,0 +1,678 @@
+//! Sorts the words of a block by what they mean. Assignments are carried out on the way.
+//!
+//! Source: reference sections 1.2, 1.3 and 9.18.
+
+use crate::diag::codes;
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisSet};
+use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, Target, Value, Word};
+use crate::parser::symbols::Symbol;
+use crate::text::Span;
+
+use super::value::{Val, whole};
+use super::vocabulary::{ADDRESSES, Address, Code, Indexed, Meaning, Procedure};
+use super::{Outcome, Run};
+
+/// How a value is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Mode {
+    /// As G90 or G91 say.
+    #[default]
+    Plain,
+    Ac,
+    Ic,
+    Dc,
+    Acp,
+    Acn,
+    Dac,
+    Dic,
+    Rac,
+    Ric,
+    /// `QU`: quick output of an auxiliary function.
+    Quick,
+}
+
+impl Mode {
+    fn of(name: &str) -> Option<Mode> {
+        Some(match name {
+            "AC" => Mode::Ac,
+            "IC" => Mode::Ic,
+            "DC" => Mode::Dc,
+            "ACP" => Mode::Acp,
+            "ACN" => Mode::Acn,
+            "DAC" => Mode::Dac,
+            "DIC" => Mode::Dic,
+            "RAC" => Mode::Rac,
+            "RIC" => Mode::Ric,
+            "QU" => Mode::Quick,
+            _ => return None,
+        })
+    }
+}
+
+/// A number with its place.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Given {
+    pub value: f64,
+    pub mode: Mode,
+    pub span: Span,
+}
+
+/// An M word; `spindle` is its extension.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MWord {
+    pub spindle: Option<u8>,
+    pub number: u32,
+    pub span: Span,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SWord {
+    pub spindle: Option<u8>,
+    pub value: f64,
+    pub span: Span,
+}
+
+/// A call of a program or procedure by name.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CallWord {
+    pub name: Symbol,
+    pub meaning: Meaning,
+    /// `None` for a bare name.
+    pub args: Option<Args>,
+    pub span: Span,
+}
+
+/// A positioning axis: `POS[X]=`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Positioning {
+    pub axis: Axis,
+    pub given: Given,
+}
+
+/// The words of a block, sorted. Reused; what is stored for a word that is not given is never read.
+#[derive(Debug)]
+pub(super) struct Words {
+    pub axes: AxisSet,
+    axis_words: [Given; AXES],
+    given: u64,
+    addresses: Vec<Given>,
+    pub codes: Vec<(Code, Span)>,
+    pub m: Vec<MWord>,
+    pub s: Vec<SWord>,
+    pub h: Option<Span>,
+    /// Tool by name.
+    pub tool_name: Option<String>,
+    pub call: Option<CallWord>,
+    /// Subprogram number, as written.
+    pub l: Option<(String, Span)>,
+    pub passes: Option<Given>,
+    /// Machine axes `X1=0`, in G74 and G75 only.
+    pub machine_axes: Vec<(Axis, Span)>,
+    pub positioning: Vec<Positioning>,
+    /// Feed of positioning axes.
+    pub axis_feeds: Vec<(Axis, f64)>,
+    /// Words without any effect on the path.
+    pub dynamics: Option<Span>,
+    pub diameter: Option<(Indexed, Axis, Span)>,
+    /// An assignment, and a word that is none.
+    assigned: Option<Span>,
+    other: Option<Span>,
+}
+
+impl Words {
+    pub fn new() -> Words {
+        Words {
+            axes: AxisSet::EMPTY,
+            axis_words: [Given::default(); AXES],
+            given: 0,
+            addresses: vec![Given::default(); ADDRESSES],
+            codes: Vec::new(),
+            m: Vec::new(),
+            s: Vec::new(),
+            h: None,
+            tool_name: None,
+            call: None,
+            l: None,
+            passes: None,
+            machine_axes: Vec::new(),
+            positioning: Vec::new(),
+            axis_feeds: Vec::new(),
+            dynamics: None,
+            diameter: None,
+            assigned: None,
+            other: None,
+        }
+    }
+
+    pub fn clear(&mut self) {
+        self.axes = AxisSet::EMPTY;
+        self.given = 0;
+        self.codes.clear();
+        self.m.clear();
+        self.s.clear();
+        self.h = None;
+        self.tool_name = None;
+        self.call = None;
+        self.l = None;
+        self.passes = None;
+        self.machine_axes.clear();
+        self.positioning.clear();
+        self.axis_feeds.clear();
+        self.dynamics = None;
+        self.diameter = None;
+        self.assigned = None;
+        self.other = None;
+    }
+
+    #[inline]
+    pub fn axis(&self, axis: Axis) -> Option<Given> {
+        self.axes.contains(axis).then(|| self.axis_words[axis.index()])
+    }
+
+    #[inline]
+    pub fn get(&self, address: Address) -> Option<Given> {
+        (self.given & 1 << address as u64 != 0).then(|| self.addresses[address as usize])
+    }
+
+    /// Takes a word out, so that nobody finds it left over.
+    pub fn take(&mut self, address: Address) -> Option<Given> {
+        let found = self.get(address);
+        self.given &= !(1 << address as u64);
+        found
+    }
+
+    /// Addresses that nobody took.
+    pub fn left(&self) -> Option<Given> {
+        (self.given != 0).then(|| self.addresses[self.given.trailing_zeros() as usize])
+    }
+
+    pub fn has_addresses(&self) -> bool {
+        self.given != 0
+    }
+
+    /// Code of a group, if the block has one.
+    #[inline]
+    pub fn code_of(&self, group: u8) -> Option<(Code, Span)> {
+        self.codes.iter().copied().find(|(code, _)| code.group == group)
+    }
+
+    /// Nothing but assignments and comments.
+    pub fn is_empty(&self) -> bool {
+        self.other.is_none()
+    }
+}
+
+impl Run<'_> {
+    /// Sorts the words of `block`.
+    pub(super) fn sort_words(&mut self, words: &mut Words, block: &Block, text: &[u8]) -> Outcome {
+        for word in &block.words {
+            let assigned = self.sort_word(words, word, block, text)?;
+            let seen = if assigned { &mut words.assigned } else { &mut words.other };
+            seen.get_or_insert(word.span);
+        }
+        if let (Some(assigned), Some(_)) = (words.assigned, words.other) {
+            return self.fail_help(
+                codes::S2014,
+                12080,
+                assigned,
+                "an assignment stands beside other words",
+                "give the assignment a block of its own",
+            );
+        }
+        Ok(())
+    }
+
+    /// True for an assignment.
+    #[inline]
+    fn sort_word(&mut self, words: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome<bool> {
+        match word.target {
+            Target::Letter(letter) => self.letter_word(words, letter, word, block, text).map(|()| false),
+            Target::Numbered(letter, number, name) => {
+                self.numbered_word(words, letter, number, name, word, block, text)
+            }
+            Target::Name(name) => self.name_word(words, name, word, block, text),
+            Target::System(_) => {
+                self.assign_word(word, block, text)?;
+                Ok(true)
+            }
+            Target::Indexed(base, args) => self.indexed_word(words, base, args, word, block, text),
+        }
+    }
+
+    #[inline]
+    fn letter_word(&mut self, words: &mut Words, letter: u8, word: &Word, block: &Block, text: &[u8]) -> Outcome {
+        if letter == b'T'
+            && let Value::Formula(formula) = word.value
+        {
+            return self.tool_word(words, formula, word.span, block, text);
+        }
+        let given = self.given(word, block, text)?;
+        match letter {
+            b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
+                let axis = Axis::of(letter).unwrap_or(Axis::X);
+                self.set_axis(words, axis, given)
+            }
+            b'G' => self.g_word(words, given),
+            b'M' => self.m_word(words, None, given),
+            b'F' => self.set_address(words, Address::F, given),
+            b'S' => {
+                words.s.push(SWord { spindle: None, value: given.value, span: given.span });
+                Ok(())
+            }
+            b'T' => self.set_address(words, Address::T, given),
+            b'D' => self.set_address(words, Address::D, given),
+            b'I' => self.set_address(words, Address::I, given),
+            b'J' => self.set_address(words, Address::J, given),
+            b'K' => self.set_address(words, Address::K, given),
+            b'H' => {
+                words.h = Some(given.span);
+                Ok(())
+            }
+            b'P' => {
+                words.passes = Some(given);
+                Ok(())
+            }
+            b'L' => self.l_word(words, word, given),
+            _ => {
+                let message = format!("the address {} is not known", letter as char);
+                self.fail_help(codes::S2016, 12050, word.span, message, "check the letter; axes are X Y Z A B C U V W")
+            }
+        }
+    }
+
+    fn l_word(&mut self, words: &mut Words, word: &Word, given: Given) -> Outcome {
+        let Value::Literal { digits, whole: true, value } = word.value else {
+            return self.fail(codes::S1001, 12080, word.span, "a subprogram number is written in digits: L10");
+        };
+        let width = usize::from(digits);
+        words.l = Some((format!("L{value:0width$}"), given.span));
+        Ok(())
+    }
+
+    pub(super) fn set_axis(&mut self, words: &mut Words, axis: Axis, given: Given) -> Outcome {
+        if words.axes.contains(axis) {
+            let message = format!("the axis {} stands twice in the block", axis.letter());
+            return self.fail_help(codes::S2007, 12000, given.span, message, "delete one of the words");
+        }
+        words.axes.insert(axis);
+        words.axis_words[axis.index()] = given;
+        Ok(())
+    }
+
+    fn set_address(&mut self, words: &mut Words, address: Address, given: Given) -> Outcome {
+        if words.given & 1 << address as u64 != 0 {
+            return self.fail_help(
+                codes::S2007,
+                12000,
+                given.span,
+                "the address stands twice in the block",
+                "delete one of the words",
+            );
+        }
+        words.given |= 1 << address as u64;
+        words.addresses[address as usize] = given;
+        Ok(())
+    }
+
+    fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
+        match self.gcodes.get(given.value) {
+            Some(code) => self.code_word(words, code, given.span),
+            None => self.fail_help(
+                codes::S2010,
+                12470,
+                given.span,
+                format!("G{} is not known", given.value),
+                "check the number; `G=` takes a G number, `G[group]=` an index",
+            ),
+        }
+    }
+
+    fn code_word(&mut self, words: &mut Words, code: Code, span: Span) -> Outcome {
+        if let Some((first, other)) = words.codes.iter().copied().find(|(known, _)| known.group == code.group) {
+            if first == code {
+                return Ok(());
+            }
+            let (a, b) = (super::vocabulary::word(first), super::vocabulary::word(code));
+            let message = format!("{a} and {b} are of one group");
+            let found = crate::diag::Diagnostic::new(codes::S2008, self.loc(span), format!("{message} (alarm 12060)"));
+            self.report(
+                found.also(self.loc(other), "the other one").help("delete one of them; the control takes the last"),
+            );
+            return Err(super::Reported);
+        }
+        words.codes.push((code, span));
+        Ok(())
+    }
+
+    fn m_word(&mut self, words: &mut Words, spindle: Option<u8>, given: Given) -> Outcome {
+        if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
+            return self.fail(codes::S2044, 0, given.span, format!("M{} is no M function", given.value));
+        }
+        words.m.push(MWord { spindle, number: given.value as u32, span: given.span });
+        Ok(())
+    }
+
+    fn tool_word(&mut self, words: &mut Words, formula: Formula, span: Span, block: &Block, text: &[u8]) -> Outcome {
+        match self.eval(formula, block, text)? {
+            Val::Text(name) => {
+                words.tool_name = Some(String::from_utf8_lossy(&name).into_owned());
+                self.set_address(words, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
+            }
+            value => {
+                let value = self.as_number(&value, formula.span)?;
+                self.set_address(words, Address::T, Given { value, mode: Mode::Plain, span })
+            }
+        }
+    }
+
+    /// The number behind a word, with its modifier.
+    #[inline]
+    pub(super) fn given(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome<Given> {
+        match word.value {
+            Value::Literal { value, .. } => Ok(Given { value, mode: Mode::Plain, span: word.span }),
+            Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
+            Value::None | Value::Call(_) => self.fail(codes::S1001, 12080, word.span, "the word has no value"),
+        }
+    }
+
+    pub(super) fn given_formula(&mut self, formula: Formula, span: Span, block: &Block, text: &[u8]) -> Outcome<Given> {
+        if let [.., Op::Call(name, count, _)] = block.formula(formula)
+            && let Some(mode) = Mode::of(self.symbols.name(*name))
+        {
+            if *count != 1 {
+                return self.fail(codes::S2021, 14021, formula.span, "the modifier takes one value");
+            }
+            let inner = Formula { to: formula.to - 1, ..formula };
+            let value = self.number(inner, block, text)?;
+            return Ok(Given { value, mode, span });
+        }
+        let value = self.number(formula, block, text)?;
+        Ok(Given { value, mode: Mode::Plain, span })
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn numbered_word(
+        &mut self,
+        words: &mut Words,
+        letter: u8,
+        number: u32,
+        name: Symbol,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        if letter == b'R' || self.vars.find(name).is_some() {
+            self.assign_word(word, block, text)?;
+            return Ok(true);
+        }
+        if let Meaning::Address(address) = self.meaning(name) {
+            let given = self.given(word, block, text)?;
+            self.set_address(words, address, given)?;
+            return Ok(false);
+        }
+        let spindle = u8::try_from(number).ok();
+        match letter {
+            b'T' if number <= 1 => {
+                let Value::Formula(formula) = word.value else { return Err(super::Reported) };
+                self.tool_word(words, formula, word.span, block, text)?;
+            }
+            b'S' => {
+                let given = self.given(word, block, text)?;
+                words.s.push(SWord { spindle, value: given.value, span: given.span });
+            }
+            b'M' => {
+                let given = self.given(word, block, text)?;
+                self.m_word(words, spindle, given)?;
+            }
+            b'H' => {
+                self.given(word, block, text)?;
+                words.h = Some(word.span);
+            }
+            b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
+                self.given(word, block, text)?;
+                words.machine_axes.push((Axis::of(letter).unwrap_or(Axis::X), word.span));
+            }
+            _ => return self.undefined(name, word.span),
+        }
+        Ok(false)
+    }
+
+    fn name_word(&mut self, words: &mut Words, name: Symbol, word: &Word, block: &Block, text: &[u8]) -> Outcome<bool> {
+        if let Value::Formula(formula) = word.value {
+            if self.vars.find(name).is_some() {
+                self.assign_word(word, block, text)?;
+                return Ok(true);
+            }
+            match self.meaning(name) {
+                Meaning::Address(Address::Dynamics) => {
+                    self.eval(formula, block, text)?;
+                    words.dynamics.get_or_insert(word.span);
+                }
+                Meaning::Address(address) => {
+                    let given = self.given(word, block, text)?;
+                    self.set_address(words, address, given)?;
+                }
+                Meaning::Axis(axis) => {
+                    let given = self.given(word, block, text)?;
+                    self.set_axis(words, axis, given)?;
+                }
+                _ => {
+                    if self.definitions_known() {
+                        return self.undefined(name, word.span);
+                    }
+                    return self.name_word(words, name, word, block, text);
+                }
+            }
+            return Ok(false);
+        }
+        let args = match word.value {
+            Value::Call(args) => Some(args),
+            _ => None,
+        };
+        let meaning = self.meaning(name);
+        match (meaning, args) {
+            (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
+            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {}
+            _ if words.call.is_some() => {
+                return self.fail_help(
+                    codes::S2013,
+                    12080,
+                    word.span,
+                    "two calls stand in one block",
+                    "give each call a block of its own",
+                );
+            }
+            _ => words.call = Some(CallWord { name, meaning, args, span: word.span }),
+        }
+        Ok(false)
+    }
+
+    fn indexed_word(
+        &mut self,
+        words: &mut Words,
+        base: Base,
+        args: Args,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        let name = match base {
+            Base::Letter(b'R') | Base::System(_) => {
+                self.assign_word(word, block, text)?;
+                return Ok(true);
+            }
+            Base::Letter(letter) => return self.indexed_letter(words, letter, args, word, block, text).map(|()| false),
+            Base::Name(name) => name,
+        };
+        if self.vars.find(name).is_some() {
+            self.assign_word(word, block, text)?;
+            return Ok(true);
+        }
+        match self.meaning(name) {
+            Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
+            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa | Address::Svc) => {
+                let spindle = self.spindle_index(args, block, text)?;
+                if spindle == self.st.master
+                    && let Meaning::Address(address) = self.meaning(name)
+                {
+                    let given = self.given(word, block, text)?;
+                    self.set_address(words, address, given)?;
+                    return Ok(false);
+                }
+                self.fail_help(
+                    codes::S9007,
+                    0,
+                    word.span,
+                    format!("spindle {spindle} is not the master spindle"),
+                    "only speed and sense of rotation of further spindles can be printed",
+                )
+            }
+            Meaning::Address(Address::Dynamics) => {
+                self.given(word, block, text)?;
+                words.dynamics.get_or_insert(word.span);
+                Ok(false)
+            }
+            _ => {
+                if self.definitions_known() {
+                    return self.undefined(name, word.span);
+                }
+                self.indexed_word(words, base, args, word, block, text)
+            }
+        }
+    }
+
+    /// `S[2]=`, `M[1]=`, `G[8]=`, `T[1]=`
+    fn indexed_letter(
+        &mut self,
+        words: &mut Words,
+        letter: u8,
+        args: Args,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        match letter {
+            b'S' | b'M' => {
+                let spindle = self.spindle_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                if letter == b'M' {
+                    return self.m_word(words, Some(spindle), given);
+                }
+                words.s.push(SWord { spindle: Some(spindle), value: given.value, span: given.span });
+                Ok(())
+            }
+            b'G' => {
+                let group = self.index_number(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                let size = u8::try_from(group).map_or(0, super::vocabulary::size);
+                if size == 0 || (2..=5).contains(&group) {
+                    return self.fail(
+                        codes::S2010,
+                        12470,
+                        word.span,
+                        format!("G group {group} cannot be set by index"),
+                    );
+                }
+                let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
+                match index {
+                    Some(index) => self.code_word(words, Code { group: group as u8, index }, word.span),
+                    None => {
+                        let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
+                        self.fail(codes::S2011, 12475, word.span, message)
+                    }
+                }
+            }
+            _ => self.fail(codes::S1001, 12080, word.span, format!("`{}` takes no index", letter as char)),
+        }
+    }
+
+    fn index_number(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<i32> {
+        let [formula] = *block.arguments(args) else {
+            return self.fail(codes::S2018, 12430, block.span, "one index is needed");
+        };
+        let value = self.number(formula, block, text)?;
+        match whole(value) {
+            Some(n) => Ok(n),
+            None => self.fail(codes::S2018, 12410, formula.span, "an index is a whole number"),
+        }
+    }
+
+    fn spindle_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<u8> {
+        let n = self.index_number(args, block, text)?;
+        match u8::try_from(n) {
+            Ok(n) if (1..=20).contains(&n) => Ok(n),
+            _ => self.fail(codes::S2018, 12430, block.span, format!("there is no spindle {n}")),
+        }
+    }
+
+    /// The axis in brackets.
+    pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Axis> {
+        let [formula] = *block.arguments(args) else {
+            return self.fail(codes::S2031, 12040, block.span, "one axis is needed in brackets");
+        };
+        match self.eval(formula, block, text)? {
+            Val::Axis(axis) => Ok(axis),
+            other => {
+                let message = format!("an axis is needed in brackets, this is {}", other.what());
+                self.fail(codes::S2031, 12040, formula.span, message)
+            }
+        }
+    }
+
+    fn indexed_address(
+        &mut self,
+        words: &mut Words,
+        indexed: Indexed,
+        args: Args,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        match indexed {
+            Indexed::Ax => {
+                let axis = self.axis_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                self.set_axis(words, axis, given)
+            }
+            Indexed::Pos => {
+                let axis = self.axis_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                words.positioning.push(Positioning { axis, given });
+                Ok(())
+            }
+            Indexed::Fa => {
+                let axis = self.axis_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                words.axis_feeds.push((axis, given.value));
+                Ok(())
+            }
+            Indexed::Dynamics => {
+                if !matches!(word.value, Value::None) {
+                    self.given(word, block, text)?;
+                }
+                words.dynamics.get_or_insert(word.span);
+                Ok(())
+            }
+            Indexed::DiameterOn | Indexed::Diameter90 | Indexed::DiameterOff | Indexed::DiameterChannel => {
+                let axis = self.axis_index(args, block, text)?;
+                words.diameter = Some((indexed, axis, word.span));
+                Ok(())
+            }
+            Indexed::Posa => self.fail_help(
+                codes::S9008,
+                0,
+                word.span,
+                "an axis that moves beside the path cannot be printed",
+                "move the axis in a path block, or by POS[…]",
+            ),
+            Indexed::Polynomial => self.fail_help(
+                codes::S9002,
+                0,
+                word.span,
+                "polynomials cannot be printed",
+                "have the CAM system put out lines and arcs",
+            ),
+        }
+    }
+}
