@@ -6,6 +6,7 @@
 
 pub mod arcs;
 pub mod corner;
+pub mod cycles;
 pub mod frames;
 pub mod limits;
 pub mod polar;

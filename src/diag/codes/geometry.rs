@@ -81,4 +81,16 @@ G3019 Error "corner-frame" "coordinate system changes inside a corner"
 elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
 the next element."
 
+G3040 Error "cycle-too-many-cuts" "cycle makes too many cuts"
+"The infeed is so small against the depth that the cycle would run without end in sight. Most often a decimal point is lost. \
+Program a larger infeed."
+
+G3041 Error "cycle-arguments" "cycle data do not fit together"
+"The data of the cycle describe nothing that can be machined. The message names what is wrong; every dialect names its own word for it \
+before the path is computed, so this text is the last line of defence."
+
+G3042 Error "thread-flank-offset" "flank offset is longer than the way it uses up"
+"With infeed along a flank the cuts above the last one start a little ahead or behind. A start ahead of the run-in would plunge into the thread at \
+its full width, and an end behind the last part would cut nothing. Lengthen the run-in or run-out, or make the flank angle smaller."
+
 }

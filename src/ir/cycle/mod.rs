@@ -1,0 +1,2 @@
+pub mod thread;
+pub mod turning;

@@ -1,0 +1,3 @@
+pub mod infeed;
+pub mod thread;
+pub mod track;
