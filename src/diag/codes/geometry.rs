@@ -81,6 +81,17 @@ G3019 Error "corner-frame" "coordinate system changes inside a corner"
 elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
 the next element."
 
+G3020 Error "via-on-line" "three points of an arc lie on one line"
+"An arc through an intermediate point needs three different points that are not on one line. Most often the intermediate point is the \
+start or the end, or a coordinate of it is missing."
+
+G3021 Error "lead-without-way" "lead of a thread along an axis that does not move"
+"The lead of a thread is given along one axis, by `I`, `J` or `K`, and the block does not move this axis. Give the lead along the axis that \
+moves most, and check the end point."
+
+G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
+"Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
+
 G3040 Error "cycle-too-many-cuts" "cycle makes too many cuts"
 "The infeed is so small against the depth that the cycle would run without end in sight. Most often a decimal point is lost. \
 Program a larger infeed."
@@ -92,5 +103,21 @@ before the path is computed, so this text is the last line of defence."
 G3042 Error "thread-flank-offset" "flank offset is longer than the way it uses up"
 "With infeed along a flank the cuts above the last one start a little ahead or behind. A start ahead of the run-in would plunge into the thread at \
 its full width, and an end behind the last part would cut nothing. Lengthen the run-in or run-out, or make the flank angle smaller."
+
+G3043 Error "cycle-start-unknown" "position in front of the cycle is not known"
+"A turning cycle takes the start of its way from where the tool stands when it is called. Here X or Z was not programmed yet, or was lost by \
+machine coordinates or an error before. Position both axes in front of the cycle."
+
+G3044 Error "recess-contour" "contour is not one recess"
+"Recess turning needs a contour that falls from one rim to the floor and rises to the other rim, seen from the tool, without leaning over. \
+Several recesses need a cycle each; walls that lean over cannot be reached by a straight tool."
+
+G3045 Error "recess-tool-too-wide" "recessing tool does not fit"
+"Between the walls, with their oversize, there is not room enough for the cutting width down to the floor; or the floor is round or oblique, so that \
+a flat tool does not reach its lowest point. Take a narrower tool, or one with a larger nose radius for a round floor."
+
+G3046 Error "cycle-blank" "blank is not where the cycle needs it"
+"The blank that the cycle was given does not stand above the contour, or the tool stands inside of it, so that there is nothing to cut or no \
+safe way. Check blank, contour and the position in front of the cycle."
 
 }

@@ -210,10 +210,8 @@ impl Thread {
         let height = |p: Point2| self.into.depth_coordinate(p) * out;
         let (Some(first), Some(last)) = (self.parts.first(), self.parts.last()) else { return Err(ThreadFault::Parts) };
         let before_last = self.parts.iter().rev().nth(1).map_or(self.start, |part| part.end);
-        let ends = [
-            self.extended(first.end, self.start, self.run_in),
-            self.extended(before_last, last.end, self.run_out),
-        ];
+        let ends =
+            [self.extended(first.end, self.start, self.run_in), self.extended(before_last, last.end, self.run_out)];
         let top = self.parts.iter().map(|part| part.end).chain(ends).map(height).fold(height(self.start), f64::max);
         if self.retract.is_finite() && self.retract * out > top { Ok(()) } else { Err(ThreadFault::Retract) }
     }

@@ -175,44 +175,48 @@ mod tests {
     use crate::ir::cycle::thread::tests::m20;
     use crate::ir::cycle::thread::{Infeed, ThreadPart};
     use crate::ir::cycle::turning::Towards;
-    use crate::lower::cycles::track::Stroke;
+    use crate::lower::cycles::track::{Move, Path, Stroke};
     use proptest::prelude::*;
 
-    fn strokes(thread: &Thread, from: Point2) -> Vec<Stroke> {
+    fn strokes(thread: &Thread, from: Point2) -> Vec<Move> {
         let mut list = Vec::new();
-        expand(thread, from, &mut |stroke| list.push(stroke)).expect("a thread");
+        expand(thread, from, &mut |stroke| {
+            if let Stroke::Move(mv) = stroke {
+                list.push(mv);
+            }
+        })
+        .expect("a thread");
         list
     }
 
     /// Strokes as words with X as a diameter, rounded to four decimals; axes that stay are left out.
-    fn words(list: &[Stroke], from: Point2) -> Vec<String> {
+    fn words(list: &[Move], from: Point2) -> Vec<String> {
         let mut at = from;
         let round = |v: f64| (v * 1e4).round() / 1e4;
         let mut text = Vec::new();
-        for stroke in list {
-            let Some(to) = stroke.end() else { continue };
-            let head = match stroke {
-                Stroke::Rapid { .. } => "G0",
-                Stroke::Thread { .. } => "G33",
-                _ => "G1",
+        for &Move { to, path } in list {
+            let head = match path {
+                Path::Rapid => "G0",
+                Path::Thread { .. } => "G33",
+                Path::Line { .. } | Path::Arc { .. } => "G1",
             };
             let x = if to.y == at.y { String::new() } else { format!(" X{}", round(2.0 * to.y)) };
             let z = if to.x == at.x { String::new() } else { format!(" Z{}", round(to.x)) };
-            let k = if let Stroke::Thread { lead, .. } = stroke { format!(" K{lead}") } else { String::new() };
+            let k = if let Path::Thread { lead, .. } = path { format!(" K{lead}") } else { String::new() };
             text.push(format!("{head}{x}{z}{k}"));
             at = to;
         }
         text
     }
 
-    fn cut_starts(list: &[Stroke]) -> Vec<Point2> {
+    fn cut_starts(list: &[Move]) -> Vec<Point2> {
         let mut last = Point2::origin();
         let mut starts = Vec::new();
-        for stroke in list {
-            if matches!(stroke, Stroke::Thread { .. }) {
+        for mv in list {
+            if matches!(mv.path, Path::Thread { .. }) {
                 starts.push(last);
             }
-            last = stroke.end().unwrap_or(last);
+            last = mv.to;
         }
         starts
     }
@@ -380,12 +384,8 @@ mod tests {
             ][kind]
         });
         let parts = prop::collection::vec((5.0f64..20.0, -0.9f64..0.9, 0.5f64..3.0), 1..=6);
-        let side = prop_oneof![
-            Just(Towards::MinusX),
-            Just(Towards::PlusX),
-            Just(Towards::MinusZ),
-            Just(Towards::PlusZ)
-        ];
+        let side =
+            prop_oneof![Just(Towards::MinusX), Just(Towards::PlusX), Just(Towards::MinusZ), Just(Towards::PlusZ)];
         let rest = (0.3f64..2.0, 0u32..3, 2.0f64..6.0, 0.0f64..5.0, 1u32..4, any::<bool>());
         (infeed, flank, parts, side, rest).prop_map(|(infeed, flank, parts, into, rest)| {
             let (depth, air_cuts, run_in, run_out, starts, back) = rest;
@@ -421,8 +421,8 @@ mod tests {
         /// pass at least as deep as the one before, the tool ends where it is said to.
         #[test]
         fn threads_keep_their_promises(thread in thread()) {
-            let mut list = Vec::new();
-            prop_assume!(expand(&thread, thread.park, &mut |stroke| list.push(stroke)).is_ok());
+            prop_assume!(expand(&thread, thread.park, &mut |_| ()).is_ok());
+            let list = strokes(&thread, thread.park);
             let line = Line::of(&thread);
             let corners: Vec<Point2> = core::iter::once(line.before(100.0))
                 .chain([line.start])
@@ -436,10 +436,10 @@ mod tests {
             let retract = line.view.height(thread.retract);
             let mut at = line.view.point(thread.park);
             let mut deepest = Vec::new();
-            for stroke in &list {
-                let to = line.view.point(stroke.end().expect("a move"));
-                match stroke {
-                    Stroke::Rapid { .. } => {
+            for mv in &list {
+                let to = line.view.point(mv.to);
+                match mv.path {
+                    Path::Rapid => {
                         let plunges = to.x == at.x && to.x <= line.start.x;
                         let lifts = to.x == at.x && to.y >= retract - 1e-9;
                         prop_assert!(plunges || lifts || at.y.min(to.y) >= retract - 1e-9, "{at:?} {to:?}");

@@ -2,20 +2,34 @@
 //! computed.
 
 use crate::diag::Code;
-use crate::geo::{Point2, Vec2};
-use crate::ir::Feed;
+use crate::geo::{Plane, Point2, Vec2};
+use crate::ir::contour::{self, ArcShape, Coords, EndPoint};
 use crate::ir::cycle::turning::Towards;
+use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
 
-/// One movement of a cycle. Points are (Z, X) with X as a radius, mm.
+/// What a cycle does next. Points are (Z, X) with X as a radius, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stroke {
-    Rapid { to: Point2 },
-    Line { to: Point2, feed: Feed },
-    Arc { to: Point2, center: Point2, ccw: bool, feed: Feed },
-    Thread { to: Point2, lead: f64, along: Axis },
+    Move(Move),
     /// Wait, seconds.
-    Dwell { seconds: f64 },
+    Dwell {
+        seconds: f64,
+    },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Move {
+    pub to: Point2,
+    pub path: Path,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    Rapid,
+    Line { feed: Feed },
+    Arc { center: Point2, ccw: bool, feed: Feed },
+    Thread { lead: f64, along: Axis },
 }
 
 /// Why a cycle makes no path: code, message, and what to do.
@@ -35,17 +49,26 @@ impl Failure {
 /// Takes the strokes of a cycle.
 pub type Strokes<'a> = dyn FnMut(Stroke) + 'a;
 
-impl Stroke {
-    /// Where the tool stands after it; `None` for a dwell.
-    pub fn end(&self) -> Option<Point2> {
-        match *self {
-            Stroke::Rapid { to } | Stroke::Line { to, .. } | Stroke::Arc { to, .. } | Stroke::Thread { to, .. } => {
-                Some(to)
+impl Move {
+    /// The movement in the programmed frame.
+    pub fn movement(&self) -> contour::Move {
+        let (path, feed) = match self.path {
+            Path::Rapid => (contour::Path::Rapid, None),
+            Path::Line { feed } => (contour::Path::Line, Some(feed)),
+            Path::Arc { center, ccw, feed } => {
+                let shape = ArcShape::Center { center, ccw, tol: ARC_TOLERANCE };
+                (contour::Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }), Some(feed))
             }
-            Stroke::Dwell { .. } => None,
-        }
+            Path::Thread { lead, along } => (contour::Path::Thread(contour::Thread { lead, along: Some(along) }), None),
+        };
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(Plane::Zx, self.to);
+        contour::Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Frame }
     }
 }
+
+/// What arithmetic may lose at an arc that a cycle computed, mm.
+const ARC_TOLERANCE: f64 = 1e-6;
 
 /// The axes as a cycle sees them: it always cuts along `x` and feeds in towards lower `y`.
 ///
@@ -72,7 +95,11 @@ impl View {
 
     /// A point of the part in the view.
     pub fn point(&self, p: Point2) -> Point2 {
-        if self.swap { Point2::new(p.y * self.along, p.x * self.out) } else { Point2::new(p.x * self.along, p.y * self.out) }
+        if self.swap {
+            Point2::new(p.y * self.along, p.x * self.out)
+        } else {
+            Point2::new(p.x * self.along, p.y * self.out)
+        }
     }
 
     /// A direction of the part in the view.
@@ -101,17 +128,15 @@ impl View {
         (self.along * self.out < 0.0) != self.swap
     }
 
-    /// A stroke of the view on the part.
-    pub fn stroke(&self, stroke: Stroke) -> Stroke {
-        match stroke {
-            Stroke::Rapid { to } => Stroke::Rapid { to: self.part(to) },
-            Stroke::Line { to, feed } => Stroke::Line { to: self.part(to), feed },
-            Stroke::Arc { to, center, ccw, feed } => {
-                Stroke::Arc { to: self.part(to), center: self.part(center), ccw: ccw != self.mirrors(), feed }
+    /// A move of the view on the part.
+    pub fn on_part(&self, mv: Move) -> Move {
+        let path = match mv.path {
+            Path::Arc { center, ccw, feed } => {
+                Path::Arc { center: self.part(center), ccw: ccw != self.mirrors(), feed }
             }
-            Stroke::Thread { to, lead, .. } => Stroke::Thread { to: self.part(to), lead, along: self.axis() },
-            dwell @ Stroke::Dwell { .. } => dwell,
-        }
+            straight @ (Path::Rapid | Path::Line { .. } | Path::Thread { .. }) => straight,
+        };
+        Move { to: self.part(mv.to), path }
     }
 }
 
@@ -140,19 +165,19 @@ impl<'a> Track<'a> {
     }
 
     pub fn rapid(&mut self, to: Point2) {
-        self.send(to, Stroke::Rapid { to });
+        self.send(to, Path::Rapid);
     }
 
     pub fn line(&mut self, to: Point2, feed: Feed) {
-        self.send(to, Stroke::Line { to, feed });
+        self.send(to, Path::Line { feed });
     }
 
     pub fn arc(&mut self, to: Point2, center: Point2, ccw: bool, feed: Feed) {
-        self.send(to, Stroke::Arc { to, center, ccw, feed });
+        self.send(to, Path::Arc { center, ccw, feed });
     }
 
     pub fn thread(&mut self, to: Point2, lead: f64) {
-        self.send(to, Stroke::Thread { to, lead, along: self.view.axis() });
+        self.send(to, Path::Thread { lead, along: self.view.axis() });
     }
 
     pub fn dwell(&mut self, seconds: f64) {
@@ -161,10 +186,10 @@ impl<'a> Track<'a> {
         }
     }
 
-    fn send(&mut self, to: Point2, stroke: Stroke) {
+    fn send(&mut self, to: Point2, path: Path) {
         if to != self.at {
             self.at = to;
-            (self.out)(self.view.stroke(stroke));
+            (self.out)(Stroke::Move(self.view.on_part(Move { to, path })));
         }
     }
 }
