@@ -330,6 +330,10 @@ knows what the function would do."
 K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does"
 "On the control M0 also stops the spindle and the coolant; a plain M0 does not on every target. M5 and M9 are printed before it."
 
+K2709 Warning "plunge-feed-open" "M103 does not know where the move starts"
+"M103 limits the feed by the share of the way that leads down, and where this move starts was not programmed. partc takes the lowest \
+feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning."
+
 K9001 Error "cycle-unsupported" "machining cycle is not supported yet"
 "The cycle is read, but partc cannot compute its path yet, and a path without it would leave out material removal. Nothing is written."
 

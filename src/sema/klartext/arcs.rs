@@ -134,7 +134,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let length = if self.st.plunge_share.is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
-        let feed = self.plunge_feed(w, Some(feed), &end, length)?;
+        let feed = self.plunge_feed(w, Some(feed), &end, length);
         self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape }), feed);
         Ok(())
     }

@@ -195,7 +195,7 @@ impl Run<'_> {
             },
         };
         if feed.value() <= 0.0 {
-            return self.feed_not_positive(w.feed_span);
+            return self.feed_not_positive(w.feed_span, written);
         }
         self.st.feed = Some(feed);
         self.st.written_feed = written;
@@ -203,9 +203,15 @@ impl Run<'_> {
     }
 
     #[cold]
-    pub(super) fn feed_not_positive<T>(&mut self, span: Span) -> Outcome<T> {
+    pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
         let text = self.word_text(span);
-        self.fail_help(codes::O1001, span, format!("`{text}` is no feed above zero"), "program the feed of this move")
+        let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
+        self.fail_help(
+            codes::O1001,
+            span,
+            format!("{what}: the feed has to be above zero"),
+            "program the feed of this move",
+        )
     }
 
     /// A feed word in the unit and mode in force.
@@ -300,7 +306,7 @@ impl Run<'_> {
         let feed = self.move_feed(w)?;
         let end = self.check_axes(w, end, feed.is_some())?;
         let feed = self.rotary_only_feed(feed, &end);
-        let feed = self.plunge_feed(w, feed, &end, None)?;
+        let feed = self.plunge_feed(w, feed, &end, None);
         if let Some(last) = self.st.polar
             && !end.known().common(plane_axes(last.plane)).is_empty()
         {
@@ -421,31 +427,48 @@ impl Run<'_> {
         feed: Option<Feed>,
         end: &Pos,
         in_plane: Option<f64>,
-    ) -> Outcome<Option<Feed>> {
+    ) -> Option<Feed> {
         match (self.st.plunge_share, feed) {
-            (Some(share), Some(feed)) => self.shared_feed(w, feed, share, end, in_plane).map(Some),
-            _ => Ok(feed),
+            (Some(share), Some(feed)) => Some(self.shared_feed(w, feed, share, end, in_plane)),
+            _ => feed,
         }
     }
 
     #[cold]
-    fn shared_feed(&mut self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Outcome<Feed> {
+    fn shared_feed(&mut self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Feed {
         let tool_axis = self.st.axis();
         if end.get(tool_axis).is_none() {
-            return Ok(feed);
+            return feed;
         }
         let mut step = nalgebra::Vector3::zeros();
+        let mut open = AxisSet::EMPTY;
         for axis in AxisSet::MAIN.iter() {
-            if let Some(to) = end.get(axis) {
-                step[axis.index()] = to - self.position_of(axis, w.axes_span, "M103")?;
+            match (end.get(axis), self.st.pos.get(axis)) {
+                (Some(to), Some(from)) => step[axis.index()] = to - from,
+                (Some(_), None) => open.insert(axis),
+                (None, _) => {}
             }
         }
         // Which way is down, and how long the way is, counts on the workpiece.
         let linear = *self.st.ctx.frame.linear();
         let real = linear * step;
         let down = real[tool_axis.index()];
+        if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
+            self.report(
+                Diagnostic::new(
+                    codes::K2709,
+                    self.loc(w.axes_span),
+                    format!(
+                        "the start of this move is not known, so M103 limits it to {} % of its feed",
+                        share * 100.0
+                    ),
+                )
+                .help("program M103 behind the first positioning"),
+            );
+            return feed.with_value(feed.value() * share);
+        }
         if down >= 0.0 {
-            return Ok(feed);
+            return feed;
         }
         let way = match in_plane {
             Some(length) => {
@@ -454,7 +477,7 @@ impl Run<'_> {
             }
             None => real.norm(),
         };
-        Ok(feed.with_value((feed.value() * share * way / -down).min(feed.value())))
+        feed.with_value((feed.value() * share * way / -down).min(feed.value()))
     }
 
     /// Where only rotary axes move, F counts degrees per minute, whatever the unit of the program.
@@ -564,7 +587,7 @@ impl Run<'_> {
             },
             FeedWord::Value(f) if f > 0.0 => self.feed_of(f),
             FeedWord::PerRevolution(f) if f > 0.0 => Feed::PerRevolution(f),
-            FeedWord::Value(_) | FeedWord::PerRevolution(_) => return self.feed_not_positive(w.feed_span),
+            FeedWord::Value(f) | FeedWord::PerRevolution(f) => return self.feed_not_positive(w.feed_span, f),
             FeedWord::Max | FeedWord::Auto => {
                 let text = self.word_text(w.feed_span);
                 return self.fail_help(

@@ -100,7 +100,7 @@ impl Run<'_> {
             self.flat(w, pole.plane, function)?;
             self.start_in(pole.plane, function)?;
         }
-        let feed = self.plunge_feed(w, feed, &end, None)?;
+        let feed = self.plunge_feed(w, feed, &end, None);
         let path = if feed.is_none() { Path::Rapid } else { path };
         let polar = Polar { pole: pole.at, plane: pole.plane, radius, angle, rest };
         self.send(EndPoint::Polar(polar), &end, path, feed);

@@ -126,7 +126,7 @@ impl Run<'_> {
         }
         if let Some(feed) = call.feed {
             if feed <= 0.0 {
-                return self.feed_not_positive(call.feed_span);
+                return self.feed_not_positive(call.feed_span, feed);
             }
             // The feed of a TOOL CALL holds until another one is programmed, in a block or a TOOL CALL.
             let written = feed;
