@@ -20,6 +20,8 @@ pub enum Size {
     Radius(f64),
     /// Cut off along each side by a chamfer.
     Side(f64),
+    /// Of the chamfer itself.
+    Length(f64),
 }
 
 /// Why there is no cut.
@@ -84,7 +86,18 @@ pub fn cut_off(before: &Element, after: &Element, size: Size) -> Option<f64> {
     Some(match size {
         Size::Radius(radius) => radius * cross(u, w).abs() / (1.0 + u.dot(&w)),
         Size::Side(side) => side,
+        Size::Length(length) => length / (u + w).norm(),
     })
+}
+
+/// Chamfers the corner between two lines by a chamfer of `length`, the same angle to both.
+///
+/// # Errors
+/// See [`NoCut`].
+pub fn chamfer_of_length(before: &Element, after: &Element, length: f64, tol: f64) -> Result<Cut, NoCut> {
+    let (u, w) = directions(before, after)?;
+    // The chamfer is the base of a triangle with two equal sides along -u and w.
+    chamfer(before, after, length / (u + w).norm(), tol)
 }
 
 fn directions(before: &Element, after: &Element) -> Result<(Vec2, Vec2), NoCut> {

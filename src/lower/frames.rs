@@ -35,6 +35,14 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
     }
     let path = match &mv.path {
         Path::Arc(arc) => Path::Arc(map_arc(arc, frame)?),
+        Path::Thread { lead } => match frame.uniform_scale() {
+            Some(scale) => Path::Thread { lead: lead * scale },
+            None => {
+                let help = "give its axes the same factor";
+                let what = "the axes of this thread have different scaling factors";
+                return Err((codes::G3022, what.to_owned(), help.to_owned()));
+            }
+        },
         straight => *straight,
     };
     // Tilted working planes never get here with compensation on.

@@ -135,7 +135,7 @@ impl Run<'_> {
         }
         let length = if self.st.plunge_share.is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
         let feed = self.plunge_feed(w, Some(feed), &end, length);
-        self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape }), feed);
+        self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape, turns: 0 }), feed);
         Ok(())
     }
 
@@ -155,8 +155,8 @@ impl Run<'_> {
             ArcShape::Radius { radius, ccw, tol } => {
                 arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol).map_or(0.0, |center| about(center, ccw))
             }
-            // Moves no other axis.
-            ArcShape::Tangent => 0.0,
+            // A tangential arc moves no other axis, and the rest is not of this language.
+            ArcShape::Tangent | ArcShape::Opening { .. } | ArcShape::Via { .. } => 0.0,
         })
     }
 
