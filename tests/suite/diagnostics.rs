@@ -59,7 +59,6 @@ const BUILT: &[Built] = &[
 
 /// Codes that no program can bring about today. A case for one of them is to be added together with its removal here.
 const NEVER: &[(&str, &str)] = &[
-    ("K2210", "no stage looks whether the main program runs into a subprogram"),
     ("O9001", "the only target has a word for everything that the dialects ask for"),
     ("G3040", "no dialect calls a turning cycle yet"),
     ("G3041", "no dialect calls a turning cycle yet"),
