@@ -20,6 +20,9 @@ const SAME_HEIGHT: f64 = 1e-7;
 /// 1e-7 lie 1e-3 apart.
 const SHORTEST_LEG: f64 = 2e-7;
 
+/// Arcs with a shorter chord are lines, mm.
+const SHORTEST_ARC: f64 = 2.0 * super::SAME_POINT;
+
 /// Curves closer than this are one, mm.
 const SAME_CURVE: f64 = 1e-9;
 
@@ -189,7 +192,8 @@ impl Wall {
             if distance(to, at) <= SHORTEST_LEG {
                 continue;
             }
-            let leg = curve.leg(to);
+            // So short an arc may not be told from a full circle.
+            let leg = if distance(to, at) > SHORTEST_ARC { curve.leg(to) } else { Leg::Line { to } };
             match legs.last_mut() {
                 Some(before) if last.is_some_and(|last| self.pieces[last].curve.continues(&curve)) => *before = leg,
                 _ => legs.push(leg),

@@ -248,7 +248,9 @@ pub(crate) mod tests {
             (RecessFault::Elements, |r| r.contour.clear()),
             (RecessFault::Elements, |r| r.contour = vec![r.contour[0]; 101]),
             (RecessFault::Point, |r| r.contour = lines(&[(0.0, f64::NAN), (0.0, 1.0)])),
-            (RecessFault::Gap, |r| drop(r.contour.remove(1))),
+            (RecessFault::Gap, |r| {
+                let _ = r.contour.remove(1);
+            }),
             (RecessFault::Width, |r| r.tool.width = 0.0),
             (RecessFault::Nose, |r| r.tool.nose = 1.6),
             (RecessFault::Edge, |r| r.tool.edge = f64::NAN),

@@ -459,7 +459,7 @@ fn check_rest(
             reach[i] = reach[i].min(rest + up);
         }
     }
-    for i in 0..count {
+    for (i, reach) in reach.iter().enumerate() {
         let c = column(i);
         let steep = [-0.3, -0.1, 0.1, 0.3].iter().any(|d| (limit(c + d) - limit(c)).abs() > 3.0 * d.abs());
         let out = c < shape.contour[0].from().x || c > shape.contour.last().map_or(0.0, |e| e.to().x);
@@ -467,14 +467,14 @@ fn check_rest(
             continue;
         }
         let bent = if recess.operation == Operation::Rough { 0.0 } else { recess.compensation };
-        let rest = blank.columns[i] - reach[i].max(limit(c));
+        let rest = blank.columns[i] - reach.max(limit(c));
         prop_assert!(rest <= bent + 0.15, "{rest} stands at {c}");
     }
     Ok(())
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
 
     /// The four promises: no gouge, no rapid in material, no level over the infeed, nothing left but the
     /// oversize and what the tool cannot reach.
