@@ -81,4 +81,10 @@ G3019 Error "corner-frame" "coordinate system changes inside a corner"
 elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
 the next element."
 
+G3020 Error "circle-unclear" "full circle or an arc of nearly no length"
+"Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
+difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \
+whole turn, so nothing is written. Program the start point again as the end point for a full circle (a circle by angle has no such doubt), \
+or leave the arc out."
+
 }
