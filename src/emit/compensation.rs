@@ -99,6 +99,7 @@ impl Compensation {
             return Some(("a block in machine coordinates cannot run under the target's radius compensation", resolve));
         }
         match &mv.path {
+            Path::Thread { .. } => Some(("a thread cannot be cut under the target's radius compensation", resolve)),
             Path::Arc(arc) if arc.plane != mv.plane => {
                 Some(("an arc outside the working plane cannot run under the target's radius compensation", resolve))
             }

@@ -69,11 +69,13 @@ impl Motion {
 
 /// The moves of a printed program, each with everything that holds for it.
 pub fn read(program: &str) -> Vec<Motion> {
-    let mut reader = Reader { at: [None; AXES], plane: Plane::Xy, word: "G0".to_owned(), feed: None };
+    let mut reader = Reader { diameter: false, at: [None; AXES], plane: Plane::Xy, word: "G0".to_owned(), feed: None };
     program.lines().enumerate().filter_map(|(i, line)| reader.line(i + 1, line)).collect()
 }
 
 struct Reader {
+    /// X words are diameters.
+    diameter: bool,
     at: [Option<f64>; AXES],
     plane: Plane,
     word: String,
@@ -89,6 +91,8 @@ impl Reader {
                     17.0 => self.plane = Plane::Xy,
                     18.0 => self.plane = Plane::Zx,
                     19.0 => self.plane = Plane::Yz,
+                    7.0 => self.diameter = true,
+                    8.0 => self.diameter = false,
                     53.0 => machine = true,
                     0.0..=3.0 | 33.0..=34.0 => self.word = format!("G{value}"),
                     // Work offsets change where the same numbers are.
@@ -118,13 +122,14 @@ impl Reader {
 
     /// Way of the main axes.
     fn length(&self, end: &[Option<f64>; AXES], offsets: &[Option<f64>; 4]) -> f64 {
-        let way = |i: usize| end[i].zip(self.at[i]).map_or(0.0, |(to, from)| to - from);
+        let part = |i: usize| if self.diameter && i == 0 { 0.5 } else { 1.0 };
+        let way = |i: usize| end[i].zip(self.at[i]).map_or(0.0, |(to, from)| part(i) * (to - from));
         let (first, second, third) = self.plane.axes();
         let (Some(x), Some(y), true) = (self.at[first], self.at[second], matches!(self.word.as_str(), "G2" | "G3"))
         else {
             return libm::hypot(libm::hypot(way(0), way(1)), way(2));
         };
-        let from = Point2::new(x, y);
+        let from = Point2::new(part(first) * x, part(second) * y);
         let to = from + Vec2::new(way(first), way(second));
         let center = from + Vec2::new(offsets[first].unwrap_or(0.0), offsets[second].unwrap_or(0.0));
         let turns = offsets[3].unwrap_or(1.0) - 1.0;

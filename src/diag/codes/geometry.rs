@@ -81,7 +81,18 @@ G3019 Error "corner-frame" "coordinate system changes inside a corner"
 elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
 the next element."
 
-G3020 Error "circle-unclear" "full circle or an arc of nearly no length"
+G3020 Error "via-on-line" "three points of an arc lie on one line"
+"An arc through an intermediate point needs three different points that are not on one line. Most often the intermediate point is the \
+start or the end, or a coordinate of it is missing."
+
+G3021 Error "lead-without-way" "lead of a thread along an axis that does not move"
+"The lead of a thread is given along one axis, by `I`, `J` or `K`, and the block does not move this axis. Give the lead along the axis that \
+moves most, and check the end point."
+
+G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
+"Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
+
+G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
 "Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
 difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \
 whole turn, so nothing is written. Program the start point again as the end point for a full circle (a circle by angle has no such doubt), \

@@ -268,7 +268,7 @@ impl Run<'_> {
         match arc::closing(Vec2::new(gap, 0.0)) {
             Closing::Closed => Ok(if ccw { 360.0 } else { -360.0 }),
             Closing::Unclear => self.fail_help(
-                codes::G3020,
+                codes::G3023,
                 self.block_span(),
                 format!("CP starts {gap:.5} mm beside its end"),
                 "for a full circle, program IPA+360 or IPA-360",
