@@ -22,7 +22,7 @@ use ast::{Block, Stmt, Target, Value};
 use build::Build;
 
 /// A block is a line: nothing joins two of them.
-pub const SPLIT: SplitRules = SplitRules { mark: b'\n', continues: |_, _| false };
+pub const SPLIT: SplitRules = SplitRules { mark: 0xff, continues: |_, _| false };
 
 /// Highest skip level.
 const MOST_SKIP: u8 = 9;
