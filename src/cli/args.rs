@@ -111,7 +111,7 @@ pub(super) struct Config {
 #[derive(Debug, ClapArgs)]
 pub(super) struct Common {
     /// Language of the input
-    #[arg(long, default_value = "auto", value_parser = ["auto", "klartext"])]
+    #[arg(long, default_value = "auto", value_parser = dialects())]
     pub dialect: String,
     /// Control that shall run the output
     #[arg(long, value_name = "TARGET", value_parser = ["linuxcnc"])]
@@ -158,4 +158,10 @@ pub(super) enum Color {
 /// The definition of the command line, for completions and the manual page.
 pub(super) fn command() -> clap::Command {
     Args::command()
+}
+
+/// `auto` and the name of every dialect.
+fn dialects() -> clap::builder::PossibleValuesParser {
+    let names = std::iter::once("auto").chain(crate::dialect::ALL.iter().map(|dialect| dialect.id));
+    clap::builder::PossibleValuesParser::new(names)
 }

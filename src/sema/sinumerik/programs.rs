@@ -70,7 +70,7 @@ impl Programs {
         let header = first_line(cursor.head());
         let (name, kind) = match header_name(header) {
             Some(found) => found,
-            None => (stem(&job.sources.name(file)), UnitKind::Main),
+            None => stem(&job.sources.name(file)),
         };
         let start = cursor.start();
         self.files.push(File { file, cursor, cache: Cache::default(), listed: false });
@@ -382,9 +382,10 @@ pub(super) fn bare_name(name: &str) -> (String, UnitKind) {
     (name.to_owned(), UnitKind::Main)
 }
 
-/// Name of a program by its file.
-fn stem(file: &str) -> String {
+/// Name and kind of a program by its file.
+fn stem(file: &str) -> (String, UnitKind) {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
-    let upper = name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_ascii_uppercase();
-    bare_name(&upper).0
+    let (stem, extension) = name.rsplit_once('.').unwrap_or((name, ""));
+    let (name, kind) = bare_name(&stem.to_ascii_uppercase());
+    (name, if extension.eq_ignore_ascii_case("spf") { UnitKind::Sub } else { kind })
 }

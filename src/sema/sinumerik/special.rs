@@ -504,6 +504,13 @@ impl Run<'_> {
                 "return, and jump in the calling program",
             );
         }
+        // A subprogram that is compiled by itself ends here.
+        if self.in_main() && self.programs.units[self.unit()].kind == super::programs::UnitKind::Sub {
+            self.pending_must_be_done(span)?;
+            self.function(Function::End { rewind: false });
+            self.ended.set(true);
+            return Ok(());
+        }
         if self.in_main() {
             return self.fail_help(codes::S2020, 14091, span, "RET stands in the main program", "end it by M30");
         }

@@ -112,7 +112,7 @@ impl State {
             pole_lost: false,
             ap: None,
             rp: None,
-            feed: None,
+            feed: settings.control.feed.map(Feed::PerMinute),
             feed_lost: false,
             rndm: 0.0,
             frcm: None,

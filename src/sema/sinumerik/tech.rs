@@ -49,13 +49,17 @@ impl Run<'_> {
                 }
                 Ok(Some(feed))
             }
-            None => self.fail_help(
-                codes::S2040,
-                10860,
-                Span::default(),
-                "no feed is programmed",
-                "program F in this block or before; after G94, G95 and G96 it has to be programmed again",
-            ),
+            None => {
+                // Once is enough.
+                self.st.feed_lost = true;
+                self.fail_help(
+                    codes::S2040,
+                    10860,
+                    Span::default(),
+                    "no feed is programmed",
+                    "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+                )
+            }
         }
     }
 
