@@ -410,11 +410,16 @@ impl Run<'_> {
     fn call_cycle_at(&mut self, block: &Block) -> Outcome {
         self.cycles.modal = false;
         if let Some(Defined::Program { .. }) = self.cycles.defined {
-            return self.refuse_motion(
-                codes::K9001,
-                block.span,
-                "CYCL CALL POS with the program call of cycle 12 is not supported: what its Z shifts is open",
+            self.report(
+                Diagnostic::new(
+                    codes::K9001,
+                    self.here.origin.loc,
+                    "CYCL CALL POS with the program call of cycle 12 is not supported: what its Z shifts is open",
+                )
+                .help("move to the position with L, and call with M99"),
             );
+            self.lose_all();
+            return Err(Reported);
         }
         self.call_cycle("CYCL CALL POS")
     }
