@@ -398,7 +398,7 @@ impl Run<'_> {
                 }
                 self.call_cycle("CYCL CALL")
             }
-            CallKind::At => self.call_cycle_at(block),
+            CallKind::At => self.call_cycle_at(),
             CallKind::Pattern => {
                 self.error(codes::K9010, "CYCL CALL PAT is not supported yet");
                 Err(Reported)
@@ -407,7 +407,7 @@ impl Run<'_> {
     }
 
     /// CYCL CALL POS moves to a position and runs the cycle there.
-    fn call_cycle_at(&mut self, block: &Block) -> Outcome {
+    fn call_cycle_at(&mut self) -> Outcome {
         self.cycles.modal = false;
         if let Some(Defined::Program { .. }) = self.cycles.defined {
             self.report(
