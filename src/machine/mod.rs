@@ -4,6 +4,7 @@
 
 pub mod axis;
 pub mod config;
+pub mod mtc200;
 pub mod settings;
 pub mod tools;
 pub mod tree;
