@@ -7,7 +7,7 @@ use super::Dialect;
 pub(super) const DIALECT: Dialect = Dialect {
     id: "mtc200",
     name: "Bosch Rexroth MTC200",
-    extensions: &["npg", "dat"],
+    extensions: &["npg"],
     recognizes,
     run: mtc200::run,
     check_form: mtc200::check_form,

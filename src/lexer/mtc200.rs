@@ -54,7 +54,7 @@ pub struct LetterNumber {
 #[logos(skip(r"[ \t\r\n\x00\x0b\x0c\x1a]+"))]
 #[logos(subpattern number = r"[0-9]+(\.[0-9]*)?|\.[0-9]+")]
 pub enum Tok {
-    #[regex(r"[A-Za-z][ \t]*[+\-]?((?&number))", letter_number, priority = 20)]
+    #[regex(r"[A-Za-z][ \t]*([+\-][ \t]*)?((?&number))", letter_number, priority = 20)]
     LetterNumber(LetterNumber),
     #[regex(r"[A-Za-z]", |lex| lex.slice()[0].to_ascii_uppercase(), priority = 3)]
     Letter(u8),
@@ -127,7 +127,7 @@ fn letter_number(lex: &mut Lex<'_>) -> Option<LetterNumber> {
         _ => (1.0, digits),
     };
     let plain = text.get(1..).is_some_and(|rest| !rest.contains(&b'+') && !rest.contains(&b'-'));
-    Some(LetterNumber { letter: text[0].to_ascii_uppercase(), value: sign * number(digits)?, plain })
+    Some(LetterNumber { letter: text[0].to_ascii_uppercase(), value: sign * number(digits.trim_ascii_start())?, plain })
 }
 
 fn number(text: &[u8]) -> Option<f64> {

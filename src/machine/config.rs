@@ -120,7 +120,7 @@ pub const SECTIONS: &[Section] = &[
             key(
                 "machine_words",
                 Kind::Words,
-                "MTC200: words of the machine builder that do not move the tool: a list, or a table LA_ON = \"M64\"",
+                "MTC200: words of the machine builder that do not move the tool: a list, or a table LA_ON = \"M101\"",
             ),
             key(
                 "centres",
@@ -553,7 +553,7 @@ fn machine_words(node: &Node) -> Result<BTreeMap<String, Option<u32>>, ConfigErr
         let printed = text(node);
         let number = printed.strip_prefix(['M', 'm']).and_then(|digits| digits.parse().ok()).filter(|n| *n < 10_000);
         if number.is_none() && !(printed.is_empty() && matches!(node.value, Value::Text(_))) {
-            return Err(node.fail("a word of the machine becomes an M function such as \"M64\", or nothing: \"\""));
+            return Err(node.fail("a word of the machine becomes an M function such as \"M101\", or nothing: \"\""));
         }
         words.insert(name.to_ascii_uppercase(), number);
     }

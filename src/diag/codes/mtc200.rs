@@ -182,7 +182,7 @@ M2701 Error "mtc-m-function" "M function of the machine builder"
 
 M2702 Note "mtc-machine-word" "word of the machine is left out"
 "The word is listed in `[control] machine_words`, so it is known not to move the tool, and it has no counterpart in the output. \
-To print an M function for it, use a table: `machine_words = { LA_ON = \"M64\" }`."
+To print an M function for it, use a table: `machine_words = { LA_ON = \"M101\" }`."
 
 M2703 Note "mtc-no-geometry" "word has no geometry"
 "ACC sets the acceleration, D and E select rows of the correction memory, and REV where the operator's reverse key leads. None of them changes \

@@ -43,7 +43,7 @@ impl Run<'_> {
         let [first, second] = plane_axes(plane);
         let third = 3 - first - second;
         if w.centre[third].is_some() {
-            let message = "a centre word of the axis across the working plane";
+            let message = format!("{} is no centre word of the working plane", ["I", "J", "K"][third]);
             return self.not_here(w.centre_span, message);
         }
         let mut word = |i: usize| match w.centre[i] {

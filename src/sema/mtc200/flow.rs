@@ -144,7 +144,7 @@ impl Run<'_> {
         };
         if result != 0.0 && result.abs() < NEAR_ZERO {
             self.ended = true;
-            let message = format!("the last result is {result:e}, nearly zero");
+            let message = format!("the last result is {result:.1e}, nearly zero");
             let help = "count with whole numbers, or compare with a margin";
             return self.fail_help(codes::M2205, span, message, help);
         }
@@ -320,9 +320,6 @@ impl Run<'_> {
                 Diagnostic::new(codes::M2601, self.here.origin.loc, text)
                     .help("program G40 with a straight move before the end"),
             );
-        }
-        if let Some((loc, _)) = self.st.corner.take() {
-            self.report(Diagnostic::new(codes::M2016, loc, "no motion follows this corner before the program ends"));
         }
     }
 

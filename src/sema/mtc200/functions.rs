@@ -7,10 +7,15 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{Function, Side};
 use crate::machine::Compensation;
+use crate::machine::mtc200::InchSpeed;
 use crate::text::Span;
 
+use super::gfunc::{G, Group};
 use super::words::{At, Words};
 use super::{Outcome, Run};
+
+/// Metres in a foot.
+const FOOT: f64 = 0.3048;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum When {
@@ -173,12 +178,51 @@ impl Run<'_> {
 
     // Spindle.
 
-    pub(super) fn speed_word(&mut self, at: At) -> Outcome {
-        if at.value < 0.0 {
+    /// G96 and G97.
+    pub(super) fn spindle_mode(&mut self, on: bool, span: Span, w: &Words) -> Outcome {
+        let changes = self.st.constant_speed != on;
+        self.st.constant_speed = on;
+        let limit_only = w.g[Group::Once as usize].is_some_and(|(g, _)| g == G::SpeedLimit);
+        if changes && (w.speed.is_none() || limit_only) {
+            let (name, form) = if on { ("G96", "G96 S180") } else { ("G97", "G97 S1200") };
+            return self.missing(span, format!("{name} needs its S in the same block: `{form}`"));
+        }
+        Ok(())
+    }
+
+    pub(super) fn speed_word(&mut self, at: At, limit: bool) -> Outcome {
+        if at.value < 0.0 || (limit && at.value == 0.0) {
             return self.fail(codes::M2705, at.span, format!("the spindle speed is {}", at.value));
         }
-        self.function(Function::Spindle(Spindle::Speed(at.value)));
+        if limit {
+            self.st.speed_limit = Some(at.value);
+            if self.st.constant_speed {
+                self.send_cutting_speed();
+            }
+            return Ok(());
+        }
+        if !self.st.constant_speed {
+            self.function(Function::Spindle(Spindle::Speed(at.value)));
+            return Ok(());
+        }
+        let metres = match (self.st.inch, self.job.settings.control.mtc200.inch_speed) {
+            (false, _) | (true, InchSpeed::Metres) => at.value,
+            (true, InchSpeed::Feet) => at.value * FOOT,
+            (true, InchSpeed::Refuse) => {
+                let help = "set `[control] inch_speed` to \"metres\" or \"feet\"";
+                return self.fail_help(codes::M9007, at.span, "the unit of the cutting speed under G70 is not known", help);
+            }
+        };
+        self.st.cutting_speed = Some(metres);
+        self.send_cutting_speed();
         Ok(())
+    }
+
+    fn send_cutting_speed(&mut self) {
+        if let Some(speed) = self.st.cutting_speed {
+            let limit = self.st.speed_limit;
+            self.function(Function::Spindle(Spindle::CuttingSpeed { speed, limit }));
+        }
     }
 
     /// G04.

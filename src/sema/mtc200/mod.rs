@@ -21,6 +21,7 @@ use rustc_hash::FxHashSet;
 use crate::diag::{CallPath, Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::contour::{Corner, Ctx, CtxRef, Move, Sink};
+use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin};
 use crate::machine::Axis;
 use crate::parser::mtc200::ast::{Block, Stmt};
@@ -36,7 +37,7 @@ use super::here::Here;
 use centre::Settled;
 use flow::{Labels, Level};
 use gfunc::{G, Group};
-use state::State;
+use state::{Motion, State};
 use words::Words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
@@ -347,9 +348,11 @@ impl Run<'_> {
             self.tool_word(at, w.m().iter().any(|(number, _)| *number == 6))?;
         }
         if let Some(at) = w.speed {
-            self.speed(once, at)?;
+            self.speed_word(at, once == Some(G::SpeedLimit))?;
+        } else if once == Some(G::SpeedLimit) {
+            return self.missing(w.g_spans[Group::Once as usize], "G92 needs its S: `G92 S2000`");
         }
-        let arcs = self.st.motion.is_some_and(state::Motion::is_arc);
+        let arcs = self.st.motion.is_some_and(Motion::is_arc);
         let moves = once.is_none() && (!w.axes.known().is_empty() || w.has_centre() || (arcs && w.radius.is_some()));
         self.m_at_start(w, moves)?;
         let span = w.g_spans[Group::Once as usize];
@@ -403,6 +406,13 @@ impl Run<'_> {
         if w.g[Group::Once as usize].is_some() {
             let help = "rotation of the zero offset is not supported: leave P out";
             return self.fail_help(codes::M9002, at.span, "the angle P of an offset is not documented", help);
+        }
+        if self.st.motion == Some(Motion::Thread) && !w.axes.known().is_empty() {
+            if at.value == 0.0 {
+                return Ok(());
+            }
+            let help = "move the start of the thread instead: a part of the lead earlier";
+            return self.fail_help(codes::M9002, at.span, "the start angle of a thread has no word in the output", help);
         }
         self.not_here(at.span, "P has no meaning in this block")
     }
@@ -478,21 +488,6 @@ impl Run<'_> {
         self.st.cornerable = false;
         self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
         Ok(())
-    }
-
-    fn spindle_mode(&mut self, on: bool, span: Span, _: &Words) -> Outcome {
-        if on {
-            return self.fail_help(codes::M9001, span, "G96 is not supported yet", "program a speed");
-        }
-        Ok(())
-    }
-
-    fn speed(&mut self, once: Option<G>, at: words::At) -> Outcome {
-        if once == Some(G::SpeedLimit) {
-            self.st.speed_limit = Some(at.value);
-            return Ok(());
-        }
-        self.speed_word(at)
     }
 
     fn comment(&mut self, text: &[u8]) {
@@ -581,6 +576,8 @@ impl Sink for Nowhere {
     fn corner(&mut self, _: &Corner, _: &CtxRef, _: &Origin) {}
 
     fn function(&mut self, _: &Function, _: &CtxRef, _: &Origin) {}
+
+    fn cycle(&mut self, _: &Cycle, _: &CtxRef, _: &Origin) {}
 
     fn lost(&mut self, _: &CtxRef, _: &Origin) {}
 }

@@ -3,8 +3,8 @@
 //! Source: reference sections 5, 6.1, 6.2, 8.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Deg, Plane, Point2};
-use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path};
+use crate::geo::{Deg, Plane, Point2, SAME_POINT};
+use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Thread};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -195,6 +195,10 @@ impl Run<'_> {
             self.no_chamfers(w.axes_span)?;
         }
         let end = self.target(w)?;
+        if self.st.inch && feed.is_some() && end.known().common(AxisSet::MAIN).is_empty() {
+            let help = "program the feed under G71";
+            return self.fail_help(codes::M9008, w.axes_span, "the unit of the feed of these axes is not known", help);
+        }
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         self.st.cornerable = feed.is_some();
         self.send(end, path, feed);
@@ -266,7 +270,7 @@ impl Run<'_> {
             None => ArcShape::Center { center: self.centre(w, plane, start, to)?, ccw, tol },
         };
         self.st.cornerable = true;
-        self.send(end, Path::Arc(Arc { plane, shape }), Some(feed));
+        self.send(end, Path::Arc(Arc { plane, shape, turns: 0 }), Some(feed));
         Ok(())
     }
 
@@ -285,9 +289,38 @@ impl Run<'_> {
         self.fail_help(codes::M9004, span, "chamfers at outside corners (G44) are not supported", help)
     }
 
-    /// G33.
+    /// G33: the lead counts along the axis of its letter, in radius also for X.
     fn thread(&mut self, w: &Words) -> Outcome {
-        self.fail_help(codes::M9001, w.axes_span, "G33 (thread cutting) is not supported yet", "leave the thread out")
+        let span = w.axes_span;
+        if self.st.offset == Offset::Machine || self.st.side != Side::None {
+            return self.fail_help(codes::M1006, span, "a thread under G53 or path compensation", "program G54 and G40 before");
+        }
+        let mut leads = AxisSet::MAIN.iter().filter_map(|axis| Some((axis, w.centre[axis.index()]?)));
+        let (Some((along, value)), None) = (leads.next(), leads.next()) else {
+            let help = "write the lead of the longer travel: K2 for Z, I2 for X";
+            return self.fail_help(codes::M2015, span, "G33 needs one lead: I, J or K", help);
+        };
+        let lead = value * self.st.unit();
+        if lead <= 0.0 {
+            return self.fail(codes::M2015, w.centre_span, format!("the lead of the thread is {value}"));
+        }
+        let end = self.target(w)?;
+        if !end.known().without(AxisSet::MAIN).is_empty() {
+            return self.not_here(span, "a thread moves linear main axes only");
+        }
+        let mut travel = [0.0; 3];
+        for (axis, to) in end.iter() {
+            travel[axis.index()] = (to - self.position_of(axis, span)?).abs();
+        }
+        let longest = travel.iter().fold(0.0_f64, |most, way| most.max(*way));
+        if longest <= SAME_POINT || travel[along.index()] < longest - SAME_POINT {
+            let letter = ["I", "J", "K"][along.index()];
+            let message = format!("{letter} is not the lead of the longer travel");
+            return self.fail_help(codes::M2015, w.centre_span, message, "write the lead of the axis that travels farthest");
+        }
+        self.st.cornerable = false;
+        self.send(end, Path::Thread(Thread { lead, along: Some(along) }), None);
+        Ok(())
     }
 
     // Corners.
@@ -311,7 +344,7 @@ impl Run<'_> {
         let feed = self.cutting_feed(at.span)?;
         let shape =
             if name == "CF" { CornerShape::Chamfer { side: size } } else { CornerShape::Rounding { radius: size } };
-        self.send_corner(&Corner { shape, feed });
+        self.send_corner(&Corner { shape, feed: Some(feed), modal: false });
         self.st.corner = Some((self.loc(at.span), 0));
         Ok(())
     }
@@ -349,6 +382,8 @@ impl Run<'_> {
     pub(super) fn lose_all(&mut self) {
         self.st.lose(AxisSet::MAIN);
         self.st.corner = None;
+        // The block may have held the feed that the next ones need.
+        self.st.feed.get_or_insert(Feed::PerMinute(1.0));
         self.lost();
     }
 }
