@@ -226,34 +226,23 @@ mod tests {
 
     #[test]
     fn words_without_blanks() {
-        assert_eq!(tokens("g01x-10.5Y.5F1000.0D02"), [
-            word(b'G', 1.0),
-            word(b'X', -10.5),
-            word(b'Y', 0.5),
-            word(b'F', 1000.0),
-            word(b'D', 2.0)
-        ]);
+        assert_eq!(
+            tokens("g01x-10.5Y.5F1000.0D02"),
+            [word(b'G', 1.0), word(b'X', -10.5), word(b'Y', 0.5), word(b'F', 1000.0), word(b'D', 2.0)]
+        );
         assert_eq!(tokens("CF2 LA_ON RET"), [Tok::Name, Tok::Number(2.0), Tok::Name, Tok::Name]);
     }
 
     #[test]
     fn brackets_and_comments() {
-        assert_eq!(tokens("X=(@1)(done) [hint] Y5 ; rest"), [
-            Tok::Letter(b'X'),
-            Tok::Assign,
-            Tok::Open,
-            Tok::Variable(1),
-            Tok::Close,
-            word(b'Y', 5.0)
-        ]);
-        assert_eq!(tokens("@100=SIN(30)(a)"), [
-            Tok::Variable(100),
-            Tok::Assign,
-            Tok::Func(Func::Sin),
-            Tok::Open,
-            Tok::Number(30.0),
-            Tok::Close
-        ]);
+        assert_eq!(
+            tokens("X=(@1)(done) [hint] Y5 ; rest"),
+            [Tok::Letter(b'X'), Tok::Assign, Tok::Open, Tok::Variable(1), Tok::Close, word(b'Y', 5.0)]
+        );
+        assert_eq!(
+            tokens("@100=SIN(30)(a)"),
+            [Tok::Variable(100), Tok::Assign, Tok::Func(Func::Sin), Tok::Open, Tok::Number(30.0), Tok::Close]
+        );
         assert_eq!(tokens("M3 (open"), [word(b'M', 3.0), Tok::Unclosed, Tok::Name]);
         assert_eq!(tokens("BNE .LOOP"), [Tok::Name, Tok::Label]);
     }

@@ -33,7 +33,10 @@ fn run(name: &str, bytes: &[u8], settings: &Settings) -> Compiled {
     }
     assert!(compiled.attempt.is_ascii());
     for line in compiled.output.lines() {
-        assert!(line.len() <= 255 && (!line.contains("NaN") && !line.contains("inf") || line.starts_with('(')), "{line}");
+        assert!(
+            line.len() <= 255 && (!line.contains("NaN") && !line.contains("inf") || line.starts_with('(')),
+            "{line}"
+        );
     }
     compiled
 }
@@ -188,7 +191,12 @@ fn bytes_of_all_kinds() {
 fn moves(program: &str, options: &str) -> Vec<String> {
     let compiled = compile_bytes("P.npg", program.as_bytes().to_vec(), "mtc200", &settings(options), &NoFiles);
     assert!(!compiled.has_errors(), "{program}\n{:?}", compiled.rendered);
-    compiled.output.lines().filter(|line| line.starts_with("G0") || line.starts_with("G1 ")).map(str::to_owned).collect()
+    compiled
+        .output
+        .lines()
+        .filter(|line| line.starts_with("G0") || line.starts_with("G1 "))
+        .map(str::to_owned)
+        .collect()
 }
 
 const MILL: &str = "[output]\ncomments = false\n";

@@ -6,8 +6,8 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
-use crate::machine::mtc200::Centres;
 use crate::machine::Axis;
+use crate::machine::mtc200::Centres;
 use crate::text::{Loc, Span};
 
 use super::path::plane_axes;
@@ -130,7 +130,9 @@ impl Run<'_> {
             Some((_, first)) => {
                 let text = match reading {
                     Reading::Coordinates => "the centre fits only as coordinates, another arc only as distances",
-                    Reading::Distances => "the centre fits only as distances from the start, another arc only as coordinates",
+                    Reading::Distances => {
+                        "the centre fits only as distances from the start, another arc only as coordinates"
+                    }
                 };
                 self.report(
                     Diagnostic::new(codes::M2006, here, text)
@@ -165,7 +167,12 @@ impl Run<'_> {
             })
             .collect();
         let message = format!("the end point misses the circle about the centre by {}", shown.join(", by "));
-        self.fail_help(codes::M2010, span, message, "check start, end and centre, or raise `[control] circle_tolerance`")
+        self.fail_help(
+            codes::M2010,
+            span,
+            message,
+            "check start, end and centre, or raise `[control] circle_tolerance`",
+        )
     }
 
     fn ambiguous(&mut self, centres: [Point2; 2], span: Span) -> Outcome<Point2> {

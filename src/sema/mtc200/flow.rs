@@ -41,13 +41,7 @@ pub(super) struct Level {
 
 impl Level {
     pub fn main(program: usize) -> Level {
-        Level {
-            program,
-            called_program: false,
-            back: Place::default(),
-            call: CallPath::MAIN,
-            site: Loc::default(),
-        }
+        Level { program, called_program: false, back: Place::default(), call: CallPath::MAIN, site: Loc::default() }
     }
 }
 
@@ -85,7 +79,7 @@ impl Labels {
     fn like(&self, name: &str, symbols: &Symbols) -> Option<String> {
         let mut names: Vec<&str> = self.0.keys().map(|label| symbols.name(*label)).collect();
         names.sort_unstable();
-        crate::machine::tree::did_you_mean(name, names.into_iter()).map(str::to_owned)
+        crate::machine::tree::did_you_mean(name, names).map(str::to_owned)
     }
 }
 

@@ -147,7 +147,12 @@ impl Run<'_> {
             return self.fail_help(codes::M2012, span, "M6 without a selected tool", "program T before M6");
         };
         if self.st.side != Side::None {
-            return self.fail_help(codes::M1006, span, "the tool changes under path compensation", "program G40 before");
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "the tool changes under path compensation",
+                "program G40 before",
+            );
         }
         self.st.tool = Some(number);
         self.function(Function::ToolChange { number });
@@ -210,7 +215,12 @@ impl Run<'_> {
             (true, InchSpeed::Feet) => at.value * FOOT,
             (true, InchSpeed::Refuse) => {
                 let help = "set `[control] inch_speed` to \"metres\" or \"feet\"";
-                return self.fail_help(codes::M9007, at.span, "the unit of the cutting speed under G70 is not known", help);
+                return self.fail_help(
+                    codes::M9007,
+                    at.span,
+                    "the unit of the cutting speed under G70 is not known",
+                    help,
+                );
             }
         };
         self.st.cutting_speed = Some(metres);

@@ -365,7 +365,9 @@ impl Run<'_> {
                 self.only_axes(w)?;
                 self.home(w, span)?;
             }
-            Some(_) if !w.axes.known().is_empty() => return self.not_here(w.axes_span, "axis words have no meaning beside G92"),
+            Some(_) if !w.axes.known().is_empty() => {
+                return self.not_here(w.axes_span, "axis words have no meaning beside G92");
+            }
             Some(_) => self.only_axes(w)?,
             None if moves => self.motion(w)?,
             None => self.stray_words(w)?,
@@ -412,7 +414,12 @@ impl Run<'_> {
                 return Ok(());
             }
             let help = "move the start of the thread instead: a part of the lead earlier";
-            return self.fail_help(codes::M9002, at.span, "the start angle of a thread has no word in the output", help);
+            return self.fail_help(
+                codes::M9002,
+                at.span,
+                "the start angle of a thread has no word in the output",
+                help,
+            );
         }
         self.not_here(at.span, "P has no meaning in this block")
     }
@@ -424,7 +431,12 @@ impl Run<'_> {
         let other_g = w.g.iter().filter(|g| g.is_some()).count() > 1;
         let other = [w.speed, w.tool, w.program, w.radius, w.chamfer, w.rounding].iter().any(Option::is_some);
         if other_g || other || w.has_centre() || !w.axes.known().is_empty() || !w.m().is_empty() || w.flow.is_some() {
-            return self.fail_help(codes::M1006, span, "G04 stands beside other words", "put G04 F… into a block of its own");
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "G04 stands beside other words",
+                "put G04 F… into a block of its own",
+            );
         }
         self.dwell(w, span)?;
         self.count_between()

@@ -26,7 +26,12 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.side != Side::None {
-            return self.fail_help(codes::M1006, span, "the zero offset changes under path compensation", "program G40 before");
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "the zero offset changes under path compensation",
+                "program G40 before",
+            );
         }
         if offset == Offset::Machine && self.st.shift != [0.0; AXES] {
             let help = "set the programmed offset to 0 before: `G50 X0 Y0 Z0`";
@@ -56,10 +61,20 @@ impl Run<'_> {
             return self.missing(span, "the offset names no axis");
         }
         if self.st.side != Side::None {
-            return self.fail_help(codes::M1006, span, "the zero offset changes under path compensation", "program G40 before");
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "the zero offset changes under path compensation",
+                "program G40 before",
+            );
         }
         if self.st.offset == Offset::Machine {
-            return self.fail_help(codes::M2101, span, "a programmed offset while G53 is active", "program G54 to G59 before");
+            return self.fail_help(
+                codes::M2101,
+                span,
+                "a programmed offset while G53 is active",
+                "program G54 to G59 before",
+            );
         }
         let mut values = [0.0; AXES];
         for (axis, value) in w.axes.iter() {
@@ -120,7 +135,12 @@ impl Run<'_> {
             return self.missing(span, "G74 names no axis: `G74 X0 Z0`");
         }
         if self.st.side != Side::None || self.st.corner.is_some() {
-            return self.fail_help(codes::M1006, span, "G74 inside a compensated contour or a corner", "program G40 before");
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "G74 inside a compensated contour or a corner",
+                "program G40 before",
+            );
         }
         let mut end = Pos::UNKNOWN;
         for (axis, value) in w.axes.iter() {

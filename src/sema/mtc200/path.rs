@@ -293,7 +293,12 @@ impl Run<'_> {
     fn thread(&mut self, w: &Words) -> Outcome {
         let span = w.axes_span;
         if self.st.offset == Offset::Machine || self.st.side != Side::None {
-            return self.fail_help(codes::M1006, span, "a thread under G53 or path compensation", "program G54 and G40 before");
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "a thread under G53 or path compensation",
+                "program G54 and G40 before",
+            );
         }
         let mut leads = AxisSet::MAIN.iter().filter_map(|axis| Some((axis, w.centre[axis.index()]?)));
         let (Some((along, value)), None) = (leads.next(), leads.next()) else {
@@ -316,7 +321,12 @@ impl Run<'_> {
         if longest <= SAME_POINT || travel[along.index()] < longest - SAME_POINT {
             let letter = ["I", "J", "K"][along.index()];
             let message = format!("{letter} is not the lead of the longer travel");
-            return self.fail_help(codes::M2015, w.centre_span, message, "write the lead of the axis that travels farthest");
+            return self.fail_help(
+                codes::M2015,
+                w.centre_span,
+                message,
+                "write the lead of the axis that travels farthest",
+            );
         }
         self.st.cornerable = false;
         self.send(end, Path::Thread(Thread { lead, along: Some(along) }), None);

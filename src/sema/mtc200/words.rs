@@ -221,13 +221,16 @@ impl Run<'_> {
             Some(what) => format!("{name} ({what}) is not supported"),
             None => format!("{name} is no function of the control that is known"),
         };
-        let help = format!("if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`");
+        let help =
+            format!("if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`");
         self.fail_help(codes::M9001, span, message, &help)
     }
 
     fn sort_m(&mut self, w: &mut Words, at: At) -> Outcome {
         let number = self.whole(at, "M")?;
-        if !self.job.settings.control.mtc200.machine_words.is_empty() && self.declared(w, &format!("M{number}"), at.span) {
+        if !self.job.settings.control.mtc200.machine_words.is_empty()
+            && self.declared(w, &format!("M{number}"), at.span)
+        {
             return Ok(());
         }
         if w.m.iter().any(|(m, _)| *m == number) {
@@ -294,7 +297,12 @@ impl Run<'_> {
         name: &str,
     ) -> Outcome {
         if matches!(word.value, Value::None | Value::Label(_)) {
-            return self.fail_help(codes::M1003, word.span, format!("{name} has no value"), "write it as `CF2` or `RD2`");
+            return self.fail_help(
+                codes::M1003,
+                word.span,
+                format!("{name} has no value"),
+                "write it as `CF2` or `RD2`",
+            );
         }
         let value = self.number(word, block)?;
         if w.chamfer.is_some() || w.rounding.is_some() {
