@@ -5,7 +5,9 @@
 pub mod axis;
 pub mod config;
 pub mod mtc200;
+pub mod schema;
 pub mod settings;
+pub mod show;
 pub mod tools;
 pub mod tree;
 
