@@ -133,7 +133,7 @@ M2201 Error "mtc-label-missing" "label is not set in this program"
 "The jump names a label that no block of the program sets. A label is a point and a name at the start of a block: `.LOOP`. Check the spelling."
 
 M2202 Error "mtc-label-twice" "label is set twice"
-"Two blocks set the same label, so a jump to it has two targets. Rename one."
+"Two blocks set the same label, so a jump to it has two targets, and which one the control takes is not defined. Rename one."
 
 M2203 Error "mtc-rts-alone" "RTS without BSR or JSR"
 "RTS goes back to the call, and there was none: the program ran into a subroutine from above, or jumped into it. End the main part with RET."
@@ -165,7 +165,7 @@ M2302 Error "mtc-arithmetic" "formula has no result"
 Check the variables."
 
 M2303 Error "mtc-variable-number" "no variable has this number"
-"Variables have three digits: `@000` to `@999`. Check the number."
+"Variables have three digits, `@000` to `@999`, so nothing can be read or stored here. Check the number."
 
 M2304 Error "mtc-function-doubtful" "result depends on the control's rounding"
 "INT, MOD and DIV of a negative or broken number can round down or towards zero, and the manual does not say which. Make the value positive and whole, or compute it another way."
