@@ -1,6 +1,7 @@
 //! The dialects: one table each, registered by one line in [`ALL`].
 
 mod klartext;
+mod mtc200;
 mod sinumerik;
 
 use crate::ir::contour::Sink;
@@ -28,7 +29,7 @@ impl std::fmt::Debug for Dialect {
 }
 
 /// All dialects.
-pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &sinumerik::DIALECT];
+pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &sinumerik::DIALECT, &mtc200::DIALECT];
 
 /// The dialect of this name.
 pub fn find(id: &str) -> Option<&'static Dialect> {

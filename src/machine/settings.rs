@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use super::axis::Axis;
+use super::mtc200::Mtc200;
 use super::tools::Tools;
 
 /// Everything the user can say about a run.
@@ -122,7 +123,7 @@ pub enum CpSign {
 }
 
 /// `[control]`
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Control {
     pub klartext: Generation,
     pub sinumerik: String,
@@ -143,6 +144,13 @@ pub struct Control {
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
     pub retract_max: Option<f64>,
+    pub siemens: Siemens,
+    pub mtc200: Mtc200,
+}
+
+/// SINUMERIK: machine and setting data that change what a program means.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Siemens {
     /// An increment behind a change of the frame travels the change, too (SD 42440).
     pub frame_offset_incremental: bool,
     /// Largest difference of the radii at start and end of a circle: in mm, and as a part of the radius
@@ -155,22 +163,9 @@ pub struct Control {
     pub main_variables_visible: bool,
 }
 
-impl Default for Control {
-    fn default() -> Control {
-        Control {
-            klartext: Generation::default(),
-            sinumerik: String::new(),
-            heidenhain_turning: String::new(),
-            skip_blocks: Vec::new(),
-            unit: None,
-            feed: None,
-            rapid_feed: None,
-            cc_missing: CcMissing::default(),
-            polar_missing: PolarMissing::default(),
-            shift_axes: ShiftAxes::default(),
-            cp_sign: CpSign::default(),
-            scaling_in_plane: false,
-            retract_max: None,
+impl Default for Siemens {
+    fn default() -> Siemens {
+        Siemens {
             frame_offset_incremental: true,
             circle_error: 0.01,
             circle_error_factor: 0.001,

@@ -135,7 +135,7 @@ impl Run<'_> {
     /// Largest difference of the radii at start and end (MD 21000, MD 21010).
     fn circle_tolerance(&self, radius: f64) -> f64 {
         let control = &self.job.settings.control;
-        control.circle_error.max(control.circle_error_factor * radius.abs())
+        control.siemens.circle_error.max(control.siemens.circle_error_factor * radius.abs())
     }
 
     fn arc_span(&self, w: &Words) -> Span {

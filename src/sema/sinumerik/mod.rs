@@ -147,7 +147,7 @@ type Outcome<T = ()> = Result<T, Reported>;
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
         let mut vars = Vars::new(&job.settings.variables);
-        vars.main_visible = job.settings.control.main_variables_visible;
+        vars.main_visible = job.settings.control.siemens.main_variables_visible;
         Run {
             job: *job,
             out,

@@ -385,7 +385,7 @@ impl Run<'_> {
         }
         let with_offset = match self.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
             Some(set) => set,
-            None => self.job.settings.control.frame_offset_incremental,
+            None => self.job.settings.control.siemens.frame_offset_incremental,
         };
         let chosen = if with_offset { programmed } else { at };
         let found = Diagnostic::new(

@@ -235,7 +235,7 @@ impl Run<'_> {
 
     /// Turrets change with T (MD 22550 = 0), mills with M6.
     fn changes_by_t(&self) -> bool {
-        self.job.settings.control.tool_change_by_t.unwrap_or(self.st.lathe)
+        self.job.settings.control.siemens.tool_change_by_t.unwrap_or(self.st.lathe)
     }
 
     fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
