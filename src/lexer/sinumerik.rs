@@ -63,9 +63,9 @@ pub enum Tok {
     #[regex(r"'[Bb][01]+'", |lex| based(lex, 2))]
     Based(i64),
     /// `'"'`
-    #[regex(r"'[^'\n]'", |lex| lex.slice()[1], priority = 4)]
+    #[regex(r"'(?-u:[^'\n])'", |lex| lex.slice()[1], priority = 4)]
     Char(u8),
-    #[regex(r#""[^"\n]*""#)]
+    #[regex(r#""(?-u:[^"\n])*""#)]
     Text,
 
     #[token("==")]

@@ -129,6 +129,8 @@ struct Run<'a> {
     lead: Option<(Axis, f64)>,
     axis_feed: BTreeMap<Axis, f64>,
     compensation_starts: bool,
+    /// Nesting of texts that are executed.
+    depth: u32,
     stack: Vec<Val>,
     words: Option<Box<Words>>,
     here: Here,
@@ -137,6 +139,9 @@ struct Run<'a> {
     scratch: Option<Box<Parsed>>,
     ended: Cell<bool>,
 }
+
+/// Deepest nesting of texts that are executed.
+const MOST_TEXTS: u32 = 8;
 
 /// A block that could not be executed; the reason was reported.
 #[derive(Debug, Clone, Copy)]
@@ -172,6 +177,7 @@ impl<'a> Run<'a> {
             lead: None,
             axis_feed: BTreeMap::new(),
             compensation_starts: false,
+            depth: 0,
             stack: Vec::new(),
             words: None,
             here: Here::default(),
@@ -369,8 +375,23 @@ impl<'a> Run<'a> {
     /// A `%` line: the program of an archive that follows is another one.
     fn header(&mut self) -> Outcome {
         let unit = self.level().unit;
-        if self.here.at != self.programs.units[unit].start.at && self.starts_program() {
+        if self.here.at == self.programs.units[unit].start.at || !self.starts_program() {
+            return Ok(());
+        }
+        if self.levels.len() > 1 || self.program_level().executed {
             self.end_of_file();
+            return Ok(());
+        }
+        // Comments in front of the first header.
+        let line = self.job.sources.bytes(self.here.file, Span::at(self.here.at, 200));
+        let line = line.split(|b| matches!(b, b'\n' | b'\r')).next().unwrap_or_default();
+        if let Some((name, kind)) = programs::header_name(line) {
+            let first = &mut self.programs.units[unit];
+            first.name = name;
+            first.kind = kind;
+            first.start = Place { at: self.here.at, line: self.here.line };
+            let main = self.main_unit(unit);
+            self.level().unit = main;
         }
         Ok(())
     }
@@ -403,6 +424,23 @@ impl<'a> Run<'a> {
 
     /// Executes a text as a block: EXECSTRING, or a block with macros.
     fn execute_line(&mut self, line: &[u8], span: Span) -> Outcome {
+        if self.depth >= MOST_TEXTS {
+            self.stop_run();
+            return self.fail_help(
+                codes::P4003,
+                14012,
+                span,
+                "texts that execute texts are nested too deep",
+                "check for an EXECSTRING that executes itself",
+            );
+        }
+        self.depth += 1;
+        let result = self.execute_text(line, span);
+        self.depth -= 1;
+        result
+    }
+
+    fn execute_text(&mut self, line: &[u8], span: Span) -> Outcome {
         let loc = self.loc(span);
         let line = self.expanded(line).unwrap_or_else(|| line.to_vec());
         let mut block = Block::default();

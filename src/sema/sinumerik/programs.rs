@@ -368,7 +368,7 @@ pub(super) fn header_name(line: &[u8]) -> Option<(String, UnitKind)> {
 
 /// `_N_PART_MPF` is PART, a main program.
 pub(super) fn bare_name(name: &str) -> (String, UnitKind) {
-    let name = name.strip_prefix("_N_").unwrap_or(name);
+    let Some(name) = name.strip_prefix("_N_") else { return plain_name(name) };
     for (suffix, kind) in [("_MPF", UnitKind::Main), ("_SPF", UnitKind::Sub), ("_CYC", UnitKind::Sub)] {
         if let Some(stem) = name.strip_suffix(suffix) {
             return (stem.to_owned(), kind);
@@ -377,6 +377,16 @@ pub(super) fn bare_name(name: &str) -> (String, UnitKind) {
     for suffix in ["_DEF", "_INI", "_TEA", "_TOA", "_UFR", "_RPA", "_ARC", "_COM"] {
         if let Some(stem) = name.strip_suffix(suffix) {
             return (stem.to_owned(), UnitKind::Other);
+        }
+    }
+    (name.to_owned(), UnitKind::Main)
+}
+
+/// A name as it is called; `NAME_MPF` and `NAME_SPF` are NAME.
+fn plain_name(name: &str) -> (String, UnitKind) {
+    for (suffix, kind) in [("_MPF", UnitKind::Main), ("_SPF", UnitKind::Sub)] {
+        if let Some(stem) = name.strip_suffix(suffix) {
+            return (stem.to_owned(), kind);
         }
     }
     (name.to_owned(), UnitKind::Main)

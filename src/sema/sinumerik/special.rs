@@ -283,7 +283,16 @@ impl Run<'_> {
         }
         let Some(call) = w.call else { return Ok(()) };
         if let Meaning::Procedure(procedure) = call.meaning {
-            return self.procedure(procedure, call, w, block, text);
+            w.passes = passes;
+            let alone = matches!(
+                procedure,
+                Procedure::ExecString | Procedure::Return | Procedure::SetAlarm | Procedure::Refused(_)
+            );
+            if alone && (self.has_other_words(w) || w.passes.is_some()) {
+                return self.call_not_alone(call.span);
+            }
+            self.procedure(procedure, call, w, block, text)?;
+            return self.rest_of_block(w, block);
         }
         // A name in a definition file may be a macro.
         if !self.definitions_known() && self.macros.contains_key(&call.name) {
@@ -380,7 +389,7 @@ impl Run<'_> {
             Procedure::NoEffect => Ok(()),
             Procedure::Dynamics => {
                 self.note_once(codes::S8002, call.span, "words that only shape speed and accuracy are left out");
-                self.rest_of_block(w, block)
+                Ok(())
             }
             Procedure::Message => self.message(&formulas, block, text),
             Procedure::SetAlarm => {
@@ -474,7 +483,7 @@ impl Run<'_> {
 
     /// Words beside a procedure that has no effect.
     fn rest_of_block(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.has_other_words(w) {
+        if self.has_other_words(w) || w.passes.is_some() {
             w.call = None;
             self.begins_executing();
             return self.words_again(w, block);

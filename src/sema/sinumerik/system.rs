@@ -274,14 +274,24 @@ impl Run<'_> {
         };
         let wanted = String::from_utf8_lossy(text).into_owned();
         if name == "ISVAR" {
-            let symbol = self.symbols.intern(wanted.trim_end_matches(']').split('[').next().unwrap_or("").as_bytes());
-            return Some(Ok(Val::Bool(self.vars.find(symbol).is_some())));
+            return Some(Ok(Val::Bool(self.is_variable(&wanted))));
         }
         let identity = self.job.sources.identity(self.job.main);
         let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
         let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
         let here = self.programs.find_in_file(0, &bare).is_some();
         Some(Ok(Val::Bool(here || self.job.files.open(&request).is_ok())))
+    }
+
+    /// A variable, or an element of one that exists.
+    fn is_variable(&mut self, wanted: &str) -> bool {
+        let (name, rest) = wanted.split_once('[').unwrap_or((wanted, ""));
+        let symbol = self.symbols.intern(name.trim().as_bytes());
+        let Some(slot) = self.vars.find(symbol) else { return false };
+        let Some(var) = self.vars.get(slot) else { return false };
+        let Some(rest) = rest.strip_suffix(']') else { return rest.is_empty() };
+        let indices: Option<Vec<i32>> = rest.split(',').map(|index| index.trim().parse().ok()).collect();
+        indices.is_some_and(|indices| var.offset(&indices).is_some())
     }
 
     /// `X, 10, Y, 20`
