@@ -20,6 +20,8 @@ pub(super) enum Command {
     Check(Check),
     /// Print the resolved moves as JSON Lines, one move a line
     Trace(Trace),
+    /// Draw the resolved path as an SVG picture
+    Plot(Plot),
     /// Explain a diagnostic code
     Explain {
         /// Code such as K2101, or its name
@@ -72,6 +74,20 @@ pub(super) struct Check {
 pub(super) struct Trace {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Plot {
+    /// Part program; `-` reads standard input
+    pub input: PathBuf,
+    /// Picture; `-` writes standard output. Default: beside the input, with the extension svg
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Overwrite a picture that partc did not draw
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub common: Common,
 }

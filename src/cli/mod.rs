@@ -4,6 +4,7 @@ mod args;
 mod config;
 mod disk;
 mod output;
+mod plot;
 mod report;
 mod run;
 
@@ -59,6 +60,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
         Command::Trace(trace) => run::trace(trace),
+        Command::Plot(plot) => plot::plot(plot),
         Command::Explain { code, format } => report::explain(code, *format),
         Command::Rules { format } => report::rules(*format),
         Command::Completions { shell } => {

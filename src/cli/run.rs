@@ -20,17 +20,17 @@ use super::report::Reporter;
 use super::{Exit, Trouble, config};
 
 /// A program with everything that is needed to run it.
-struct Loaded {
-    session: Session,
-    dialect: &'static Dialect,
-    settings: Settings,
-    files: IncludeRoots,
+pub(super) struct Loaded {
+    pub session: Session,
+    pub dialect: &'static Dialect,
+    pub settings: Settings,
+    pub files: IncludeRoots,
 }
 
 /// Bytes looked at to tell the dialect.
 const HEAD: u32 = 64 * 1024;
 
-fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
+pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
     let settings =
         config::settings(common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path), common)?;
@@ -121,7 +121,7 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
 }
 
 /// A reader that has seen enough is no trouble.
-fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
+pub(super) fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
     if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }
 
@@ -143,7 +143,7 @@ fn output_path(input: &Path, args: &Compile, extension: &str) -> PathBuf {
     }
 }
 
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     match (fs::canonicalize(a), fs::canonicalize(b)) {
         (Ok(a), Ok(b)) => a == b && a.is_file(),
         _ => false,

@@ -7,6 +7,7 @@ pub mod arc;
 pub mod comment;
 pub mod line;
 pub mod number;
+pub mod plot;
 pub mod printer;
 pub mod targets;
 pub mod trace;

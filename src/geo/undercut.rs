@@ -172,10 +172,9 @@ impl Shape {
         let length = |v: f64| v >= 0.0 && v.is_finite();
         let entry_good = |Deg(a): Deg| a > 0.0 && a <= 90.0;
         let (lengths, angles) = match *self {
-            Shape::Square { length: l, depth, entry, entry_radius, corner_radius } => (
-                positive(l) && positive(depth) && length(entry_radius) && length(corner_radius),
-                entry_good(entry),
-            ),
+            Shape::Square { length: l, depth, entry, entry_radius, corner_radius } => {
+                (positive(l) && positive(depth) && length(entry_radius) && length(corner_radius), entry_good(entry))
+            }
             Shape::Recessed { length: l, depth, entry, entry_radius, corner_radius, face_depth, face_angle } => (
                 positive(l) && positive(depth) && length(entry_radius) && length(corner_radius) && positive(face_depth),
                 entry_good(entry) && face_angle.0 > 0.0 && face_angle.0 < 90.0,
@@ -187,12 +186,12 @@ impl Shape {
                 };
                 (positive(width) && positive(depth) && length(radius) && length(edge), true)
             }
-            Shape::Slope { length: l, entry, radius } => (positive(l) && length(radius), entry.0 > 0.0 && entry.0 < 90.0),
+            Shape::Slope { length: l, entry, radius } => {
+                (positive(l) && length(radius), entry.0 > 0.0 && entry.0 < 90.0)
+            }
             Shape::Wedge { depth, radius, opening, axis } => (
                 positive(depth) && length(radius) && radius <= depth,
-                opening.0 > 0.0
-                    && axis.0 - opening.0 / 2.0 > 0.0
-                    && axis.0 + opening.0 / 2.0 < 90.0,
+                opening.0 > 0.0 && axis.0 - opening.0 / 2.0 > 0.0 && axis.0 + opening.0 / 2.0 < 90.0,
             ),
         };
         match (lengths, angles) {
@@ -313,12 +312,7 @@ impl Orientation {
 ///
 /// # Errors
 /// See [`Fault`].
-pub fn place(
-    shape: &Shape,
-    corner: &Corner,
-    reference: Reference,
-    allowance: Allowance,
-) -> Result<Placed, Fault> {
+pub fn place(shape: &Shape, corner: &Corner, reference: Reference, allowance: Allowance) -> Result<Placed, Fault> {
     shape.check()?;
     let orientation = Orientation::of(corner)?;
     let frame = Frame::new(corner.at, orientation, reference, allowance);

@@ -7,6 +7,7 @@ pub mod config;
 pub mod settings;
 pub mod tools;
 pub mod tree;
+pub mod undercut;
 
 pub use axis::{Axis, AxisSet};
 pub use settings::{
@@ -14,3 +15,4 @@ pub use settings::{
     Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
+pub use undercut::Undercuts;

@@ -265,7 +265,7 @@ impl Undercuts {
                     self.set_thread(name, node)?;
                 }
             }
-            ("by_diameter", Value::Table(table)) => self.set_by_diameter(table)?,
+            ("din509_by_diameter", Value::Table(table)) => self.set_by_diameter(table)?,
             _ => return Err(node.fail(format!("`{name}` has no place in [undercut]"))),
         }
         Ok(())
@@ -310,8 +310,9 @@ impl Undercuts {
                 })?,
             };
             let index = match &node.value {
-                Value::Text(text) => radius_and_depth(text)
-                    .and_then(|(r, t)| self.sizes.iter().position(|size| same_size(size, r, t))),
+                Value::Text(text) => {
+                    radius_and_depth(text).and_then(|(r, t)| self.sizes.iter().position(|size| same_size(size, r, t)))
+                }
                 _ => None,
             };
             list.push((upto, index.ok_or_else(|| node.fail("needs a size of DIN 509 such as \"0.6x0.3\""))?));
@@ -334,7 +335,8 @@ impl Undercuts {
                     }
                 }
                 let index = self.threads.iter().take_while(|row| row.pitch < pitch).count();
-                self.threads.insert(index, thread(pitch, 0.0, (0.0, 0.0), (0.0, 0.0), 0.0, 0.0, (0.0, 0.0), (0.0, 0.0)));
+                self.threads
+                    .insert(index, thread(pitch, 0.0, (0.0, 0.0), (0.0, 0.0), 0.0, 0.0, (0.0, 0.0), (0.0, 0.0)));
                 index
             }
         };
@@ -448,7 +450,7 @@ mod tests {
     fn values_can_be_replaced() {
         let tables = read(
             "din509.'0.6x0.3' = { t2 = 0.25 }\ndin509.'0.8x0.5' = { f = 3, t2 = 0.2 }\ndin76.'2.5' = { b = [3.3, 6.4] }\n\
-             by_diameter = { '20' = '0.8x0.5', above = '1x0.4' }\nthread_length = 'shortest'\ninternal_depth = 'bore'\n",
+             din509_by_diameter = { '20' = '0.8x0.5', above = '1x0.4' }\nthread_length = 'shortest'\ninternal_depth = 'bore'\n",
         )
         .unwrap();
         assert_eq!(tables.size(0.6, 0.3).map(|s| (s.length, s.face_depth)), Some((2.5, 0.25)));
@@ -469,8 +471,8 @@ mod tests {
             "din76.'0' = { r = 2 }",
             "din76.'1.1' = { r = 2 }",
             "din76.'1' = { a = [4, 2] }",
-            "by_diameter = { '20' = '0.9x0.5' }",
-            "by_diameter = { 'big' = '0.6x0.3' }",
+            "din509_by_diameter = { '20' = '0.9x0.5' }",
+            "din509_by_diameter = { 'big' = '0.6x0.3' }",
         ] {
             assert!(read(text).is_err(), "{text}");
         }

@@ -13,3 +13,4 @@ mod props;
 mod reader;
 mod rs274;
 mod sweep;
+mod undercut;

@@ -261,28 +261,24 @@ fn a_taper_within_three_degrees_meets_its_lines() {
     let on_line = (placed.leave.x + 32.0) / 32.0 * -1.0 + 21.0 - placed.leave.y;
     assert!(on_line.abs() < 1e-12, "{placed:?}");
     let steep = corner((0.0, 40.0), (-32.0, 44.0), (-32.0, 60.0));
-    assert!(matches!(
-        place(&E, &steep, Reference::First, Allowance::default()),
-        Err(Fault::NotSquare { .. })
-    ));
+    assert!(matches!(place(&E, &steep, Reference::First, Allowance::default()), Err(Fault::NotSquare { .. })));
 }
 
 #[test]
 fn every_fault_has_its_case() {
     let outside = corner((0.0, 40.0), (-30.0, 40.0), (-30.0, 60.0));
-    let fault = |shape: Shape, corner: Corner| place(&shape, &corner, Reference::First, Allowance::default()).unwrap_err();
-    let square = |length, depth, entry, r| Shape::Square {
-        length,
-        depth,
-        entry: Deg(entry),
-        entry_radius: r,
-        corner_radius: r,
-    };
+    let fault =
+        |shape: Shape, corner: Corner| place(&shape, &corner, Reference::First, Allowance::default()).unwrap_err();
+    let square =
+        |length, depth, entry, r| Shape::Square { length, depth, entry: Deg(entry), entry_radius: r, corner_radius: r };
     assert_eq!(fault(square(2.5, f64::NAN, 15.0, 0.6), outside), Fault::Dimension);
     assert_eq!(fault(square(2.5, 0.0, 15.0, 0.6), outside), Fault::Dimension);
     assert_eq!(fault(square(2.5, 0.3, 0.0, 0.6), outside), Fault::Angle);
     assert_eq!(fault(square(2.5, 0.3, 91.0, 0.6), outside), Fault::Angle);
-    assert_eq!(fault(Shape::Wedge { depth: 1.0, radius: 0.2, opening: Deg(90.0), axis: Deg(45.0) }, outside), Fault::Angle);
+    assert_eq!(
+        fault(Shape::Wedge { depth: 1.0, radius: 0.2, opening: Deg(90.0), axis: Deg(45.0) }, outside),
+        Fault::Angle
+    );
     assert_eq!(fault(square(1.2, 0.3, 15.0, 0.6), outside), Fault::TooNarrow);
     assert_eq!(fault(E, corner((-30.0, 40.0), (-30.0, 40.0), (-30.0, 60.0))), Fault::Degenerate);
     assert!(matches!(fault(E, corner((0.0, 40.0), (-30.0, 40.0), (-60.0, 40.0))), Fault::NotSquare { .. }));
@@ -295,16 +291,18 @@ fn every_fault_has_its_case() {
 
 fn shape() -> impl Strategy<Value = Shape> {
     let entry = (15.0f64..=90.0).prop_map(Deg);
-    (2.0f64..6.0, 0.2f64..1.2, entry, 0.1f64..0.8, 0.1f64..0.8, any::<bool>()).prop_map(|(extra, depth, entry, r1, r2, both)| {
-        let length = depth / tan(entry) + extra;
-        let (entry_radius, corner_radius) = (r1, r2);
-        if both {
-            let (face_depth, face_angle) = (depth / 2.0, Deg(8.0));
-            Shape::Recessed { length, depth, entry, entry_radius, corner_radius, face_depth, face_angle }
-        } else {
-            Shape::Square { length, depth, entry, entry_radius, corner_radius }
-        }
-    })
+    (2.0f64..6.0, 0.2f64..1.2, entry, 0.1f64..0.8, 0.1f64..0.8, any::<bool>()).prop_map(
+        |(extra, depth, entry, r1, r2, both)| {
+            let length = depth / tan(entry) + extra;
+            let (entry_radius, corner_radius) = (r1, r2);
+            if both {
+                let (face_depth, face_angle) = (depth / 2.0, Deg(8.0));
+                Shape::Recessed { length, depth, entry, entry_radius, corner_radius, face_depth, face_angle }
+            } else {
+                Shape::Square { length, depth, entry, entry_radius, corner_radius }
+            }
+        },
+    )
 }
 
 /// Joins within the rounding error of the coordinates.
