@@ -10,6 +10,7 @@ pub mod element;
 pub mod intersect;
 pub mod plane;
 pub mod undercut;
+pub mod wall;
 
 pub use angle::Deg;
 pub use element::Element;

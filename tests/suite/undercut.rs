@@ -22,12 +22,9 @@ impl motion::Sink for Printed {
             motion::Path::Rapid => "G0".to_owned(),
             motion::Path::Line => "G1".to_owned(),
             motion::Path::Thread { .. } => "G33".to_owned(),
-            motion::Path::Arc(arc) => format!(
-                "{} K{:.4} I{:.4}",
-                if arc.sweep > 0.0 { "G3" } else { "G2" },
-                arc.center.x,
-                arc.center.y
-            ),
+            motion::Path::Arc(arc) => {
+                format!("{} K{:.4} I{:.4}", if arc.sweep > 0.0 { "G3" } else { "G2" }, arc.center.x, arc.center.y)
+            }
         };
         let feed = mv.feed.map_or(0.0, Feed::value);
         self.0.push(format!("Z{:.4} X{:.4} {word} F{feed}", at.x, at.y));
@@ -58,7 +55,13 @@ fn rapid(z: f64, x: f64) -> Move {
 }
 
 /// Lines before the undercut, lines behind it.
-fn lower(machine: &Machine, plane: Plane, before: &[Move], undercut: Undercut, after: &[Move]) -> (Vec<String>, Vec<&'static str>) {
+fn lower(
+    machine: &Machine,
+    plane: Plane,
+    before: &[Move],
+    undercut: Undercut,
+    after: &[Move],
+) -> (Vec<String>, Vec<&'static str>) {
     let diags = Diags::default();
     let mut out = Printed::default();
     let ctx: CtxRef = Rc::new(Ctx { plane, ..Ctx::default() });
@@ -119,7 +122,8 @@ fn the_contour_decides_between_outside_and_inside() {
     let (moves, _) = lower(&lathe(), Plane::Zx, &shaft(), thread, &[line(-50.0, 10.0)]);
     assert!(moves[1].starts_with("Z-37.1116 X25.0000"), "{moves:?}");
     // On the other side of the turning centre outside is down.
-    let (moves, _) = lower(&lathe(), Plane::Zx, &[rapid(0.0, -25.0), line(-50.0, -25.0)], thread, &[line(-50.0, -40.0)]);
+    let (moves, _) =
+        lower(&lathe(), Plane::Zx, &[rapid(0.0, -25.0), line(-50.0, -25.0)], thread, &[line(-50.0, -40.0)]);
     assert!(moves[1].starts_with("Z-41.2912 X-25.0000"), "{moves:?}");
 }
 
