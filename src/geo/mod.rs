@@ -8,6 +8,7 @@ pub mod arc;
 pub mod corner;
 pub mod element;
 pub mod intersect;
+pub mod pattern;
 pub mod plane;
 pub mod undercut;
 pub mod wall;

@@ -161,11 +161,13 @@ impl Corners {
         out: &mut impl FnMut(Event<'_>),
     ) {
         let (before, after) = (self.waiting, self.waiting ^ 1);
+        self.trimmed = false;
         match undercut::relieve(&self.steps[before], &self.steps[after], undercut, feed, origin, diags) {
             Ok((steps, rest)) => {
                 for step in &steps {
                     out(Event::Step(step));
                 }
+                self.trimmed = true;
                 self.steps[after] = rest;
             }
             Err(found) => {
@@ -254,6 +256,8 @@ fn too_large(name: &str, corner: &Corner, before: &Element, after: &Element, tri
         CornerShape::Rounding { radius } => (format!("of radius {}", length(radius)), Size::Radius(radius)),
         CornerShape::Chamfer { side } => (format!("of {}", length(side)), Size::Side(side)),
         CornerShape::ChamferLength { length: own } => (format!("of {}", length(own)), Size::Length(own)),
+        // Undercuts say themselves what they need.
+        CornerShape::Undercut(_) => return format!("the {name} does not fit between its neighbours"),
     };
     let rest = if trimmed { " behind the corner in front of it" } else { "" };
     let (a, b) = (length(before.length()), length(after.length()));

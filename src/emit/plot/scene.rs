@@ -172,6 +172,8 @@ impl Scene<'_> {
     fn style(&self, s: &mut String, font: f64) {
         let thin = show(font * 0.045);
         let line = show(font * 0.15);
+        let centre = format!("{0} {1} {2} {1}", show(font * 1.6), show(font * 0.4), show(font * 0.3));
+        let thread = format!("{0} {0}", show(font * 0.2));
         let dash = format!("{} {}", show(font * 0.5), show(font * 0.35));
         let _ = write!(
             s,
@@ -187,8 +189,8 @@ impl Scene<'_> {
             axis = show(font * 0.08),
             rapid = show(font * 0.07),
             dot = show(font * 0.6),
-            centre = format!("{0} {1} {2} {1}", show(font * 1.6), show(font * 0.4), show(font * 0.3)),
-            thread = format!("{} {}", show(font * 0.2), show(font * 0.2)),
+            centre = centre,
+            thread = thread,
         );
         for (i, colour) in COLOURS.iter().enumerate() {
             let _ = write!(s, ".t{i}{{stroke:{colour}}} ");

@@ -258,7 +258,7 @@ fn a_taper_within_three_degrees_meets_its_lines() {
     let taper = corner((0.0, 40.0), (-32.0, 42.0), (-32.0, 60.0));
     let placed = at(&E, &taper);
     assert!(placed.leans);
-    let on_line = (placed.leave.x + 32.0) / 32.0 * -1.0 + 21.0 - placed.leave.y;
+    let on_line = 21.0 - (placed.leave.x + 32.0) / 32.0 - placed.leave.y;
     assert!(on_line.abs() < 1e-12, "{placed:?}");
     let steep = corner((0.0, 40.0), (-32.0, 44.0), (-32.0, 60.0));
     assert!(matches!(place(&E, &steep, Reference::First, Allowance::default()), Err(Fault::NotSquare { .. })));

@@ -2,19 +2,26 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod drilling;
 pub mod thread;
 pub mod turning;
+pub mod undercut;
 
 use crate::geo::Plane;
 
 use super::Pos;
 
+pub use drilling::Drilling;
 pub use thread::Thread;
+pub use undercut::UndercutCycle;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
     Thread(Thread),
+    Drilling(Drilling),
+    /// Ends where it starts.
+    Undercut(UndercutCycle),
 }
 
 impl Cycle {
@@ -23,6 +30,10 @@ impl Cycle {
         let mut end = *at;
         match self {
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
+            // A hole without depth moves nothing.
+            Cycle::Drilling(hole) if hole.levels.outward() == 0.0 => {}
+            Cycle::Drilling(hole) => end.set(hole.axis, hole.levels.retract),
+            Cycle::Undercut(_) => {}
         }
         end
     }
