@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use super::args::Plot;
 use super::disk::file_name;
-use super::output::{Destination, Progress, is_ours, set_aside};
+use super::output::{Destination, Made, Progress, is_foreign, set_aside};
 use super::report::Reporter;
 use super::run::{Loaded, ignore_closed_pipe, load, same_file};
-use super::{Exit, Trouble};
+use super::{Exit, Trouble, say};
 
 /// Draws the path of one program. A program with errors gets no picture.
 pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
@@ -18,8 +18,8 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     if same_file(&args.input, &target) {
         return Err(format!("{shown}: the picture would replace the program"));
     }
-    if target.is_file() && args.output.is_none() && !args.force && !is_ours(&target) {
-        return Err(format!("{shown}: not drawn by partc; use --force to replace it, or -o for another name"));
+    if is_foreign(&target, Made::Picture) && !args.force {
+        return Err(format!("{shown}: not drawn by partc; use --force to replace it, or another name"));
     }
     let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
     let mut reporter = Reporter::new(&args.common);
@@ -28,8 +28,8 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     let out = out.into_inner();
     if session.diags.has_errors() {
         drop(out);
-        if let Some(stale) = set_aside(&target).map_err(trouble)? {
-            eprintln!("partc: the older {shown} was renamed to {}", stale.display());
+        if let Some(stale) = set_aside(&target, Made::Picture).map_err(trouble)? {
+            say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
         }
     } else {
         result.and_then(|()| out.commit()).or_else(ignore_closed_pipe).map_err(trouble)?;

@@ -5,10 +5,12 @@
 
 pub mod arc;
 pub mod comment;
+mod compensation;
 pub mod line;
 pub mod number;
 pub mod plot;
 pub mod printer;
+pub mod reread;
 pub mod targets;
 pub mod trace;
 

@@ -200,7 +200,8 @@ mod tests {
 
     #[test]
     fn row_of_the_reference_is_drilled_backwards() {
-        let row = Row { reference: Point2::new(100.0, 40.0), direction: Deg(200.0), first: 10.0, spacing: 15.0, count: 4 };
+        let row =
+            Row { reference: Point2::new(100.0, 40.0), direction: Deg(200.0), first: 10.0, spacing: 15.0, count: 4 };
         let wanted = [(48.317, 21.189), (62.412, 26.319), (76.508, 31.449), (90.603, 36.580)];
         near(row.positions().unwrap(), &wanted);
         let forwards = Row { direction: Deg(20.0), ..row };
@@ -219,7 +220,17 @@ mod tests {
             shear: Shear::default(),
             frame: false,
         };
-        let meander = [(10., 20.), (15., 20.), (20., 20.), (20., 28.), (15., 28.), (10., 28.), (10., 36.), (15., 36.), (20., 36.)];
+        let meander = [
+            (10., 20.),
+            (15., 20.),
+            (20., 20.),
+            (20., 28.),
+            (15., 28.),
+            (10., 28.),
+            (10., 36.),
+            (15., 36.),
+            (20., 36.),
+        ];
         near(grid.positions().unwrap(), &meander);
         let upright = Grid { column_spacing: 9.0, ..grid };
         near(upright.positions().unwrap().take(4), &[(10., 20.), (10., 28.), (10., 36.), (19., 36.)]);

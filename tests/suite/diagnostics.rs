@@ -59,7 +59,6 @@ const BUILT: &[Built] = &[
 
 /// Codes that no program can bring about today. A case for one of them is to be added together with its removal here.
 const NEVER: &[(&str, &str)] = &[
-    ("K2210", "no stage looks whether the main program runs into a subprogram"),
     // Undercuts: each fires in tests/suite/undercut.rs; a dialect that programs them takes its codes out of here.
     ("G3060", "no dialect programs undercuts yet"),
     ("G3061", "no dialect programs undercuts yet"),

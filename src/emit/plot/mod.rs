@@ -17,6 +17,9 @@ use super::Output;
 use scene::{COLOURS, Extents};
 use view::View;
 
+/// How every picture begins.
+pub const MARK: &str = "<!-- (partc plot) -->\n";
+
 /// Bytes kept free for the head.
 const HEAD: usize = 12 * 1024;
 /// Bytes collected before the output gets them.

@@ -146,7 +146,8 @@ impl Scene<'_> {
         let scale = pixels / w.max(h);
         let _ = write!(
             s,
-            "<!-- (partc plot) -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n<title>{}</title>\n",
+            "{}<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n<title>{}</title>\n",
+            super::MARK,
             show(w * scale),
             show(h * scale),
             show(x),

@@ -34,15 +34,23 @@ pub struct Levels {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Method {
     /// To the depth, wait, out at rapid.
-    Drill { dwell: f64 },
+    Drill {
+        dwell: f64,
+    },
     Peck(Peck),
     Tap(Tap),
     /// To the depth, wait, back to the start plane at another feed, out.
-    Ream { dwell: f64, back: Feed },
+    Ream {
+        dwell: f64,
+        back: Feed,
+    },
     /// To the depth, wait, stop the spindle at an angle, lift off, out, back to the centre, spindle on.
     Bore(Bore),
     /// To the depth, wait, spindle and program stop, out at rapid, spindle on.
-    BoreWithStop { dwell: f64, turn: Turn },
+    BoreWithStop {
+        dwell: f64,
+        turn: Turn,
+    },
 }
 
 /// Drilling in steps.
@@ -285,9 +293,7 @@ impl Drilling {
 fn good(degression: Degression) -> bool {
     match degression {
         Degression::Amount(amount) => amount > 0.0 && amount.is_finite(),
-        Degression::Factor { factor, least } => {
-            factor > 0.0 && factor <= 1.0 && least >= 0.0 && least.is_finite()
-        }
+        Degression::Factor { factor, least } => factor > 0.0 && factor <= 1.0 && least >= 0.0 && least.is_finite(),
     }
 }
 

@@ -3,6 +3,7 @@
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
 pub mod drilling;
+pub mod recess;
 pub mod thread;
 pub mod turning;
 pub mod undercut;
@@ -12,12 +13,14 @@ use crate::geo::Plane;
 use super::Pos;
 
 pub use drilling::Drilling;
+pub use recess::RecessTurning;
 pub use thread::Thread;
 pub use undercut::UndercutCycle;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
+    RecessTurning(RecessTurning),
     Thread(Thread),
     Drilling(Drilling),
     /// Ends where it starts.
@@ -29,6 +32,7 @@ impl Cycle {
     pub fn leaves(&self, at: &Pos) -> Pos {
         let mut end = *at;
         match self {
+            Cycle::RecessTurning(recess) => recess.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
             // A hole without depth moves nothing.
             Cycle::Drilling(hole) if hole.levels.outward() == 0.0 => {}

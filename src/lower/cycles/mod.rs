@@ -2,9 +2,11 @@
 
 pub mod drilling;
 pub mod infeed;
+pub mod recess;
 pub mod thread;
 pub mod track;
 pub mod undercut;
+pub mod valley;
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
@@ -44,6 +46,7 @@ pub fn expand(
         return Err(report(Failure::new(codes::G3043, message, "position X and Z in front of the cycle"), origin));
     };
     match cycle {
+        Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
         Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
         Cycle::Undercut(cycle) => undercut::expand(cycle, from, &mut |mv| out.movement(mv, ctx, origin)),
         // Done above: a hole needs no position in the turning plane.

@@ -59,15 +59,10 @@ fn words(drilling: &Drilling) -> Vec<String> {
 /// `CYCLE83(155,150,1,5,0,100,,20,0,0,1,0)` of the reference.
 #[test]
 fn degression_by_amount() {
-    let drilling = hole(
-        levels(155.0, 150.0, 1.0, 5.0),
-        peck(50.0, Degression::Amount(20.0), Removal::Break { way: 1.0 }),
-    );
+    let drilling =
+        hole(levels(155.0, 150.0, 1.0, 5.0), peck(50.0, Degression::Amount(20.0), Removal::Break { way: 1.0 }));
     let z: Vec<_> = words(&drilling).iter().map(|line| line.rsplit(['Z']).next().unwrap().to_owned()).collect();
-    assert_eq!(
-        z,
-        ["151", "100", "101", "70", "71", "50", "51", "30", "31", "17.5", "18.5", "5", "155"]
-    );
+    assert_eq!(z, ["151", "100", "101", "70", "71", "50", "51", "30", "31", "17.5", "18.5", "5", "155"]);
 }
 
 fn series(total: f64, first: f64, degression: Degression) -> Vec<String> {
@@ -142,19 +137,27 @@ fn tapping_turns_back_on_the_way_out() {
     let at = levels(50.0, 0.0, 2.0, -20.0);
     assert_eq!(
         words(&hole(at, Method::Tap(tap))),
-        [
-            "G0 Z2", "M19 R0", "S200", "M3", "G33 K1.25 Z-20", "S400", "M4", "G33 K1.25 Z2", "S1000", "M5", "G0 Z50"
-        ]
+        ["G0 Z2", "M19 R0", "S200", "M3", "G33 K1.25 Z-20", "S400", "M4", "G33 K1.25 Z2", "S1000", "M5", "G0 Z50"]
     );
     let steps = Tap { step: Some(12.0), speed_in: None, speed_out: None, orient: None, speed_after: None, ..tap };
     assert_eq!(
         words(&hole(at, Method::Tap(steps))),
         [
-            "G0 Z2", "M3", "G33 K1.25 Z-12", "M4", "G33 K1.25 Z2", "M3", "G33 K1.25 Z-20", "M4", "G33 K1.25 Z2", "M5",
+            "G0 Z2",
+            "M3",
+            "G33 K1.25 Z-12",
+            "M4",
+            "G33 K1.25 Z2",
+            "M3",
+            "G33 K1.25 Z-20",
+            "M4",
+            "G33 K1.25 Z2",
+            "M5",
             "G0 Z50"
         ]
     );
-    let chuck = Tap { lead: None, turn: Turn::CounterClockwise, step: None, after: Spindle::Start(Turn::Clockwise), ..steps };
+    let chuck =
+        Tap { lead: None, turn: Turn::CounterClockwise, step: None, after: Spindle::Start(Turn::Clockwise), ..steps };
     assert_eq!(
         words(&hole(at, Method::Tap(chuck))),
         ["G0 Z2", "M4", "G1 F100 Z-20", "M3", "G1 F100 Z2", "M3", "G0 Z50"]
