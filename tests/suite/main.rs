@@ -15,3 +15,4 @@ mod props;
 mod reader;
 mod rs274;
 mod sweep;
+mod undercut;

@@ -2,22 +2,29 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod drilling;
 pub mod recess;
 pub mod thread;
 pub mod turning;
+pub mod undercut;
 
 use crate::geo::Plane;
 
 use super::Pos;
 
+pub use drilling::Drilling;
 pub use recess::RecessTurning;
 pub use thread::Thread;
+pub use undercut::UndercutCycle;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
     RecessTurning(RecessTurning),
     Thread(Thread),
+    Drilling(Drilling),
+    /// Ends where it starts.
+    Undercut(UndercutCycle),
 }
 
 impl Cycle {
@@ -27,6 +34,10 @@ impl Cycle {
         match self {
             Cycle::RecessTurning(recess) => recess.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
+            // A hole without depth moves nothing.
+            Cycle::Drilling(hole) if hole.levels.outward() == 0.0 => {}
+            Cycle::Drilling(hole) => end.set(hole.axis, hole.levels.retract),
+            Cycle::Undercut(_) => {}
         }
         end
     }

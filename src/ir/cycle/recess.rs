@@ -3,7 +3,7 @@
 
 use core::fmt;
 
-use crate::geo::{Element, Plane, Point2, Vec2, distance};
+use crate::geo::{Element, Plane, Vec2, distance};
 use crate::ir::{Feed, Pos};
 
 use super::turning::{Towards, is_length, is_point, is_positive};
@@ -214,7 +214,7 @@ pub(crate) mod tests {
 
     /// A line contour through points given as (Z, X diameter).
     pub(crate) fn lines(points: &[(f64, f64)]) -> Vec<Element> {
-        let point = |p: (f64, f64)| Point2::new(p.0, p.1 / 2.0);
+        let point = |p: (f64, f64)| crate::geo::Point2::new(p.0, p.1 / 2.0);
         points.windows(2).map(|pair| Element::Line { from: point(pair[0]), to: point(pair[1]) }).collect()
     }
 
