@@ -199,6 +199,10 @@ S2081 Error "siemens-thread" "thread is not determined"
 S2082 Warning "siemens-compensation-open" "program ends with compensation on"
 "Radius compensation is ended by G40 with a straight move. The output ends it before M30, but the last corner is not what was meant."
 
+S2090 Error "siemens-cycle-argument" "argument of a cycle is wrong"
+"The data of a machining cycle contradict each other, are missing, or do not fit what stands around the call. The number is the alarm that the \
+cycle raises itself. Arguments are counted by their commas; an empty argument is not given, which is not the same as 0."
+
 S3001 Error "siemens-radius" "arc by radius does not reach its end"
 "CR= is at least half the distance of start and end: alarm 14095."
 
@@ -274,6 +278,29 @@ S8016 Note "siemens-interrupts" "interrupt programs are left out"
 S8017 Note "siemens-files" "file access is left out"
 "WRITE, DELETE and others work on files of the control. They have no effect on the path."
 
+S8018 Warning "siemens-two-depths" "two depths for one hole"
+"DP and DPR give different depths. The cycle takes DPR. Leave one of them out."
+
+S8019 Warning "siemens-starts" "thread with several starts"
+"The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it."
+
+S8020 Note "siemens-thread-variant" "digits of a thread cycle"
+"What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Roughing and finishing are always both done."
+
+S8021 Note "siemens-flank" "reference of the flank infeed"
+"With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
+the crest on. The finished thread is the same up to a shift along its axis."
+
+S8022 Note "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
+"Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing."
+
+S8023 Note "siemens-undercut-roughing" "roughing of an undercut"
+"How a control roughs an undercut is not published. partc cuts in equal steps, then along the undercut; the finished form is the same."
+
+S8024 Note "siemens-nose" "nose radius is not compensated"
+"The cycle of the control selects radius compensation itself. With `compensation = \"control\"` the output does so, too; otherwise the \
+programmed point of the tool follows the undercut."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -316,5 +343,8 @@ S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 
 S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
 "The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
+
+S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
+"The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."
 
 }

@@ -614,6 +614,9 @@ impl Run<'_> {
     /// Behind a block that moved: the modal program, unless it is the one that moved.
     pub(super) fn call_modal(&mut self) -> Outcome {
         let inside = self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { modal: true, .. }));
+        if self.modal_cycle.is_some() && !inside {
+            return self.drill_modal();
+        }
         match &self.modal {
             Some(modal) if !inside => {
                 let (unit, arguments) = (modal.unit, modal.arguments.clone());

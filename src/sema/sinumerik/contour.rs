@@ -324,6 +324,7 @@ impl Run<'_> {
             CornerShape::Rounding { radius } => radius,
             CornerShape::Chamfer { side } => side,
             CornerShape::ChamferLength { length } => length,
+            CornerShape::Undercut(_) => 0.0,
         };
         Ok((size > 0.0).then_some(Corner { shape, feed, modal: !explicit }))
     }

@@ -123,7 +123,7 @@ struct Run<'a> {
     warned_r: FxHashSet<u32>,
     given_parameters: Vec<(Symbol, bool)>,
     modal: Option<Modal>,
-    modal_cycle: Option<cycles::ModalCycle>,
+    modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,

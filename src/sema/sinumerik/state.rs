@@ -49,6 +49,8 @@ pub(super) struct State {
     pub speed: Option<f64>,
     pub speed_limit: Option<f64>,
     pub constant_cut: bool,
+    /// Sense of rotation of the master spindle, while it turns.
+    pub turn: Option<crate::ir::function::Turn>,
     /// Master spindle.
     pub master: u8,
     pub programmable: FrameValue,
@@ -119,6 +121,7 @@ impl State {
             speed: None,
             speed_limit: None,
             constant_cut: false,
+            turn: None,
             master: 1,
             programmable: FrameValue::default(),
             written: BTreeMap::new(),

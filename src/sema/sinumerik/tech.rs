@@ -341,7 +341,13 @@ impl Run<'_> {
                 self.spindle_number(n, m.span)?;
                 self.function(Function::SpindleOf { number: n, spindle });
             }
-            _ => self.function(Function::Spindle(spindle)),
+            _ => {
+                self.st.turn = match spindle {
+                    Spindle::Start(turn) => Some(turn),
+                    _ => None,
+                };
+                self.function(Function::Spindle(spindle));
+            }
         }
         Ok(())
     }
@@ -402,21 +408,21 @@ impl Run<'_> {
                     "print the contour with G41/G42: `[output] compensation = \"control\"`",
                 );
             }
-            let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
-                return self.fail_help(
-                    codes::S2080,
-                    10750,
-                    span,
-                    "radius compensation without a tool",
-                    "select a tool before",
-                );
-            };
-            let edge = self.st.tool.edge.unwrap_or(1);
-            let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
-            self.function(Function::Cutter(CutterData { number, radius: written }));
+            self.select_cutter(span)?;
         }
         self.compensation_starts = code.index != self.st.groups[7];
         self.st.groups[7] = code.index;
+        Ok(())
+    }
+
+    /// Tells the target which tool is compensated.
+    pub(super) fn select_cutter(&mut self, span: Span) -> Outcome {
+        let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
+            return self.fail_help(codes::S2080, 10750, span, "radius compensation without a tool", "select a tool before");
+        };
+        let edge = self.st.tool.edge.unwrap_or(1);
+        let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
+        self.function(Function::Cutter(CutterData { number, radius: written }));
         Ok(())
     }
 

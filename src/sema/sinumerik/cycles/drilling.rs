@@ -1,0 +1,324 @@
+//! CYCLE81 to CYCLE89 and CYCLE840.
+//!
+//! Source: reference sections 6.1 to 6.3.
+
+use crate::diag::codes;
+use crate::ir::Feed;
+use crate::ir::cycle::Drilling;
+use crate::ir::cycle::drilling::{Bore, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap};
+use crate::ir::function::{Spindle, Turn};
+use crate::machine::Axis;
+use crate::machine::undercut::coarse_pitch;
+
+use super::super::{Outcome, Run};
+use super::Arguments;
+
+/// Way back to break the chip, where none is given, in mm.
+const BREAK: f64 = 1.0;
+
+/// Is it a hole?
+pub(super) fn is_hole(name: &str) -> bool {
+    matches!(
+        name,
+        "CYCLE81"
+            | "CYCLE82"
+            | "CYCLE83"
+            | "CYCLE84"
+            | "CYCLE840"
+            | "CYCLE85"
+            | "CYCLE86"
+            | "CYCLE87"
+            | "CYCLE88"
+            | "CYCLE89"
+    )
+}
+
+/// Places of `_AXN`, `_GMODE`, `_DMODE` and `_AMODE`; 0 for none.
+fn modes(name: &str) -> [usize; 4] {
+    match name {
+        "CYCLE81" => [0, 7, 8, 9],
+        "CYCLE82" => [0, 7, 8, 9],
+        "CYCLE83" => [13, 18, 19, 20],
+        "CYCLE84" => [13, 22, 23, 24],
+        "CYCLE840" => [12, 18, 19, 20],
+        "CYCLE85" => [0, 9, 10, 11],
+        "CYCLE86" => [0, 12, 13, 14],
+        "CYCLE89" => [0, 7, 8, 9],
+        _ => [0; 4],
+    }
+}
+
+impl Run<'_> {
+    /// The hole that the arguments describe.
+    pub(super) fn hole(&mut self, args: &Arguments) -> Outcome<Drilling> {
+        let axis = self.hole_axis(args)?;
+        let levels = self.levels(args)?;
+        let feed = match args.name.as_str() {
+            "CYCLE85" => self.own_feed(args, 7)?,
+            "CYCLE84" => self.st.feed.unwrap_or(Feed::PerMinute(1.0)),
+            _ => self.cycle_feed(args)?,
+        };
+        let method = match args.name.as_str() {
+            "CYCLE81" | "CYCLE82" | "CYCLE89" => self.plain_hole(args, feed)?,
+            "CYCLE83" => self.peck(args, &levels)?,
+            "CYCLE84" => self.rigid_tap(args)?,
+            "CYCLE840" => self.tap_with_chuck(args)?,
+            "CYCLE85" => Method::Ream { dwell: self.dwell_of(args, 6)?, back: self.own_feed(args, 8)? },
+            "CYCLE86" => self.bore(args)?,
+            "CYCLE87" => Method::BoreWithStop { dwell: 0.0, turn: self.spindle_turn(args, 6)? },
+            _ => Method::BoreWithStop { dwell: self.dwell_of(args, 6)?, turn: self.spindle_turn(args, 7)? },
+        };
+        let hole = Drilling { axis, levels, feed, method };
+        match hole.check() {
+            Ok(()) => Ok(hole),
+            Err(fault) => {
+                let alarm = match fault {
+                    DrillingFault::ReferencePlane => 61101,
+                    DrillingFault::Lead => 61001,
+                    DrillingFault::Peck => 61107,
+                    _ => 0,
+                };
+                self.cycle_fault(args, args.span, alarm, &fault.to_string(), "check the arguments of the cycle")
+            }
+        }
+    }
+
+    fn hole_axis(&self, args: &Arguments) -> Outcome<Axis> {
+        let [axn, gmode, dmode, amode] = modes(&args.name);
+        let [_, _, third] = self.st.roles();
+        let mut axis = third;
+        if axn != 0 {
+            axis = match args.or_zero(axn) {
+                0.0 => third,
+                1.0 => self.st.geometry_axes[0],
+                2.0 => self.st.geometry_axes[1],
+                3.0 => self.st.geometry_axes[2],
+                _ => return self.cycle_fault(args, args.span_of(axn), 0, "_AXN is 0 to 3", "0 is the tool axis"),
+            };
+        }
+        if gmode != 0 && args.digit(gmode, 1) != 0 {
+            return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (_GMODE)");
+        }
+        if dmode != 0 {
+            let plane = match args.digit(dmode, 0) {
+                0 => self.st.groups[6],
+                n => n as u8,
+            };
+            if plane != self.st.groups[6] {
+                return self.not_built(args, dmode, "a plane other than the active one (_DMODE)");
+            }
+        }
+        if amode != 0 && args.digit(amode, 0) > 1 {
+            return self.not_built(args, amode, "this reading of the depth (_AMODE)");
+        }
+        Ok(axis)
+    }
+
+    fn levels(&mut self, args: &Arguments) -> Outcome<Levels> {
+        let retract = self.needed_length(args, 1, "the retraction plane RTP")?;
+        let reference = self.needed_length(args, 2, "the reference plane RFP")?;
+        let clearance = self.length_of(args, 3).unwrap_or(0.0);
+        let (absolute, relative) = (self.length_of(args, 4), self.length_of(args, 5));
+        if absolute.is_none() && relative.is_none() {
+            return self.cycle_fault(args, args.span, 0, "the depth is missing", "give DP (argument 4) or DPR (argument 5)");
+        }
+        match Levels::resolve(retract, reference, clearance, absolute, relative) {
+            Ok(made) => {
+                if made.overridden {
+                    let found = crate::diag::Diagnostic::new(
+                        codes::S8018,
+                        self.loc(args.span_of(5)),
+                        format!("{}: DP and DPR give different depths; DPR counts", args.name),
+                    );
+                    self.report(found.help("leave one of them out"));
+                }
+                Ok(made.levels)
+            }
+            Err(fault) => self.cycle_fault(
+                args,
+                args.span_of(4),
+                61101,
+                &fault.to_string(),
+                "RTP lies on the far side of RFP, seen from the depth",
+            ),
+        }
+    }
+
+    fn plain_hole(&self, args: &Arguments, feed: Feed) -> Outcome<Method> {
+        if args.name == "CYCLE82" && args.or_zero(10) != 0.0 {
+            return self.not_built(args, 10, "predrilling and through-drilling (_VARI)");
+        }
+        let dwell = self.dwell_of(args, 6)?;
+        Ok(if args.name == "CYCLE89" { Method::Ream { dwell, back: feed } } else { Method::Drill { dwell } })
+    }
+
+    /// A feed among the arguments, of the kind in force.
+    fn own_feed(&self, args: &Arguments, place: usize) -> Outcome<Feed> {
+        let value = self.needed(args, place, "the feed")?;
+        if value <= 0.0 {
+            return self.cycle_fault(args, args.span_of(place), 61003, "the feed is not above 0", "give a feed above 0");
+        }
+        Ok(self.feed_of(value))
+    }
+
+    fn peck(&self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
+        let Some(first) = Peck::first_step(levels, self.length_of(args, 6), self.length_of(args, 7)) else {
+            return self.cycle_fault(
+                args,
+                args.span_of(6),
+                61107,
+                "the first drilling depth does not lie between the surface and the bottom",
+                "give FDEP (argument 6) below the surface, or FDPR (argument 7)",
+            );
+        };
+        let unit = self.st.length_unit();
+        let degression = match args.or_zero(8) {
+            0.0 => Degression::constant(first),
+            amount if amount > 0.0 => Degression::Amount(amount * unit),
+            factor if factor >= -1.0 => {
+                Degression::Factor { factor: -factor, least: self.length_of(args, 14).unwrap_or(0.0).abs() }
+            }
+            _ => {
+                let help = "DAM above 0 is an amount, below 0 a factor down to -1";
+                return self.cycle_fault(args, args.span_of(8), 0, "the degression factor is above 1", help);
+            }
+        };
+        let dwell = self.dwell_of(args, 9)?;
+        let dwell_at_bottom = if args.or_zero(16) == 0.0 { dwell } else { self.dwell_of(args, 16)? };
+        // The newest versions give a percentage, as a digit says.
+        let percent = args.number(20).is_some_and(|mode| mode >= 1e4);
+        let factor = match args.number(11) {
+            Some(factor) if percent => factor / 100.0,
+            Some(factor) => factor,
+            None => 1.0,
+        };
+        let first_feed = if factor <= 0.0 { 0.001 } else { factor.min(1.0) };
+        let removal = match args.or_zero(12) {
+            0.0 => Removal::Break { way: self.length_of(args, 15).filter(|way| *way > 0.0).unwrap_or(BREAK) },
+            1.0 => Removal::Clear {
+                dwell: self.dwell_of(args, 10)?,
+                ahead: self.length_of(args, 17).filter(|way| *way > 0.0),
+            },
+            _ => return self.cycle_fault(args, args.span_of(12), 61002, "VARI is 0 or 1", "0 breaks the chip, 1 removes it"),
+        };
+        Ok(Method::Peck(Peck { first, degression, dwell, dwell_at_bottom, first_feed, removal }))
+    }
+
+    /// The pitch from PIT or MPIT, positive for a right-hand thread.
+    pub(super) fn pitch(&self, args: &Arguments, size: usize, pitch: usize, unit: i32) -> Outcome<f64> {
+        let mm = |value: f64| match unit {
+            2 => 25.4 / value,
+            3 => 25.4 * value,
+            1 => value,
+            _ => value * self.st.length_unit(),
+        };
+        let by_size = match args.number(size).filter(|size| *size != 0.0) {
+            Some(diameter) => match coarse_pitch(diameter.abs()) {
+                Some(coarse) => Some(coarse.copysign(diameter)),
+                None => {
+                    let message = format!("there is no metric thread M{}", diameter.abs());
+                    return self.cycle_fault(args, args.span_of(size), 61001, &message, "give the pitch instead");
+                }
+            },
+            None => None,
+        };
+        let given = args.number(pitch).filter(|pitch| *pitch != 0.0).map(mm);
+        match (by_size, given) {
+            (Some(a), Some(b)) if (a - b).abs() > 1e-6 => {
+                let message = format!("the pitch {b} contradicts the thread size, whose pitch is {a}");
+                self.cycle_fault(args, args.span_of(pitch), 61001, &message, "give the pitch or the size")
+            }
+            (_, Some(pitch)) | (Some(pitch), None) => Ok(pitch),
+            (None, None) => {
+                self.cycle_fault(args, args.span, 61001, "the pitch is missing", "give PIT, or MPIT as a metric size")
+            }
+        }
+    }
+
+    fn rigid_tap(&mut self, args: &Arguments) -> Outcome<Method> {
+        let lead = self.pitch(args, 8, 9, args.or_zero(14) as i32)?;
+        let step = match args.or_zero(16) {
+            0.0 => None,
+            2.0 => Some(self.needed_length(args, 17, "the depth of a step")?),
+            _ => return self.not_built(args, 16, "chip breaking while tapping (_VARI)"),
+        };
+        if args.or_zero(15) != 0.0 {
+            self.note_once(codes::S8002, args.span_of(15), "words that only shape speed and accuracy are left out");
+        }
+        let speed = |place: usize| args.number(place).filter(|speed| *speed > 0.0);
+        let speed_in = speed(11).or(self.st.speed);
+        if speed_in.is_none() {
+            return self.cycle_fault(args, args.span, 61102, "the spindle has no speed", "give SST (argument 11) or program S");
+        }
+        let after = self.after(args, 7)?;
+        Ok(Method::Tap(Tap {
+            lead: Some(lead.abs()),
+            turn: if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise },
+            dwell: self.dwell_of(args, 6)?,
+            speed_in,
+            speed_out: speed(12).or(speed_in),
+            orient: args.number(10),
+            step,
+            after,
+            speed_after: self.st.speed,
+        }))
+    }
+
+    /// The state of the spindle behind a cycle: 3, 4 or 5.
+    fn after(&self, args: &Arguments, place: usize) -> Outcome<Spindle> {
+        match args.or_zero(place) {
+            3.0 => Ok(Spindle::Start(Turn::Clockwise)),
+            4.0 => Ok(Spindle::Start(Turn::CounterClockwise)),
+            0.0 | 5.0 => Ok(Spindle::Stop),
+            _ => self.cycle_fault(args, args.span_of(place), 61102, "the spindle direction is 3, 4 or 5", "3 is M3"),
+        }
+    }
+
+    fn spindle_turn(&self, args: &Arguments, place: usize) -> Outcome<Turn> {
+        match args.or_zero(place) {
+            3.0 => Ok(Turn::Clockwise),
+            4.0 => Ok(Turn::CounterClockwise),
+            _ => self.cycle_fault(args, args.span_of(place), 61102, "no spindle direction is given", "give 3 or 4"),
+        }
+    }
+
+    fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
+        let turn = match args.or_zero(7) {
+            3.0 => Turn::CounterClockwise,
+            4.0 => Turn::Clockwise,
+            _ => match self.st.turn {
+                Some(turn) => turn,
+                None => return self.cycle_fault(args, args.span, 61102, "the spindle does not turn", "program M3 or M4 before"),
+            },
+        };
+        let lead = match args.or_zero(9) {
+            0.0 => Some(self.pitch(args, 10, 11, args.or_zero(13) as i32)?.abs()),
+            1.0 | 11.0 => None,
+            _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
+        };
+        Ok(Method::Tap(Tap {
+            lead,
+            turn,
+            dwell: self.dwell_of(args, 6)?,
+            speed_in: None,
+            speed_out: None,
+            orient: None,
+            step: None,
+            after: self.after(args, 8)?,
+            speed_after: None,
+        }))
+    }
+
+    fn bore(&self, args: &Arguments) -> Outcome<Method> {
+        let mut lift = [0.0; 3];
+        for (place, way) in [8, 9, 10].into_iter().zip(lift.iter_mut()) {
+            *way = self.length_of(args, place).unwrap_or(0.0);
+        }
+        Ok(Method::Bore(Bore {
+            dwell: self.dwell_of(args, 6)?,
+            turn: self.spindle_turn(args, 7)?,
+            orient: args.or_zero(11),
+            lift,
+        }))
+    }
+}

@@ -1,0 +1,324 @@
+//! Machining cycles of the control: their parameters become the arguments of `ir::cycle`.
+//!
+//! Source: `reference/sinumerik-contours-undercuts-cycles` sections 5 and 6.
+
+mod drilling;
+mod pattern;
+mod thread;
+mod undercut;
+
+use crate::diag::{Code, codes};
+use crate::geo::Point2;
+use crate::ir::cycle::{Cycle, Drilling};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::Axis;
+use crate::parser::sinumerik::ast::{Args, Block, Formula};
+use crate::text::Span;
+
+use super::value::{Val, to_text, whole};
+use super::vocabulary::{Meaning, Procedure};
+use super::words::CallWord;
+use super::{Outcome, Reported, Run};
+
+/// A drilling cycle that runs behind every positioning block.
+#[derive(Debug, Clone)]
+pub(super) struct ModalCycle {
+    hole: Drilling,
+    /// The feed is the one that is modal when the hole is drilled.
+    feed_of_block: bool,
+}
+
+/// The arguments of a call, counted from 1 as the manuals do.
+#[derive(Debug)]
+struct Arguments {
+    name: String,
+    span: Span,
+    list: Vec<(Val, Span)>,
+}
+
+impl Arguments {
+    /// What was given in a place; `None` for an empty or missing argument.
+    fn value(&self, place: usize) -> Option<&(Val, Span)> {
+        self.list.get(place - 1).filter(|(value, _)| *value != Val::Missing)
+    }
+
+    fn span_of(&self, place: usize) -> Span {
+        self.value(place).map_or(self.span, |(_, span)| *span)
+    }
+
+    fn number(&self, place: usize) -> Option<f64> {
+        self.value(place).and_then(|(value, _)| value.number())
+    }
+
+    fn or_zero(&self, place: usize) -> f64 {
+        self.number(place).unwrap_or(0.0)
+    }
+
+    fn text(&self, place: usize) -> Option<String> {
+        let (value, _) = self.value(place)?;
+        let text = to_text(value)?;
+        Some(String::from_utf8_lossy(&text).trim().to_ascii_uppercase())
+    }
+
+    /// A decimal digit of a coded number, from the right: 0 is the units.
+    fn digit(&self, place: usize, position: u32) -> i32 {
+        let value = self.number(place).and_then(whole).unwrap_or(0);
+        value.unsigned_abs().checked_div(10u32.saturating_pow(position)).map_or(0, |v| (v % 10) as i32)
+    }
+}
+
+impl Run<'_> {
+    /// Runs a machining cycle; `None` for a name that is none, or that is not built.
+    pub(super) fn machining_cycle(
+        &mut self,
+        name: &str,
+        call: CallWord,
+        block: &Block,
+        text: &[u8],
+    ) -> Option<Outcome> {
+        if !is_built(name) {
+            return None;
+        }
+        let result = self
+            .cycle_arguments(name, call.args, call.span, block, text)
+            .and_then(|args| self.run_cycle(&args));
+        if result.is_err() {
+            self.st.lose(Axis::ALL.into_iter().collect());
+            self.lost();
+        }
+        Some(result)
+    }
+
+    fn cycle_arguments(
+        &mut self,
+        name: &str,
+        args: Option<Args>,
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<Arguments> {
+        let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
+        let mut list = Vec::with_capacity(formulas.len());
+        for formula in formulas {
+            let value = self.eval(formula, block, text)?;
+            list.push((value, formula.span));
+        }
+        if list.len() > most_arguments(name) {
+            let at = list.get(most_arguments(name)).map_or(span, |(_, span)| *span);
+            let message = format!("{name} takes {} arguments", most_arguments(name));
+            return self.fail(codes::S2021, 12340, at, message);
+        }
+        let args = Arguments { name: name.to_owned(), span, list };
+        for (value, at) in &args.list {
+            if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
+                return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
+            }
+        }
+        Ok(args)
+    }
+
+    fn run_cycle(&mut self, args: &Arguments) -> Outcome {
+        self.begins_executing();
+        self.pending_must_be_done(args.span)?;
+        if self.st.side() != Side::None {
+            return self.cycle_fault(args, args.span, 61815, "radius compensation is on", "program G40 before the cycle");
+        }
+        if self.st.machine_coordinates {
+            return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
+        }
+        match args.name.as_str() {
+            "HOLES1" | "HOLES2" | "CYCLE801" | "CYCLE802" => self.pattern(args),
+            "CYCLE97" | "CYCLE98" | "CYCLE99" => self.thread_cycle(args),
+            "CYCLE94" | "CYCLE96" | "CYCLE940" => self.undercut_cycle(args),
+            _ => {
+                let hole = self.hole(args)?;
+                self.drill(&hole)
+            }
+        }
+    }
+
+    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
+    pub(super) fn modal_machining_cycle(
+        &mut self,
+        name: &str,
+        args: Args,
+        block: &Block,
+        text: &[u8],
+    ) -> Option<Outcome> {
+        if drilling::is_hole(name) {
+            let result = self.cycle_arguments(name, Some(args), block.span, block, text).and_then(|args| {
+                self.modal_cycle = None;
+                self.modal = None;
+                let hole = self.hole(&args)?;
+                let feed_of_block = !matches!(name, "CYCLE85");
+                self.modal_cycle = Some(Box::new(ModalCycle { hole, feed_of_block }));
+                Ok(())
+            });
+            return Some(result);
+        }
+        match self.vocabulary.get(name) {
+            Some(Meaning::Procedure(Procedure::Refused(what))) => Some(self.fail_help(
+                codes::S9005,
+                0,
+                block.span,
+                format!("{name} ({what}) is not supported as a modal call"),
+                "replace it by plain moves, or compile the program without it",
+            )),
+            _ => None,
+        }
+    }
+
+    /// Drills the modal hole where the tool stands.
+    pub(super) fn drill_modal(&mut self) -> Outcome {
+        let Some(modal) = self.modal_cycle.as_deref().cloned() else { return Ok(()) };
+        let mut hole = modal.hole;
+        if modal.feed_of_block
+            && let Some(feed) = self.st.feed
+        {
+            hole.feed = feed;
+        }
+        self.drill(&hole)
+    }
+
+    fn drill(&mut self, hole: &Drilling) -> Outcome {
+        self.send_cycle(Cycle::Drilling(hole.clone()));
+        Ok(())
+    }
+
+    fn send_cycle(&mut self, cycle: Cycle) {
+        let end = cycle.leaves(&self.st.pos);
+        self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
+        self.moved_to(&end);
+    }
+
+    /// The feed in force, for a cycle.
+    fn cycle_feed(&mut self, args: &Arguments) -> Outcome<Feed> {
+        if self.st.feed_lost {
+            return Err(Reported);
+        }
+        match self.st.feed {
+            Some(feed) => Ok(feed),
+            None => {
+                self.st.feed_lost = true;
+                self.fail_help(codes::S2040, 10860, args.span, "the cycle has no feed", "program F before the cycle")
+            }
+        }
+    }
+
+    /// Refuses the arguments of a cycle.
+    fn cycle_fault<T>(&self, args: &Arguments, span: Span, alarm: u32, what: &str, help: &str) -> Outcome<T> {
+        let code: &'static Code = codes::S2090;
+        self.fail_help(code, alarm, span, format!("{}: {what}", args.name), help)
+    }
+
+    /// A variant that is known, but not built.
+    fn not_built<T>(&self, args: &Arguments, place: usize, what: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::S9015,
+            0,
+            args.span_of(place),
+            format!("{}: {what} is not supported", args.name),
+            "use the plain variant of the cycle, or plain moves",
+        )
+    }
+
+    /// A number that has to be there.
+    fn needed(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
+        match args.number(place) {
+            Some(value) => Ok(value),
+            None => self.cycle_fault(
+                args,
+                args.span,
+                0,
+                &format!("{name} (argument {place}) is missing"),
+                "arguments are counted by their commas",
+            ),
+        }
+    }
+
+    /// A length in mm that has to be there.
+    fn needed_length(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
+        Ok(self.needed(args, place, name)? * self.st.length_unit())
+    }
+
+    fn length_of(&self, args: &Arguments, place: usize) -> Option<f64> {
+        args.number(place).map(|value| value * self.st.length_unit())
+    }
+
+    /// Seconds from a dwell that is negative for turns of the spindle.
+    fn dwell_of(&self, args: &Arguments, place: usize) -> Outcome<f64> {
+        let value = args.or_zero(place);
+        if value >= 0.0 {
+            return Ok(value);
+        }
+        match self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut) {
+            Some(speed) => Ok(-value * 60.0 / speed),
+            None => self.cycle_fault(
+                args,
+                args.span_of(place),
+                0,
+                "a dwell in turns needs a fixed spindle speed",
+                "program S before the cycle, or give the dwell in seconds",
+            ),
+        }
+    }
+
+    /// Where the tool stands in the turning plane: Z and the radius.
+    fn turning_position(&mut self, span: Span) -> Outcome<Point2> {
+        let plane = crate::geo::Plane::Zx;
+        match self.st.pos.in_plane(plane) {
+            Some(at) => Ok(at),
+            None => {
+                let axis = if self.st.pos.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
+                self.unknown_axis(axis, span)
+            }
+        }
+    }
+
+    /// Turning cycles work in G18.
+    fn in_turning_plane(&self, args: &Arguments) -> Outcome {
+        if self.st.plane() == crate::geo::Plane::Zx {
+            return Ok(());
+        }
+        self.cycle_fault(args, args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
+    }
+
+    fn moved_in_plane(&mut self, point: Point2) -> Pos {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.st.plane(), point);
+        end
+    }
+}
+
+/// Cycles that are expanded.
+fn is_built(name: &str) -> bool {
+    drilling::is_hole(name)
+        || matches!(
+            name,
+            "HOLES1" | "HOLES2" | "CYCLE801" | "CYCLE802" | "CYCLE94" | "CYCLE96" | "CYCLE940" | "CYCLE97" | "CYCLE98" | "CYCLE99"
+        )
+}
+
+fn most_arguments(name: &str) -> usize {
+    match name {
+        "CYCLE81" => 9,
+        "CYCLE82" => 14,
+        "CYCLE83" => 20,
+        "CYCLE84" => 24,
+        "CYCLE840" => 20,
+        "CYCLE85" => 11,
+        "CYCLE86" => 14,
+        "CYCLE87" => 6,
+        "CYCLE88" => 7,
+        "CYCLE89" => 9,
+        "CYCLE94" | "CYCLE96" => 4,
+        "CYCLE940" => 22,
+        "CYCLE97" => 17,
+        "CYCLE98" => 30,
+        "CYCLE99" => 30,
+        "HOLES1" => 11,
+        "HOLES2" => 13,
+        "CYCLE801" => 14,
+        _ => 31,
+    }
+}

@@ -1,0 +1,115 @@
+//! Hole patterns: HOLES1, HOLES2, CYCLE801, CYCLE802.
+//!
+//! Source: reference section 6.4.
+
+use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
+use crate::geo::{Deg, Point2};
+use crate::ir::contour::Path;
+
+use super::super::value::whole;
+use super::super::{Outcome, Run};
+use super::Arguments;
+
+/// Positions of CYCLE802.
+const POSITIONS: usize = 9;
+
+impl Run<'_> {
+    /// Goes to each position and runs the modal cycle there.
+    pub(super) fn pattern(&mut self, args: &Arguments) -> Outcome {
+        if self.modal_cycle.is_none() && self.modal.is_none() {
+            return self.cycle_fault(
+                args,
+                args.span,
+                62100,
+                "no drilling cycle is active",
+                "call it before: MCALL CYCLE81(…)",
+            );
+        }
+        let positions = self.positions(args)?;
+        if self.modal_cycle.is_none() {
+            return self.not_built(args, 1, "a pattern with a modal program of one's own");
+        }
+        for position in positions {
+            let end = self.moved_in_plane(position);
+            self.send(&end, Path::Rapid, None);
+            self.drill_modal()?;
+        }
+        Ok(())
+    }
+
+    fn positions(&self, args: &Arguments) -> Outcome<Vec<Point2>> {
+        let unit = self.st.length_unit();
+        let length = |place: usize| args.or_zero(place) * unit;
+        let count = |place: usize| args.number(place).and_then(whole).and_then(|n| u32::try_from(n).ok()).unwrap_or(0);
+        let made = match args.name.as_str() {
+            "HOLES1" => Row {
+                reference: Point2::new(length(1), length(2)),
+                direction: Deg(args.or_zero(3)),
+                first: length(4),
+                spacing: length(5),
+                count: count(6),
+            }
+            .positions()
+            .map(Iterator::collect),
+            "HOLES2" => Circle {
+                center: Point2::new(length(1), length(2)),
+                radius: length(3),
+                start: Deg(args.or_zero(4)),
+                step: Deg(args.or_zero(5)),
+                count: count(6),
+            }
+            .positions()
+            .map(Iterator::collect),
+            "CYCLE801" => {
+                if args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0 {
+                    return self.not_built(args, 10, "an oblique grid");
+                }
+                Grid {
+                    reference: Point2::new(length(1), length(2)),
+                    turn: Deg(args.or_zero(3)),
+                    column_spacing: length(4),
+                    row_spacing: length(5),
+                    columns: count(6),
+                    rows: count(7),
+                    shear: Shear { rows: Deg(0.0), columns: Deg(0.0) },
+                    frame: args.or_zero(8) != 0.0,
+                }
+                .positions()
+                .map(Iterator::collect)
+            }
+            _ => return self.free_positions(args),
+        };
+        match made {
+            Ok(positions) => Ok(positions),
+            Err(fault) => {
+                let (alarm, what) = match fault {
+                    Fault::None => (61103, "the pattern has no hole"),
+                    Fault::Overlap => (61106, "the holes go round more than once"),
+                    _ => (0, "the data of the pattern make no positions"),
+                };
+                self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes")
+            }
+        }
+    }
+
+    /// Up to nine positions, absolute as the masks say.
+    fn free_positions(&self, args: &Arguments) -> Outcome<Vec<Point2>> {
+        let unit = self.st.length_unit();
+        let mut positions = Vec::new();
+        let mut last = Point2::origin();
+        for at in 0..POSITIONS {
+            let (x, y) = (args.number(3 + 2 * at), args.number(4 + 2 * at));
+            let (Some(x), Some(y)) = (x, y) else {
+                if x.is_some() || y.is_some() {
+                    return self.cycle_fault(args, args.span, 0, "a position has one coordinate only", "give both");
+                }
+                continue;
+            };
+            let absolute = |mask: usize| args.digit(mask, (POSITIONS - 1 - at) as u32) == 1;
+            let from = |absolute: bool, last: f64| if absolute { 0.0 } else { last };
+            last = Point2::new(from(absolute(1), last.x) + x * unit, from(absolute(2), last.y) + y * unit);
+            positions.push(last);
+        }
+        Ok(positions)
+    }
+}

@@ -1,0 +1,236 @@
+//! Thread cycles: CYCLE97, CYCLE98, CYCLE99.
+//!
+//! Source: reference sections 5.8 to 5.10.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Point2};
+use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
+use crate::ir::cycle::turning::Towards;
+use crate::ir::cycle::Cycle;
+
+use super::super::value::whole;
+use super::super::{Outcome, Run};
+use super::Arguments;
+
+/// The lift-off plane lies this far outside the thread, in mm.
+const LIFT: f64 = 1.0;
+
+/// Places of the arguments that all thread cycles have.
+struct Places {
+    run_in: usize,
+    run_out: usize,
+    depth: usize,
+    finish: usize,
+    angle: usize,
+    start_angle: usize,
+    passes: usize,
+    idle: usize,
+    variant: usize,
+    starts: usize,
+}
+
+const CYCLE97: Places = Places {
+    run_in: 7,
+    run_out: 8,
+    depth: 9,
+    finish: 10,
+    angle: 11,
+    start_angle: 12,
+    passes: 13,
+    idle: 14,
+    variant: 15,
+    starts: 16,
+};
+const CYCLE98: Places = Places {
+    run_in: 9,
+    run_out: 10,
+    depth: 11,
+    finish: 12,
+    angle: 13,
+    start_angle: 14,
+    passes: 15,
+    idle: 16,
+    variant: 20,
+    starts: 21,
+};
+const CYCLE99: Places = Places {
+    run_in: 5,
+    run_out: 6,
+    depth: 7,
+    finish: 8,
+    angle: 9,
+    start_angle: 10,
+    passes: 11,
+    idle: 12,
+    variant: 14,
+    starts: 15,
+};
+
+impl Run<'_> {
+    pub(super) fn thread_cycle(&mut self, args: &Arguments) -> Outcome {
+        self.in_turning_plane(args)?;
+        let (places, points, leads) = match args.name.as_str() {
+            "CYCLE97" => {
+                let lead = self.pitch(args, 2, 1, 0)?.abs();
+                (CYCLE97, self.line(args, [3, 5], [4, 6])?, vec![lead])
+            }
+            "CYCLE98" => {
+                let mut points = Vec::new();
+                for place in [1, 3, 5, 7] {
+                    points.push(self.point(args, place, place + 1)?);
+                }
+                let mut leads = Vec::new();
+                for place in [17, 18, 19] {
+                    leads.push(self.needed_length(args, place, "the pitch")?.abs());
+                }
+                (CYCLE98, points, leads)
+            }
+            _ => {
+                self.check_new_thread(args)?;
+                let lead = self.new_pitch(args)?;
+                (CYCLE99, self.line(args, [1, 2], [3, 4])?, vec![lead])
+            }
+        };
+        self.thread(args, &places, &points, &leads)
+    }
+
+    fn point(&self, args: &Arguments, z: usize, diameter: usize) -> Outcome<Point2> {
+        let z = self.needed_length(args, z, "a point of the thread along Z")?;
+        let diameter = self.needed_length(args, diameter, "a diameter of the thread")?;
+        Ok(Point2::new(z, diameter / 2.0))
+    }
+
+    /// Start and end; a missing end diameter is that of the start.
+    fn line(&self, args: &Arguments, start: [usize; 2], end: [usize; 2]) -> Outcome<Vec<Point2>> {
+        let from = self.point(args, start[0], start[1])?;
+        let z = self.needed_length(args, end[0], "the end of the thread along Z")?;
+        let radius = self.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
+        Ok(vec![from, Point2::new(z, radius)])
+    }
+
+    fn thread(&mut self, args: &Arguments, places: &Places, points: &[Point2], leads: &[f64]) -> Outcome {
+        let variant = if args.name == "CYCLE99" { f64::from(args.digit(places.variant, 0)) } else { args.or_zero(places.variant) };
+        let (internal, area) = match variant {
+            1.0 => (false, false),
+            2.0 => (true, false),
+            3.0 => (false, true),
+            4.0 => (true, true),
+            _ => {
+                let help = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
+                return self.cycle_fault(args, args.span_of(places.variant), 61002, "VARI is 1 to 4", help);
+            }
+        };
+        let depth = self.needed_length(args, places.depth, "the thread depth TDEP")?.abs();
+        let finish = self.length_of(args, places.finish).unwrap_or(0.0).abs();
+        let passes = self.whole_of(args, places.passes, 1)?;
+        let idle = self.whole_of(args, places.idle, 0)?;
+        let starts = self.whole_of(args, places.starts, 0)?.max(1);
+        if args.name == "CYCLE99" && starts > 1 {
+            let found = Diagnostic::new(codes::S8019, self.loc(args.span_of(places.starts)), format!("CYCLE99 cuts {starts} starts"));
+            self.report(found.help("the editor may leave a number here though one start is meant: set it to 1 then"));
+        }
+        let angle = args.or_zero(places.angle);
+        let flank = if angle == 0.0 {
+            Flank::Radial
+        } else if angle > 0.0 {
+            Flank::FromCrest { angle: Deg(angle) }
+        } else {
+            Flank::Alternating { angle: Deg(-angle) }
+        };
+        if angle != 0.0 {
+            self.note_once(
+                codes::S8021,
+                args.span_of(places.angle),
+                "the flank infeed counts from the crest: the manuals leave open which pass stands at the programmed Z",
+            );
+        }
+        let park = self.turning_position(args.span)?;
+        let mut parts = Vec::new();
+        for (end, lead) in points.iter().skip(1).zip(leads) {
+            parts.push(ThreadPart { end: *end, lead: *lead });
+        }
+        let mut thread = Thread {
+            start: points[0],
+            parts,
+            into: if internal { Towards::PlusX } else { Towards::MinusX },
+            depth,
+            infeed: if area { Infeed::AreaPasses { passes } } else { Infeed::EqualPasses { passes } },
+            flank,
+            finish,
+            air_cuts: idle,
+            run_in: self.length_of(args, places.run_in).unwrap_or(0.0).abs(),
+            run_out: self.length_of(args, places.run_out).unwrap_or(0.0).abs(),
+            starts,
+            start_angle: Deg(args.or_zero(places.start_angle)),
+            retract: 0.0,
+            park,
+        };
+        thread.retract = self.lift_off(args, &thread, internal);
+        if let Err(fault) = thread.check() {
+            return self.cycle_fault(args, args.span, 0, &fault.to_string(), "check the arguments of the cycle");
+        }
+        self.send_cycle(Cycle::Thread(thread));
+        Ok(())
+    }
+
+    /// The lift-off plane: clear of the thread and of its extensions.
+    fn lift_off(&self, args: &Arguments, thread: &Thread, internal: bool) -> f64 {
+        let given = match args.name.as_str() {
+            "CYCLE97" => self.length_of(args, 17),
+            "CYCLE99" => self.length_of(args, 16),
+            _ => self.length_of(args, 22),
+        };
+        let lift = given.filter(|way| *way > 0.0).unwrap_or(LIFT);
+        let (Some(first), Some(last)) = (thread.parts.first(), thread.parts.last()) else { return thread.start.y };
+        let before_last = thread.parts.iter().rev().nth(1).map_or(thread.start, |part| part.end);
+        let ends = [
+            thread.extended(first.end, thread.start, thread.run_in).y,
+            thread.extended(before_last, last.end, thread.run_out).y,
+        ];
+        let radii = thread.parts.iter().map(|part| part.end.y).chain(ends);
+        if internal {
+            radii.fold(thread.start.y, f64::min) - lift
+        } else {
+            radii.fold(thread.start.y, f64::max) + lift
+        }
+    }
+
+    fn whole_of(&self, args: &Arguments, place: usize, least: i32) -> Outcome<u32> {
+        let value = args.number(place).unwrap_or(f64::from(least));
+        match whole(value).filter(|n| *n >= least && *n <= 1000 && f64::from(*n) == value) {
+            Some(n) => Ok(n as u32),
+            None => {
+                let message = format!("{value} is no number of passes or starts");
+                self.cycle_fault(args, args.span_of(place), 0, &message, "give a whole number")
+            }
+        }
+    }
+
+    /// CYCLE99 codes much in digits; what is not known is refused.
+    fn check_new_thread(&mut self, args: &Arguments) -> Outcome {
+        for (place, what) in [(17, "the first infeed _MID"), (18, "_GDEP"), (19, "a changing pitch (_PIT1)"), (20, "_FDEP")] {
+            if args.or_zero(place) != 0.0 {
+                return self.not_built(args, place, what);
+            }
+        }
+        self.note_once(
+            codes::S8020,
+            args.span_of(14),
+            "the units of _VARI are read as in CYCLE97 (1 and 3 external, 2 and 4 internal); its other digits choose roughing and sides and are not looked at",
+        );
+        Ok(())
+    }
+
+    /// Pitch at place 13, in the unit of `_PITA`.
+    fn new_pitch(&self, args: &Arguments) -> Outcome<f64> {
+        let pitch = self.needed(args, 13, "the pitch _PIT")?;
+        if pitch <= 0.0 {
+            return self.cycle_fault(args, args.span_of(13), 61001, "the pitch is not above 0", "give the pitch");
+        }
+        match args.or_zero(24) {
+            0.0 => Ok(pitch * self.st.length_unit()),
+            1.0 => Ok(pitch),
+            _ => self.not_built(args, 24, "a pitch in inches, turns or modules (_PITA)"),
+        }
+    }
+}
