@@ -108,6 +108,8 @@ pub struct Corner {
     pub shape: CornerShape,
     /// Feed on the inserted element; `None` for the feed of the element behind.
     pub feed: Option<Feed>,
+    /// What happens between the two elements comes in front of the inserted one, not behind it.
+    pub early: bool,
     /// Asked for at every corner: where there is none, nothing is inserted and nothing is said.
     pub modal: bool,
 }

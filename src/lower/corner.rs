@@ -131,6 +131,11 @@ impl Corners {
             Ok((shortened, inserted, rest)) => {
                 self.trimmed = true;
                 out(Event::Step(&shortened));
+                if corner.early {
+                    for (function, origin) in self.between.drain(..) {
+                        out(Event::Function(&function, origin));
+                    }
+                }
                 if let Some(inserted) = inserted {
                     out(Event::Step(&inserted));
                 }

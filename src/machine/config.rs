@@ -427,7 +427,7 @@ impl Reader {
             "cp_sign" => control.cp_sign = if text(node) == "dr" { CpSign::Dr } else { CpSign::Refuse },
             "scaling" => control.scaling_in_plane = text(node) == "plane",
             "retract_max" => control.retract_max = number(node),
-            "sd42440" => control.siemens.frame_offset_incremental = flag(node),
+            "sd42440" => control.siemens.frame_offset_incremental = Some(flag(node)),
             "md21000" | "md21010" => {
                 let value = number(node).filter(|v| *v >= 0.0).ok_or_else(|| node.fail("is not below 0"))?;
                 if name == "md21000" {

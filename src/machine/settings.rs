@@ -154,7 +154,7 @@ pub struct Control {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Siemens {
     /// An increment behind a change of the frame travels the change, too (SD 42440).
-    pub frame_offset_incremental: bool,
+    pub frame_offset_incremental: Option<bool>,
     /// Largest difference of the radii at start and end of a circle: in mm, and as a part of the radius
     /// (MD 21000, MD 21010).
     pub circle_error: f64,
@@ -168,7 +168,7 @@ pub struct Siemens {
 impl Default for Siemens {
     fn default() -> Siemens {
         Siemens {
-            frame_offset_incremental: true,
+            frame_offset_incremental: None,
             circle_error: 0.01,
             circle_error_factor: 0.001,
             tool_change_by_t: None,

@@ -221,6 +221,10 @@ S3005 Error "siemens-turns" "number of turns does not exist"
 S3006 Error "siemens-via" "intermediate point is missing"
 "CIP runs through a point between start and end, given by I1=, J1=, K1=: alarm 14920."
 
+S3007 Error "siemens-end-off-circle" "end point does not lie on the circle"
+"Start and end have the same distance from the centre, within MD 21000 (0.01 mm) or MD 21010 (a thousandth of the radius): alarm 14040. Check \
+start, end and centre; I, J and K count from the start point."
+
 S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
 "Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \
 Put each comparison in brackets. The program is compiled as the control reads it."

@@ -82,6 +82,13 @@ impl<'a> Build<'a> {
         self.word(Target::Name(name), Value::Call(args), start, end);
     }
 
+    /// `F100 (text)`: a word and what is meant as a comment. Programs have names of two letters or more.
+    pub fn numbered_call(&mut self, _args: Args, _start: u32, name_end: u32, end: u32) -> Refused<()> {
+        let span = Span { start: name_end, end };
+        let problem = Problem::new(codes::S0003, span, "brackets hold no comment on this control");
+        Err(ParseError::User { error: problem.alarm(12080).help("a comment starts with `;`") })
+    }
+
     pub fn indexed_word(&mut self, indices: Args, start: u32, name_end: u32, end: u32) {
         let name = self.name(start, name_end);
         self.word(Target::Indexed(Base::Name(name), indices), Value::None, start, end);

@@ -332,7 +332,11 @@ impl Run<'_> {
         };
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         self.m_at_start(&w, true)?;
-        self.out.corner(&Corner { shape, feed: Some(feed), modal: false }, &self.st.ctx, &self.here.origin);
+        self.out.corner(
+            &Corner { shape, feed: Some(feed), early: false, modal: false },
+            &self.st.ctx,
+            &self.here.origin,
+        );
         self.m_at_end(&w)
     }
 

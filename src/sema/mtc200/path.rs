@@ -354,7 +354,7 @@ impl Run<'_> {
         let feed = self.cutting_feed(at.span)?;
         let shape =
             if name == "CF" { CornerShape::Chamfer { side: size } } else { CornerShape::Rounding { radius: size } };
-        self.send_corner(&Corner { shape, feed: Some(feed), modal: false });
+        self.send_corner(&Corner { shape, feed: Some(feed), early: false, modal: false });
         self.st.corner = Some((self.loc(at.span), 0));
         Ok(())
     }

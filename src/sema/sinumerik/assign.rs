@@ -100,7 +100,11 @@ impl Run<'_> {
                     _ => self.fail(codes::S1001, 12080, block.span, "this cannot count a loop"),
                 }
             }
-            _ => self.fail(codes::S1001, 12080, block.span, "this cannot count a loop"),
+            Target::Letter(letter) => match self.letter_variable(letter) {
+                Some(slot) => self.variable_value(slot, &[], block.span),
+                None => self.fail(codes::S1001, 12080, block.span, "an address cannot count a loop"),
+            },
+            Target::System(_) => self.fail(codes::S1001, 12080, block.span, "this cannot count a loop"),
         }
     }
 
@@ -141,7 +145,10 @@ impl Run<'_> {
                     Base::Letter(_) => self.fail(codes::S1001, 12080, span, "this takes no value"),
                 }
             }
-            Target::Letter(_) => self.fail(codes::S1001, 12080, span, "this takes no value"),
+            Target::Letter(letter) => match self.letter_variable(letter) {
+                Some(slot) => self.write_element(slot, &[], value, span),
+                None => self.fail(codes::S1001, 12080, span, "this takes no value"),
+            },
         }
     }
 
@@ -383,7 +390,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let taken = match self.meaning(name) {
-            Meaning::Axis(_) => Some("an axis"),
+            Meaning::Axis(axis) if self.st.geometry_axes.contains(&axis) => Some("a geometry axis"),
             Meaning::Code(_) => Some("a word of the language"),
             _ => None,
         };
@@ -464,6 +471,9 @@ impl Run<'_> {
             return self.fail(codes::S2030, 12280, span, "the text of a macro has at most 256 characters");
         }
         let symbol = self.symbols.intern(name);
+        if let Some(message) = self.macro_in_use(symbol) {
+            return self.fail_help(codes::S2016, 12270, span, message, "choose a name that means nothing yet");
+        }
         if self.vars.find(symbol).is_some() {
             let message = format!("`{}` is a variable already", self.symbols.name(symbol));
             return self.fail(codes::S2016, 12270, span, message);
@@ -475,6 +485,25 @@ impl Run<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A macro must not give a word of the language another meaning.
+    fn macro_in_use(&mut self, symbol: Symbol) -> Option<String> {
+        let word = self.symbols.name(symbol).to_owned();
+        let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
+        let taken = match (word.as_bytes().first(), digits) {
+            (Some(b'G'), Some(digits)) => {
+                digits.len() > 3 || digits.parse().ok().is_some_and(|n: f64| self.gcodes.get(n).is_some())
+            }
+            (Some(b'M'), Some(digits)) => {
+                let number: Option<u32> = digits.parse().ok();
+                digits.len() > 2 || number.is_some_and(|n| n <= 9 || n == 17 || n == 19 || n == 30)
+            }
+            (Some(b'H'), Some(_)) => false,
+            (Some(_), Some(_)) => true,
+            _ => word.len() == 1 || self.meaning(symbol) != Meaning::Unknown || is_keyword(&word),
+        };
+        taken.then(|| format!("`{word}` is a word of the language"))
     }
 
     /// The block with its macros replaced; `None` if it has none.
@@ -626,6 +655,14 @@ impl Run<'_> {
         self.meanings[at] = Some(meaning);
         meaning
     }
+}
+
+/// Words of control structures and declarations.
+fn is_keyword(word: &str) -> bool {
+    const KEYWORDS: &str = "IF ELSE ENDIF WHILE ENDWHILE FOR TO ENDFOR LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS \
+        CASE OF DEFAULT DEF REDEF PROC EXTERN DEFINE VAR CALL PCALL MCALL EXTCALL ISOCALL BLOCK NOT AND OR XOR B_NOT B_AND B_OR B_XOR \
+        DIV MOD TRUE FALSE INT REAL BOOL CHAR STRING AXIS FRAME SAVE";
+    KEYWORDS.split_ascii_whitespace().any(|keyword| keyword == word)
 }
 
 /// What fills an array.

@@ -381,11 +381,15 @@ impl Run<'_> {
             return Err(Reported);
         }
         let mut arguments = arguments.into_iter();
+        let mut result = Ok(());
         for variable in block.variables.clone() {
             let argument = arguments.next();
-            self.parameter(variable, argument, in_main, block, text)?;
+            if self.parameter(variable, argument, in_main, block, text).is_err() {
+                self.lose_parameter(variable);
+                result = Err(Reported);
+            }
         }
-        Ok(())
+        result
     }
 
     fn parameter(
@@ -441,6 +445,20 @@ impl Run<'_> {
         self.vars.define(name, var, false);
         self.given_parameters.push((name, given.is_some()));
         Ok(())
+    }
+
+    /// A parameter whose argument was refused: what reads it is not reported again.
+    fn lose_parameter(&mut self, variable: Variable) {
+        let Some(name) = variable.name else { return };
+        let var = Var {
+            kind: variable.kind,
+            sizes: Vec::new(),
+            values: vec![Val::zero(variable.kind)],
+            length: super::value::MOST_TEXT,
+            defined: self.loc(variable.span),
+            lost: true,
+        };
+        self.vars.define(name, var, false);
     }
 
     fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {

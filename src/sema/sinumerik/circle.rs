@@ -4,6 +4,7 @@
 
 use crate::diag::codes;
 use crate::geo::angle::rotated;
+use crate::geo::arc::{center_by_radius, through};
 use crate::geo::{Deg, Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Feed, Pos};
@@ -14,6 +15,8 @@ use super::vocabulary::{Address, Code};
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
 
+/// Points closer than this are the same, in mm: half the last digit of a program.
+const SAME: f64 = 5e-5;
 /// Most extra turns of a helix.
 const MOST_TURNS: f64 = 999.0;
 
@@ -66,8 +69,24 @@ impl Run<'_> {
                     );
                 }
                 let radius = cr.value * self.st.length_unit();
-                if radius == 0.0 {
-                    return self.fail(codes::S3001, 14095, cr.span, "the radius CR= is 0");
+                let chord = crate::geo::distance(start, to);
+                if chord <= SAME {
+                    return self.fail_help(
+                        codes::S3003,
+                        14040,
+                        cr.span,
+                        "the arc by CR= ends where it starts",
+                        "program a full circle with I, J, K",
+                    );
+                }
+                if radius == 0.0 || chord > 2.0 * radius.abs() + self.circle_tolerance(radius) {
+                    let message = format!(
+                        "the points are {chord:.4} mm apart, CR={} reaches {:.4}",
+                        cr.value,
+                        2.0 * radius.abs()
+                    );
+                    let help = format!("CR= has to be at least {:.4}", chord / 2.0 / self.st.length_unit());
+                    return self.fail_help(codes::S3001, 14095, cr.span, message, &help);
                 }
                 ArcShape::Radius { radius, ccw, tol: self.circle_tolerance(radius) }
             }
@@ -93,6 +112,7 @@ impl Run<'_> {
             }
             (None, None, Some(center)) => {
                 end.set_in_plane(plane, to);
+                let center = self.checked_center(start, to, center, ccw, span)?;
                 let radius = crate::geo::distance(start, center);
                 ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }
             }
@@ -119,6 +139,30 @@ impl Run<'_> {
             end.set_in_plane(plane, to);
         }
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
+    }
+
+    /// A centre from which start and end are equally far within the tolerance; moved so that the radius at the
+    /// start holds for both.
+    fn checked_center(&self, start: Point2, to: Point2, center: Point2, ccw: bool, span: Span) -> Outcome<Point2> {
+        let (r1, r2) = (crate::geo::distance(start, center), crate::geo::distance(to, center));
+        let off = (r2 - r1).abs();
+        if off > self.circle_tolerance(r1) + 1e-9 {
+            let message = format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm");
+            return self.fail_help(
+                codes::S3007,
+                14040,
+                span,
+                message,
+                "check start, end and centre; `[control] md21000` and `md21010` set the tolerance",
+            );
+        }
+        if off <= 1e-9 || crate::geo::distance(start, to) <= SAME {
+            return Ok(center);
+        }
+        let solutions = [r1, -r1].map(|radius| center_by_radius(start, to, radius, ccw, SAME, 0.0));
+        let near = |point: &Point2| crate::geo::distance(*point, center);
+        let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b)));
+        Ok(best.filter(|point| near(point) <= 10.0 * off + 1e-6).unwrap_or(center))
     }
 
     fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Option<Feed>, span: Span) -> Outcome {
@@ -267,9 +311,36 @@ impl Run<'_> {
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
     }
 
+    /// The plane of a circle through a point: the one in which all that is given lies.
+    fn via_plane(&mut self, w: &Words) -> Outcome<Plane> {
+        let usual = self.circle_plane(w, &VIA);
+        let [_, _, third] = [usual.axes().0, usual.axes().1, usual.axes().2].map(|i| Axis::ALL[i]);
+        let level = |run: &mut Self, axis: Axis| -> Outcome<bool> {
+            let Some(at) = run.st.pos.get(axis) else { return Ok(false) };
+            let via = VIA.iter().find(|(_, of)| *of == axis).and_then(|(address, _)| w.get(*address));
+            for given in [w.axis(axis), via].into_iter().flatten() {
+                if (run.target(axis, given)? - at).abs() > 1e-9 {
+                    return Ok(false);
+                }
+            }
+            Ok(true)
+        };
+        if level(self, third)? {
+            return Ok(usual);
+        }
+        for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
+            let (_, _, other) = plane.axes();
+            let via = VIA.iter().find(|(_, of)| *of == Axis::ALL[other]).and_then(|(address, _)| w.get(*address));
+            if via.is_some() && level(self, Axis::ALL[other])? {
+                return Ok(plane);
+            }
+        }
+        Ok(usual)
+    }
+
     /// CIP
     pub(super) fn via_block(&mut self, w: &mut Words) -> Outcome {
-        let plane = self.circle_plane(w, &VIA);
+        let plane = self.via_plane(w)?;
         let feed = self.path_feed(w, false)?;
         let turns = self.turns(w)?;
         let start = self.start_in(plane, w)?;
@@ -309,6 +380,21 @@ impl Run<'_> {
             );
         };
         end.set_in_plane(plane, to);
+        if through(start, point, to, SAME).is_none() {
+            let (a, b) = (point - start, to - start);
+            let between = a.dot(&b) > 0.0 && crate::geo::length(a) < crate::geo::length(b);
+            if between && turns == 0 {
+                self.send(&end, Path::Line, feed);
+                return Ok(());
+            }
+            return self.fail_help(
+                codes::S3006,
+                14920,
+                span,
+                "start, intermediate point and end lie on one line",
+                "move the intermediate point off the line, between start and end of the arc",
+            );
+        }
         self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
     }
 

@@ -13,6 +13,9 @@ use super::vocabulary::{Address, Code};
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
+/// Blocks without a move over which the control looks for the end of a corner (MD 20200).
+const MOST_BETWEEN: u32 = 3;
+
 /// First line of a pair: its end comes with the next block.
 #[derive(Debug)]
 pub(super) struct Pending {
@@ -326,7 +329,7 @@ impl Run<'_> {
             CornerShape::ChamferLength { length } => length,
             CornerShape::Undercut(_) => 0.0,
         };
-        Ok((size > 0.0).then_some(Corner { shape, feed, modal: !explicit }))
+        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit }))
     }
 
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
@@ -336,5 +339,24 @@ impl Run<'_> {
             return;
         }
         self.out.corner(&corner, &self.st.ctx, &self.here.origin);
+        if !corner.modal {
+            self.corner_open = Some((self.here.origin.loc, 0));
+        }
+    }
+
+    /// A block without a move behind a corner: the control looks ahead over a few of them only (MD 20200).
+    pub(super) fn block_behind_corner(&mut self, moved: bool) -> Outcome {
+        let Some((loc, count)) = self.corner_open.as_mut().filter(|_| !moved) else { return Ok(()) };
+        *count += 1;
+        if *count <= MOST_BETWEEN {
+            return Ok(());
+        }
+        let message = format!(
+            "more than {MOST_BETWEEN} blocks without a move stand behind the chamfer or rounding (alarm 10880)"
+        );
+        let found = Diagnostic::new(codes::S2071, *loc, message);
+        self.corner_open = None;
+        self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
+        Err(Reported)
     }
 }

@@ -129,6 +129,10 @@ struct Run<'a> {
     lead: Option<(Axis, f64)>,
     axis_feed: BTreeMap<Axis, f64>,
     compensation_starts: bool,
+    /// A corner that waits for its second line, and the blocks since.
+    corner_open: Option<(Loc, u32)>,
+    /// G96 waits for its S.
+    cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
     stack: Vec<Val>,
@@ -177,6 +181,8 @@ impl<'a> Run<'a> {
             lead: None,
             axis_feed: BTreeMap::new(),
             compensation_starts: false,
+            corner_open: None,
+            cut_speed_open: None,
             depth: 0,
             stack: Vec::new(),
             words: None,
@@ -549,7 +555,10 @@ impl<'a> Run<'a> {
             .map(|(_, other)| other.name.as_str())
             .collect();
         if !others.is_empty() {
-            let start = Loc { file: FileId(0), line: 1, span: Span::default() };
+            let start = self.programs.units[unit].start;
+            let len = self.job.sources.bytes(FileId(0), Span::at(start.at, 80));
+            let len = len.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(len.len());
+            let start = Loc { file: FileId(0), line: start.line, span: Span::at(start.at, len as u32) };
             let name = &self.programs.units[unit].name;
             let message = format!("the file holds several main programs; {name} is compiled");
             let found = Diagnostic::new(codes::S8003, start, message);

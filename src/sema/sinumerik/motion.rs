@@ -92,7 +92,12 @@ impl Run<'_> {
         }
         self.technology(w)?;
         self.early_functions(w)?;
+        let corner_before = self.corner_open.map(|(loc, _)| loc);
         let moved = self.motion(w, block)?;
+        if moved && self.corner_open.map(|(loc, _)| loc) == corner_before {
+            self.corner_open = None;
+        }
+        self.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
             return self.does_not_fit(left.span);
         }
@@ -125,15 +130,19 @@ impl Run<'_> {
         )
     }
 
+    pub(super) fn two_shapes(&self, a: Code, first: Span, b: Code, second: Span) -> Outcome {
+        let (a, b) = (super::vocabulary::word(a), super::vocabulary::word(b));
+        let message = format!("{a} and {b} cannot stand in one block (alarm 12070)");
+        let found = Diagnostic::new(codes::S2009, self.loc(second), message);
+        self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));
+        Err(Reported)
+    }
+
     /// Groups 1 to 4 shape the block: it takes one of them.
     fn check_codes(&mut self, w: &Words) -> Outcome {
         let mut shaping = w.codes.iter().filter(|(code, _)| code.group <= 4);
         if let (Some((a, first)), Some((b, second))) = (shaping.next(), shaping.next()) {
-            let (a, b) = (super::vocabulary::word(*a), super::vocabulary::word(*b));
-            let message = format!("{a} and {b} cannot stand in one block (alarm 12070)");
-            let found = Diagnostic::new(codes::S2009, self.loc(*second), message);
-            self.report(found.also(self.loc(*first), "the other one").help("give each a block of its own"));
-            return Err(Reported);
+            return self.two_shapes(*a, *first, *b, *second);
         }
         Ok(())
     }
@@ -256,7 +265,11 @@ impl Run<'_> {
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
-        self.check_start_of_compensation(interpolation, block.span)?;
+        let in_plane = polar || w.get(Address::Ang).is_some() || {
+            let [first, second, _] = self.st.roles();
+            w.axes.contains(first) || w.axes.contains(second)
+        };
+        self.check_start_of_compensation(interpolation, in_plane, block.span)?;
         let corner = self.corner_words(w)?;
         match interpolation {
             Code::G0 | Code::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
@@ -385,9 +398,12 @@ impl Run<'_> {
         }
         let with_offset = match self.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
             Some(set) => set,
-            None => self.job.settings.control.siemens.frame_offset_incremental,
+            None => self.job.settings.control.siemens.frame_offset_incremental.unwrap_or(true),
         };
         let chosen = if with_offset { programmed } else { at };
+        if self.job.settings.control.siemens.frame_offset_incremental.is_some() {
+            return Ok(chosen);
+        }
         let found = Diagnostic::new(
             codes::S8007,
             self.loc(span),

@@ -307,6 +307,19 @@ impl Run<'_> {
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
 
+    /// A program of the user with the name of a cycle goes before it.
+    fn own_program(&mut self, name: &str) -> bool {
+        let file = self.programs.units[self.unit()].file;
+        let listed = self.programs.list(&self.job, file).is_ok();
+        if listed && (self.programs.find_in_file(file, name).is_some() || self.programs.find_in_file(0, name).is_some())
+        {
+            return true;
+        }
+        let identity = self.job.sources.identity(self.here.file);
+        let request = crate::text::Request { from: &identity, name, extensions: &["SPF"] };
+        self.job.files.open(&request).is_ok()
+    }
+
     fn has_other_words(&self, w: &Words) -> bool {
         !w.axes.is_empty()
             || !w.codes.is_empty()
@@ -328,7 +341,19 @@ impl Run<'_> {
 
     fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {
         let name = self.symbols.name(call.name);
-        let known = self.vocabulary.keys().copied();
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
+        if letters.len() < name.len() && matches!(self.vocabulary.get(letters), Some(Meaning::Address(_))) {
+            let digits = &name[letters.len()..];
+            return self.fail_help(
+                codes::S1001,
+                12080,
+                call.span,
+                format!("`=` is missing in `{name}`"),
+                &format!("an address of more than one letter takes `=`: {letters}={digits}"),
+            );
+        }
+        let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
+        known.sort_unstable();
         let like = crate::machine::tree::did_you_mean(name, known);
         let help = match like {
             Some(like) => format!("did you mean `{like}`?"),
@@ -394,6 +419,20 @@ impl Run<'_> {
             Procedure::Message => self.message(&formulas, block, text),
             Procedure::SetAlarm => {
                 let mut shown = String::new();
+                if let Some(formula) = formulas.first()
+                    && let Ok(number) = self.number(*formula, block, text)
+                    && !(60_000.0..70_000.0).contains(&number)
+                {
+                    self.ended.set(true);
+                    let message = format!("SETAL({number}) is no alarm of a program");
+                    return self.fail_help(
+                        codes::S2027,
+                        15700,
+                        call.span,
+                        message,
+                        "programs have the alarms 60000 to 69999",
+                    );
+                }
                 for formula in &formulas {
                     let value = self.eval(*formula, block, text)?;
                     if let Some(text) = to_text(&value) {
@@ -451,7 +490,10 @@ impl Run<'_> {
             Procedure::CallPath => Ok(()),
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span),
-            Procedure::TransformationOff => Ok(()),
+            Procedure::TransformationOff if formulas.is_empty() => Ok(()),
+            Procedure::TransformationOff => {
+                self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
+            }
             Procedure::Swivel if formulas.is_empty() => Ok(()),
             Procedure::Swivel => self.fail_help(
                 codes::S9006,
@@ -465,6 +507,9 @@ impl Run<'_> {
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
                 Ok(())
+            }
+            Procedure::Refused(_) if self.own_program(&name) => {
+                self.call_program(&name, call.span, Some(call), None, block, text)
             }
             Procedure::Refused(what) => {
                 self.st.lose(Axis::ALL.into_iter().collect());

@@ -31,7 +31,7 @@ impl Run<'_> {
             codes::S2028,
             0,
             span,
-            format!("the value of {key} is known on the machine only"),
+            format!("the value of `{key}` is known on the machine only"),
             &format!("give it under [variables]: \"{key}\" = value"),
         )
     }
@@ -41,7 +41,7 @@ impl Run<'_> {
             "$PI" => Val::Real(core::f64::consts::PI),
             "$P_EP" | "$AA_IW" => {
                 let [Val::Axis(axis)] = args else {
-                    return self.fail(codes::S2031, 12040, span, format!("{word} needs an axis: {word}[X]"));
+                    return self.fail(codes::S2031, 12040, span, format!("`{word}` needs an axis: `{word}[X]`"));
                 };
                 Val::Real(self.position_value(*axis, span)?)
             }
@@ -205,7 +205,7 @@ impl Run<'_> {
                 self.note_once(
                     codes::S8006,
                     span,
-                    format!("{word} is an output or a counter of the control and is left out"),
+                    format!("`{word}` is an output or a counter of the control and is left out"),
                 );
                 self.system.insert(system_key(&word, args), value);
                 Ok(())
@@ -214,7 +214,7 @@ impl Run<'_> {
                 codes::S2028,
                 0,
                 span,
-                format!("{word} cannot be set by a compiled program"),
+                format!("`{word}` cannot be set by a compiled program"),
                 "it changes the machine or the control; set it there",
             ),
         }

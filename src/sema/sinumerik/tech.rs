@@ -40,6 +40,15 @@ impl Run<'_> {
         if self.st.feed_lost {
             return Err(Reported);
         }
+        if self.cut_speed_open.take().is_some() {
+            return self.fail_help(
+                codes::S2045,
+                10900,
+                Span::default(),
+                "G96 has no cutting speed",
+                "program S in m/min with G96; the S of before is a speed in turns",
+            );
+        }
         match self.st.feed {
             Some(feed) => {
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
@@ -140,6 +149,14 @@ impl Run<'_> {
         }
         for at in 0..w.s.len() {
             self.speed(w.s[at], constant)?;
+        }
+        if !constant {
+            self.cut_speed_open = None;
+        } else if !self.st.constant_cut && self.cut_speed_open.is_none() {
+            self.cut_speed_open = Some(w.code_of(15).map(|(_, span)| span).unwrap_or_default());
+        }
+        if self.st.constant_cut {
+            self.cut_speed_open = None;
         }
         if let Some(spos) = w.take(Address::Spos).or(w.take(Address::Sposa)) {
             self.function(Function::Spindle(Spindle::Orient(spos.value)));
@@ -418,7 +435,13 @@ impl Run<'_> {
     /// Tells the target which tool is compensated.
     pub(super) fn select_cutter(&mut self, span: Span) -> Outcome {
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
-            return self.fail_help(codes::S2080, 10750, span, "radius compensation without a tool", "select a tool before");
+            return self.fail_help(
+                codes::S2080,
+                10750,
+                span,
+                "radius compensation without a tool",
+                "select a tool before",
+            );
         };
         let edge = self.st.tool.edge.unwrap_or(1);
         let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
@@ -427,13 +450,19 @@ impl Run<'_> {
     }
 
     /// Compensation starts and ends on a straight line.
-    pub(super) fn check_start_of_compensation(&mut self, code: Code, span: Span) -> Outcome {
-        if std::mem::take(&mut self.compensation_starts) && !matches!(code, Code::G0 | Code::G1) {
+    pub(super) fn check_start_of_compensation(&mut self, code: Code, in_plane: bool, span: Span) -> Outcome {
+        if std::mem::take(&mut self.compensation_starts) && !(matches!(code, Code::G0 | Code::G1) && in_plane) {
             let on = self.st.side() != Side::None;
             let alarm = if on { 10753 } else { 10754 };
-            let message =
-                if on { "radius compensation starts on an arc" } else { "radius compensation ends on an arc" };
-            return self.fail_help(codes::S2080, alarm, span, message, "program G41, G42 or G40 with G0 or G1");
+            let what = if in_plane { "on an arc" } else { "without a move in the plane" };
+            let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
+            return self.fail_help(
+                codes::S2080,
+                alarm,
+                span,
+                message,
+                "program G41, G42 or G40 with G0 or G1 and an axis of the plane",
+            );
         }
         Ok(())
     }

@@ -227,7 +227,13 @@ impl Run<'_> {
     #[inline]
     fn sort_word(&mut self, words: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome<bool> {
         match word.target {
-            Target::Letter(letter) => self.letter_word(words, letter, word, block, text).map(|()| false),
+            Target::Letter(letter) => {
+                if matches!(word.value, Value::Formula(_)) && self.letter_variable(letter).is_some() {
+                    self.assign_word(word, block, text)?;
+                    return Ok(true);
+                }
+                self.letter_word(words, letter, word, block, text).map(|()| false)
+            }
             Target::Numbered(letter, number, name) => {
                 self.numbered_word(words, letter, number, name, word, block, text)
             }
@@ -238,6 +244,13 @@ impl Run<'_> {
             }
             Target::Indexed(base, args) => self.indexed_word(words, base, args, word, block, text),
         }
+    }
+
+    /// A variable whose name is one letter.
+    pub(super) fn letter_variable(&self, letter: u8) -> Option<super::vars::Slot> {
+        let name = [letter];
+        let name = std::str::from_utf8(&name).ok()?;
+        self.vars.find(self.symbols.find(name)?)
     }
 
     #[inline]
@@ -332,6 +345,9 @@ impl Run<'_> {
         if let Some((first, other)) = words.codes.iter().copied().find(|(known, _)| known.group == code.group) {
             if first == code {
                 return Ok(());
+            }
+            if code.group <= 4 {
+                return self.two_shapes(first, other, code, span);
             }
             let (a, b) = (super::vocabulary::word(first), super::vocabulary::word(code));
             let message = format!("{a} and {b} are of one group");

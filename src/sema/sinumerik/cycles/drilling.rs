@@ -120,7 +120,13 @@ impl Run<'_> {
         let clearance = self.length_of(args, 3).unwrap_or(0.0);
         let (absolute, relative) = (self.length_of(args, 4), self.length_of(args, 5));
         if absolute.is_none() && relative.is_none() {
-            return self.cycle_fault(args, args.span, 0, "the depth is missing", "give DP (argument 4) or DPR (argument 5)");
+            return self.cycle_fault(
+                args,
+                args.span,
+                0,
+                "the depth is missing",
+                "give DP (argument 4) or DPR (argument 5)",
+            );
         }
         match Levels::resolve(retract, reference, clearance, absolute, relative) {
             Ok(made) => {
@@ -156,7 +162,13 @@ impl Run<'_> {
     fn own_feed(&self, args: &Arguments, place: usize) -> Outcome<Feed> {
         let value = self.needed(args, place, "the feed")?;
         if value <= 0.0 {
-            return self.cycle_fault(args, args.span_of(place), 61003, "the feed is not above 0", "give a feed above 0");
+            return self.cycle_fault(
+                args,
+                args.span_of(place),
+                61003,
+                "the feed is not above 0",
+                "give a feed above 0",
+            );
         }
         Ok(self.feed_of(value))
     }
@@ -199,7 +211,15 @@ impl Run<'_> {
                 dwell: self.dwell_of(args, 10)?,
                 ahead: self.length_of(args, 17).filter(|way| *way > 0.0),
             },
-            _ => return self.cycle_fault(args, args.span_of(12), 61002, "VARI is 0 or 1", "0 breaks the chip, 1 removes it"),
+            _ => {
+                return self.cycle_fault(
+                    args,
+                    args.span_of(12),
+                    61002,
+                    "VARI is 0 or 1",
+                    "0 breaks the chip, 1 removes it",
+                );
+            }
         };
         Ok(Method::Peck(Peck { first, degression, dwell, dwell_at_bottom, first_feed, removal }))
     }
@@ -248,7 +268,13 @@ impl Run<'_> {
         let speed = |place: usize| args.number(place).filter(|speed| *speed > 0.0);
         let speed_in = speed(11).or(self.st.speed);
         if speed_in.is_none() {
-            return self.cycle_fault(args, args.span, 61102, "the spindle has no speed", "give SST (argument 11) or program S");
+            return self.cycle_fault(
+                args,
+                args.span,
+                61102,
+                "the spindle has no speed",
+                "give SST (argument 11) or program S",
+            );
         }
         let after = self.after(args, 7)?;
         Ok(Method::Tap(Tap {
@@ -288,7 +314,15 @@ impl Run<'_> {
             4.0 => Turn::Clockwise,
             _ => match self.st.turn {
                 Some(turn) => turn,
-                None => return self.cycle_fault(args, args.span, 61102, "the spindle does not turn", "program M3 or M4 before"),
+                None => {
+                    return self.cycle_fault(
+                        args,
+                        args.span,
+                        61102,
+                        "the spindle does not turn",
+                        "program M3 or M4 before",
+                    );
+                }
             },
         };
         let lead = match args.or_zero(9) {

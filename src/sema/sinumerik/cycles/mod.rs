@@ -79,9 +79,8 @@ impl Run<'_> {
         if !is_built(name) {
             return None;
         }
-        let result = self
-            .cycle_arguments(name, call.args, call.span, block, text)
-            .and_then(|args| self.run_cycle(&args));
+        let result =
+            self.cycle_arguments(name, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
         if result.is_err() {
             self.st.lose(Axis::ALL.into_iter().collect());
             self.lost();
@@ -121,7 +120,13 @@ impl Run<'_> {
         self.begins_executing();
         self.pending_must_be_done(args.span)?;
         if self.st.side() != Side::None {
-            return self.cycle_fault(args, args.span, 61815, "radius compensation is on", "program G40 before the cycle");
+            return self.cycle_fault(
+                args,
+                args.span,
+                61815,
+                "radius compensation is on",
+                "program G40 before the cycle",
+            );
         }
         if self.st.machine_coordinates {
             return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
@@ -295,7 +300,16 @@ fn is_built(name: &str) -> bool {
     drilling::is_hole(name)
         || matches!(
             name,
-            "HOLES1" | "HOLES2" | "CYCLE801" | "CYCLE802" | "CYCLE94" | "CYCLE96" | "CYCLE940" | "CYCLE97" | "CYCLE98" | "CYCLE99"
+            "HOLES1"
+                | "HOLES2"
+                | "CYCLE801"
+                | "CYCLE802"
+                | "CYCLE94"
+                | "CYCLE96"
+                | "CYCLE940"
+                | "CYCLE97"
+                | "CYCLE98"
+                | "CYCLE99"
         )
 }
 

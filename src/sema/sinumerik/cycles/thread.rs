@@ -4,9 +4,9 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
-use crate::ir::cycle::Cycle;
 
 use super::super::value::whole;
 use super::super::{Outcome, Run};
@@ -109,7 +109,11 @@ impl Run<'_> {
     }
 
     fn thread(&mut self, args: &Arguments, places: &Places, points: &[Point2], leads: &[f64]) -> Outcome {
-        let variant = if args.name == "CYCLE99" { f64::from(args.digit(places.variant, 0)) } else { args.or_zero(places.variant) };
+        let variant = if args.name == "CYCLE99" {
+            f64::from(args.digit(places.variant, 0))
+        } else {
+            args.or_zero(places.variant)
+        };
         let (internal, area) = match variant {
             1.0 => (false, false),
             2.0 => (true, false),
@@ -126,7 +130,11 @@ impl Run<'_> {
         let idle = self.whole_of(args, places.idle, 0)?;
         let starts = self.whole_of(args, places.starts, 0)?.max(1);
         if args.name == "CYCLE99" && starts > 1 {
-            let found = Diagnostic::new(codes::S8019, self.loc(args.span_of(places.starts)), format!("CYCLE99 cuts {starts} starts"));
+            let found = Diagnostic::new(
+                codes::S8019,
+                self.loc(args.span_of(places.starts)),
+                format!("CYCLE99 cuts {starts} starts"),
+            );
             self.report(found.help("the editor may leave a number here though one start is meant: set it to 1 then"));
         }
         let angle = args.or_zero(places.angle);
@@ -188,11 +196,7 @@ impl Run<'_> {
             thread.extended(before_last, last.end, thread.run_out).y,
         ];
         let radii = thread.parts.iter().map(|part| part.end.y).chain(ends);
-        if internal {
-            radii.fold(thread.start.y, f64::min) - lift
-        } else {
-            radii.fold(thread.start.y, f64::max) + lift
-        }
+        if internal { radii.fold(thread.start.y, f64::min) - lift } else { radii.fold(thread.start.y, f64::max) + lift }
     }
 
     fn whole_of(&self, args: &Arguments, place: usize, least: i32) -> Outcome<u32> {
@@ -208,7 +212,9 @@ impl Run<'_> {
 
     /// CYCLE99 codes much in digits; what is not known is refused.
     fn check_new_thread(&mut self, args: &Arguments) -> Outcome {
-        for (place, what) in [(17, "the first infeed _MID"), (18, "_GDEP"), (19, "a changing pitch (_PIT1)"), (20, "_FDEP")] {
+        for (place, what) in
+            [(17, "the first infeed _MID"), (18, "_GDEP"), (19, "a changing pitch (_PIT1)"), (20, "_FDEP")]
+        {
             if args.or_zero(place) != 0.0 {
                 return self.not_built(args, place, what);
             }

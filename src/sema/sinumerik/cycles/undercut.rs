@@ -47,7 +47,13 @@ impl Run<'_> {
     fn undercut_conditions(&self, args: &Arguments) -> Outcome {
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
-            return self.cycle_fault(args, args.span, 0, "undercuts need turning technology", "set `[machine] kind = \"lathe\"`");
+            return self.cycle_fault(
+                args,
+                args.span,
+                0,
+                "undercuts need turning technology",
+                "set `[machine] kind = \"lathe\"`",
+            );
         }
         self.in_turning_plane(args)?;
         let [first, second, _] = self.st.roles();
@@ -72,10 +78,22 @@ impl Run<'_> {
         let tables = self.job.settings.undercut.clone();
         let (shape, corner) = if args.name == "CYCLE94" {
             if diameter < 3.0 {
-                return self.cycle_fault(args, args.span_of(1), 61601, "the finished diameter is below 3 mm", "check SPD");
+                return self.cycle_fault(
+                    args,
+                    args.span_of(1),
+                    61601,
+                    "the finished diameter is below 3 mm",
+                    "check SPD",
+                );
             }
             let Some(size) = tables.size_for(diameter) else {
-                return self.cycle_fault(args, args.span_of(1), 61601, "the table has no size for this diameter", "add it to `[undercut] din509`");
+                return self.cycle_fault(
+                    args,
+                    args.span_of(1),
+                    61601,
+                    "the table has no size for this diameter",
+                    "add it to `[undercut] din509`",
+                );
             };
             self.note_once(
                 codes::S8022,
@@ -86,7 +104,13 @@ impl Run<'_> {
         } else {
             let pitch = self.pitch_of_size(args, diameter)?;
             let Some(row) = tables.thread(pitch) else {
-                return self.cycle_fault(args, args.span_of(1), 61001, "the table has no row for this pitch", "add it to `[undercut] din76`");
+                return self.cycle_fault(
+                    args,
+                    args.span_of(1),
+                    61001,
+                    "the table has no row for this pitch",
+                    "add it to `[undercut] din76`",
+                );
             };
             let (shape, internal) = self.thread_form(args, 3, &form, row, ENTRY)?;
             // An internal undercut starts from the bore.
@@ -140,12 +164,25 @@ impl Run<'_> {
         match form {
             "E" => Ok(form_e(size)),
             "F" => Ok(form_f(size)),
-            _ => self.cycle_fault(args, args.span_of(3), 61609, &format!("there is no form `{form}`"), "give \"E\" or \"F\""),
+            _ => self.cycle_fault(
+                args,
+                args.span_of(3),
+                61609,
+                &format!("there is no form `{form}`"),
+                "give \"E\" or \"F\"",
+            ),
         }
     }
 
     /// Shape of a thread undercut, and whether it is internal.
-    fn thread_form(&self, args: &Arguments, place: usize, form: &str, row: &Din76, entry: Deg) -> Outcome<(Shape, bool)> {
+    fn thread_form(
+        &self,
+        args: &Arguments,
+        place: usize,
+        form: &str,
+        row: &Din76,
+        entry: Deg,
+    ) -> Outcome<(Shape, bool)> {
         let form = match form {
             "A" => ThreadForm::A,
             "B" => ThreadForm::B,
@@ -158,7 +195,11 @@ impl Run<'_> {
         };
         let (shape, doubts) = thread(&self.job.settings.undercut, row, form, entry);
         if doubts.any() {
-            self.note_once(codes::S8022, args.span, format!("the undercut rests on facts that are not confirmed: {doubts}"));
+            self.note_once(
+                codes::S8022,
+                args.span,
+                format!("the undercut rests on facts that are not confirmed: {doubts}"),
+            );
         }
         Ok((shape, form == ThreadForm::C || form == ThreadForm::D))
     }
@@ -172,7 +213,15 @@ impl Run<'_> {
             1.0 => (1.0, 1.0),
             2.0 => (-1.0, -1.0),
             3.0 => (1.0, -1.0),
-            _ => return self.cycle_fault(args, args.span_of(4), 61613, "_LAGE is 0 to 3", "0 and 1 external, 2 and 3 internal"),
+            _ => {
+                return self.cycle_fault(
+                    args,
+                    args.span_of(4),
+                    61613,
+                    "_LAGE is 0 to 3",
+                    "0 and 1 external, 2 and 3 internal",
+                );
+            }
         };
         let orientation = Orientation { first, second, first_leads: true };
         let clearance = self.needed_length(args, 5, "the safety clearance _SDIS")?;
@@ -183,7 +232,13 @@ impl Run<'_> {
         let shape = match form.as_str() {
             "E" | "F" => {
                 let Some(size) = self.size_of_index(args) else {
-                    return self.cycle_fault(args, args.span_of(18), 0, "the size _PITI is not in the table", "give 0 to 9");
+                    return self.cycle_fault(
+                        args,
+                        args.span_of(18),
+                        0,
+                        "the size _PITI is not in the table",
+                        "give 0 to 9",
+                    );
                 };
                 let incremental_x = args.digit(22, 0) == 1;
                 if let Some(value) = self.length_of(args, 8) {
@@ -199,14 +254,32 @@ impl Run<'_> {
                 let pitches = self.job.settings.undercut.threads();
                 let index = args.number(18).and_then(whole).and_then(|n| usize::try_from(n).ok());
                 let Some(row) = index.and_then(|at| pitches.get(at)).copied() else {
-                    return self.cycle_fault(args, args.span_of(18), 61001, "the pitch _PITI is not in the table", "give the index in the list of pitches");
+                    return self.cycle_fault(
+                        args,
+                        args.span_of(18),
+                        61001,
+                        "the pitch _PITI is not in the table",
+                        "give the index in the list of pitches",
+                    );
                 };
                 if !(30.0..=90.0).contains(&entry.0) {
-                    return self.cycle_fault(args, args.span_of(12), 0, "the entry angle lies outside 30 to 90 degrees", "give _STA from 30 to 90");
+                    return self.cycle_fault(
+                        args,
+                        args.span_of(12),
+                        0,
+                        "the entry angle lies outside 30 to 90 degrees",
+                        "give _STA from 30 to 90",
+                    );
                 }
                 let (shape, internal) = self.thread_form(args, 3, &form, &row, entry)?;
                 if internal != (second < 0.0) {
-                    return self.cycle_fault(args, args.span_of(4), 0, "form and position contradict each other", "A and B are external, C and D internal");
+                    return self.cycle_fault(
+                        args,
+                        args.span_of(4),
+                        0,
+                        "form and position contradict each other",
+                        "A and B are external, C and D internal",
+                    );
                 }
                 shape
             }
