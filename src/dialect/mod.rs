@@ -1,6 +1,7 @@
 //! The dialects: one table each, registered by one line in [`ALL`].
 
 mod klartext;
+mod mtc200;
 
 use crate::ir::contour::Sink;
 use crate::sema::Job;
@@ -27,7 +28,7 @@ impl std::fmt::Debug for Dialect {
 }
 
 /// All dialects.
-pub const ALL: &[&Dialect] = &[&klartext::DIALECT];
+pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &mtc200::DIALECT];
 
 /// The dialect of this name.
 pub fn find(id: &str) -> Option<&'static Dialect> {

@@ -50,6 +50,11 @@ fn klartext() {
 }
 
 #[test]
+fn mtc200() {
+    check("mtc200");
+}
+
+#[test]
 fn errors() {
     check("errors");
 }
@@ -57,6 +62,7 @@ fn errors() {
 #[test]
 fn there_are_enough_cases() {
     assert!(cases("klartext").len() >= 120, "{} Klartext cases", cases("klartext").len());
+    assert!(cases("mtc200").len() >= 100, "{} MTC200 cases", cases("mtc200").len());
 }
 
 #[test]

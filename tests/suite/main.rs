@@ -9,6 +9,7 @@ mod diagnostics;
 mod golden;
 mod hostile;
 mod layering;
+mod mtc200;
 mod oracle;
 mod props;
 mod reader;

@@ -6,12 +6,14 @@
 mod general;
 mod geometry;
 mod klartext;
+mod mtc200;
 mod output;
 mod sinumerik;
 
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
+pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
 
@@ -48,11 +50,17 @@ use codes;
 
 /// Every code, in order of its id.
 pub fn all() -> Vec<&'static Code> {
-    let mut list: Vec<_> =
-        [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK]
-            .iter()
-            .flat_map(|table| table.iter().copied())
-            .collect();
+    let mut list: Vec<_> = [
+        general::GENERAL,
+        klartext::KLARTEXT,
+        geometry::GEOMETRY,
+        output::OUTPUT,
+        sinumerik::SINUMERIK,
+        mtc200::MTC200,
+    ]
+    .iter()
+    .flat_map(|table| table.iter().copied())
+    .collect();
     list.sort_by_key(|code| code.id);
     list
 }
