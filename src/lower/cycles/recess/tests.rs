@@ -381,7 +381,7 @@ fn check_rest(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// The four promises: no gouge, no rapid in material, no level over the infeed, nothing left but the
     /// oversize and what the tool cannot reach.

@@ -306,7 +306,7 @@ fn check_cutting(wall: &[Element], roughing: &Roughing, view: &View) -> Result<(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// No gouge, no rapid in material, no cut over the infeed, nothing left but the oversize.
     #[test]
