@@ -80,7 +80,10 @@ impl Valley {
             return Err(NoValley::Waves);
         }
         let first = pieces[..falls.min(pieces.len())].to_vec();
-        let second = pieces[rises..].iter().rev().map(mirrored).collect();
+        let second: Vec<Element> = pieces[rises..].iter().rev().map(mirrored).collect();
+        // The floor may be off the level by what arithmetic loses; both walls reach down to it.
+        let foot = |chain: &[Element]| chain.last().map_or(floor, |e| e.to().y);
+        let floor = foot(&first).max(foot(&second));
         let valley = Valley { first, second, floor };
         // A nose of no radius tells whether the walls are walls.
         for chain in [&valley.first, &valley.second] {
@@ -136,6 +139,25 @@ impl Slot {
 
     fn raw_end(&self, y: f64) -> f64 {
         -(self.second.touch(y) - self.nose) - self.width
+    }
+
+    /// Least height of the cutting edge with the tool at `x`, not below the floor and not above `top`.
+    pub fn depth_at(&self, x: f64, top: f64) -> f64 {
+        let free = |y: f64| self.begin(y) <= x + 1e-9 && self.end(y) >= x - 1e-9;
+        if free(self.floor) {
+            return self.floor;
+        }
+        // The walls only open upwards, so halving finds the height; the upper end is always free.
+        let (mut low, mut high) = (self.floor, top);
+        for _ in 0..60 {
+            let middle = (low + high) / 2.0;
+            if free(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        high
     }
 
     /// The way down the first wall from `top` to the floor.

@@ -193,6 +193,7 @@ impl Run<'_> {
         {
             *element = value;
             var.lost = false;
+            var.written = true;
         }
         Ok(())
     }
@@ -308,6 +309,7 @@ impl Run<'_> {
 
     fn filled(&self, var: &Var, start: usize, fill: &Fill, span: Span) -> Outcome<Var> {
         let mut made = var.clone();
+        made.written = true;
         let room = made.values.len() - start.min(made.values.len());
         match fill {
             Fill::Set(list) => {
@@ -357,7 +359,7 @@ impl Run<'_> {
                 let n = self.number(formula, block, text)?;
                 match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= MOST_TEXT) {
                     Some(n) => n,
-                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 200 characters"),
+                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 400 characters"),
                 }
             }
             None if kind == TypeName::String => 32,
@@ -421,7 +423,7 @@ impl Run<'_> {
             return self.fail(codes::S2018, 12380, variable.span, format!("{count} elements are too many"));
         }
         let values = vec![Val::zero(kind); count as usize];
-        let mut var = Var { kind, sizes, values, length, defined, lost: false };
+        let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false };
         if let Some(formula) = variable.value {
             if kind == TypeName::Frame {
                 return self.fail(codes::S2017, 12261, formula.span, "a FRAME cannot be given a value by DEF");

@@ -226,7 +226,7 @@ impl Run<'_> {
     fn reference(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Option<Reference>> {
         Ok(match block.formula(formula) {
             [Op::R(n, _)] => Some(Reference::R(*n)),
-            [Op::Name(name, _)] => self.vars.find(*name).map(Reference::Variable),
+            [Op::Name(name, _)] => self.known_variable(*name).map(Reference::Variable),
             [indices @ .., Op::Index(base, count, span)] if indices.len() == *count as usize => {
                 let mut values = Vec::with_capacity(indices.len());
                 for op in indices {
@@ -441,6 +441,7 @@ impl Run<'_> {
             length,
             defined: self.loc(variable.span),
             lost: false,
+            written: true,
         };
         self.vars.define(name, var, false);
         self.given_parameters.push((name, given.is_some()));
@@ -457,6 +458,7 @@ impl Run<'_> {
             length: super::value::MOST_TEXT,
             defined: self.loc(variable.span),
             lost: true,
+            written: true,
         };
         self.vars.define(name, var, false);
     }
@@ -480,7 +482,14 @@ impl Run<'_> {
         let shown = self.symbols.name(name).to_owned();
         let Some(argument) = given else {
             if in_main {
-                return Ok(());
+                self.lose_parameter(variable);
+                return self.fail_help(
+                    codes::S2021,
+                    12300,
+                    variable.span,
+                    format!("parameter {shown} is VAR: the program needs a caller"),
+                    "compile the program that calls it",
+                );
             }
             return self.missing_argument(&shown, 12300);
         };
@@ -522,6 +531,7 @@ impl Run<'_> {
             length: super::value::MOST_TEXT,
             defined: argument.loc,
             lost: false,
+            written: true,
         });
         self.vars.define(name, var, false);
         if let LevelKind::Program { references, .. } = &mut self.program_level().kind {

@@ -18,7 +18,7 @@ use super::{Outcome, Reported, Run};
 /// Relative difference up to which two REAL values are equal.
 const EQUAL: f64 = 1e-12;
 /// Longest text that a formula makes.
-const MOST_JOINED: usize = 400;
+const MOST_JOINED: usize = 800;
 
 impl Run<'_> {
     /// The value of a formula.
@@ -122,7 +122,7 @@ impl Run<'_> {
     }
 
     fn name_value(&mut self, name: Symbol, span: Span) -> Outcome<Val> {
-        if let Some(slot) = self.vars.find(name) {
+        if let Some(slot) = self.known_variable(name) {
             return self.variable_value(slot, &[], span);
         }
         let word = self.symbols.name(name);
@@ -133,6 +133,19 @@ impl Run<'_> {
             return Ok(value);
         }
         self.undefined(name, span)
+    }
+
+    /// A variable; the definition files are read when a name is not known otherwise.
+    pub(super) fn known_variable(&mut self, name: Symbol) -> Option<Slot> {
+        if let Some(slot) = self.vars.find(name) {
+            return Some(slot);
+        }
+        let word = self.symbols.name(name);
+        if self.definitions_read || axis_of(word).is_some() || constant(word).is_some() {
+            return None;
+        }
+        self.definitions_known();
+        self.vars.find(name)
     }
 
     /// A name that nothing is known of.
@@ -147,7 +160,19 @@ impl Run<'_> {
         self.fail_help(codes::S2001, 12550, span, format!("the name `{word}` is not defined"), &help)
     }
 
+    /// A global variable keeps its value from run to run, so its start value is a guess.
+    fn warn_of_global(&mut self, slot: Slot, span: Span) {
+        let Slot::Global(name) = slot else { return };
+        if self.vars.get(slot).is_some_and(|var| !var.written) && self.warned_global.insert(name) {
+            let word = self.symbols.name(name);
+            let message = format!("`{word}` is read before the program sets it; it counts as its start value");
+            let found = Diagnostic::new(codes::S2025, self.loc(span), message);
+            self.report(found.help("set it in the program: what the control keeps in it is not known here"));
+        }
+    }
+
     pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
+        self.warn_of_global(slot, span);
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
         if var.lost {
             return Err(Reported);
@@ -184,7 +209,8 @@ impl Run<'_> {
             }
             Base::System(name) => self.system_value(name, args, span),
             Base::Name(name) => {
-                let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
+                let Some(slot) = self.known_variable(name) else { return self.undefined(name, span) };
+                self.warn_of_global(slot, span);
                 if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
                     return self.frame_component(&frame, args, span);
                 }

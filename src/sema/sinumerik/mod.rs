@@ -121,6 +121,7 @@ struct Run<'a> {
     /// Programs by the name they were called by.
     found: FxHashMap<String, usize>,
     warned_r: FxHashSet<u32>,
+    warned_global: FxHashSet<Symbol>,
     given_parameters: Vec<(Symbol, bool)>,
     modal: Option<Modal>,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
@@ -174,6 +175,7 @@ impl<'a> Run<'a> {
             definitions_read: false,
             found: FxHashMap::default(),
             warned_r: FxHashSet::default(),
+            warned_global: FxHashSet::default(),
             given_parameters: Vec::new(),
             modal: None,
             modal_cycle: None,

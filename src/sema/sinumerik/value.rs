@@ -10,7 +10,7 @@ use crate::parser::sinumerik::ast::TypeName;
 use super::frames::FrameValue;
 
 /// Longest text of a variable.
-pub(super) const MOST_TEXT: usize = 200;
+pub(super) const MOST_TEXT: usize = 400;
 
 /// A value of a formula.
 #[derive(Debug, Clone, PartialEq)]

@@ -35,6 +35,8 @@ pub(super) struct Var {
     pub defined: Loc,
     /// The value could not be computed, which was reported.
     pub lost: bool,
+    /// The program gave it a value.
+    pub written: bool,
 }
 
 /// Names of one program level.

@@ -473,6 +473,10 @@ impl Run<'_> {
                     let given = self.given(word, block, text)?;
                     self.set_axis(words, axis, given)?;
                 }
+                Meaning::Procedure(Procedure::Refused(what)) => {
+                    let message = format!("{} ({what}) is not supported", self.symbols.name(name));
+                    return self.fail_help(codes::S9005, 0, word.span, message, "replace it by plain moves");
+                }
                 _ => {
                     if self.definitions_known() {
                         return self.undefined(name, word.span);
