@@ -55,6 +55,11 @@ fn mtc200() {
 }
 
 #[test]
+fn sinumerik() {
+    check("sinumerik");
+}
+
+#[test]
 fn errors() {
     check("errors");
 }
@@ -62,6 +67,7 @@ fn errors() {
 #[test]
 fn there_are_enough_cases() {
     assert!(cases("klartext").len() >= 120, "{} Klartext cases", cases("klartext").len());
+    assert!(cases("sinumerik").len() >= 150, "{} SINUMERIK cases", cases("sinumerik").len());
     assert!(cases("mtc200").len() >= 100, "{} MTC200 cases", cases("mtc200").len());
 }
 

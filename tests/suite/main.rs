@@ -14,5 +14,6 @@ mod oracle;
 mod props;
 mod reader;
 mod rs274;
+mod sinumerik;
 mod sweep;
 mod undercut;

@@ -68,6 +68,11 @@ fn heidenhain() {
 }
 
 #[test]
+fn sinumerik() {
+    sweep("sinumerik", "corpus/sinumerik", include_str!("../sweep/sinumerik.toml"));
+}
+
+#[test]
 fn rexroth() {
     sweep("mtc200", "corpus/rexroth", include_str!("../sweep/rexroth.toml"));
 }

@@ -71,7 +71,7 @@ fn lower(
         lower.movement(mv, &ctx, &origin);
     }
     let feed = Some(Feed::PerRevolution(0.05));
-    lower.corner(&Corner { shape: CornerShape::Undercut(undercut), feed, modal: false }, &ctx, &origin);
+    lower.corner(&Corner { shape: CornerShape::Undercut(undercut), feed, early: false, modal: false }, &ctx, &origin);
     for mv in after {
         lower.movement(mv, &ctx, &origin);
     }

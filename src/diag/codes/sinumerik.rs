@@ -351,4 +351,8 @@ S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
 S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 "The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."
 
+S9016 Error "siemens-offsets-off" "move without tool offsets"
+"D0 switches the offsets of the tool off, so that positions count for the spindle nose. The target knows positions of the tool tip only. \
+Moves in machine coordinates (SUPA, G53, G500) can be printed."
+
 }

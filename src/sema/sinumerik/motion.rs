@@ -269,6 +269,7 @@ impl Run<'_> {
             let [first, second, _] = self.st.roles();
             w.axes.contains(first) || w.axes.contains(second)
         };
+        self.check_offsets(w)?;
         self.check_start_of_compensation(interpolation, in_plane, block.span)?;
         let corner = self.corner_words(w)?;
         match interpolation {
@@ -284,6 +285,26 @@ impl Run<'_> {
             self.send_corner(corner);
         }
         Ok(true)
+    }
+
+    /// Under D0 the control counts from the spindle nose, which the target cannot say.
+    fn check_offsets(&self, w: &Words) -> Outcome {
+        let off = self.st.tool.edge == Some(0) && self.st.tool.active.is_some_and(|number| number != 0);
+        if !off || self.st.machine_coordinates {
+            return Ok(());
+        }
+        let [_, _, third] = self.st.roles();
+        let lengths = if self.st.lathe { [Axis::X, Axis::Z] } else { [third, third] };
+        match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
+            Some(given) => self.fail_help(
+                codes::S9016,
+                0,
+                given.span,
+                "under D0 the position counts without the length of the tool",
+                "program the retraction in machine coordinates (SUPA, G53), or select D1 before",
+            ),
+            None => Ok(()),
+        }
     }
 
     pub(super) fn check_interpolation(&self, code: Code, span: Span) -> Outcome {
