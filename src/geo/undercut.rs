@@ -354,6 +354,38 @@ pub fn place(shape: &Shape, corner: &Corner, reference: Reference, allowance: Al
     Ok(Placed { leave: frame.point(leave), join: frame.point(join), elements, orientation, leans, reduced })
 }
 
+/// The corners of the undercut before they are rounded, in the direction of travel, each with its radius.
+///
+/// # Errors
+/// See [`Fault`]; room is not looked at.
+pub fn vertices(
+    shape: &Shape,
+    corner: &Corner,
+    reference: Reference,
+    allowance: Allowance,
+) -> Result<Vec<(Point2, f64)>, Fault> {
+    shape.check()?;
+    let orientation = Orientation::of(corner)?;
+    let frame = Frame::new(corner.at, orientation, reference, allowance);
+    let leads = orientation.first_leads == (reference == Reference::First);
+    let (far, near) = if leads { (corner.from, corner.to) } else { (corner.to, corner.from) };
+    let at = frame.inward(corner.at);
+    let away = |p: Point2| super::direction(frame.inward(p) - at, SAME_POINT).ok_or(Fault::Degenerate);
+    let (polygon, _) = shape.polygon((at, away(far)?), (at, away(near)?)).ok_or(Fault::TooNarrow)?;
+    let placed = polygon.iter().map(|vertex| {
+        let radius = match vertex.edge {
+            Edge::Sharp => 0.0,
+            Edge::Round(r) | Edge::Chamfer(r) => r,
+        };
+        (frame.point(vertex.at), radius)
+    });
+    let mut list: Vec<_> = placed.collect();
+    if !leads {
+        list.reverse();
+    }
+    Ok(list)
+}
+
 /// The polygon from a point of the one line to a point of the other, its corners rounded. The first and the
 /// last element are the lines; they may run backwards if there is no room.
 fn rounded(start: Point2, polygon: &[Vertex], end: Point2) -> Result<Vec<Element>, Fault> {

@@ -7,6 +7,7 @@ pub mod exec;
 pub mod here;
 pub mod klartext;
 pub mod mtc200;
+pub mod records;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;
