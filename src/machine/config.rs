@@ -723,6 +723,17 @@ mod tests {
     }
 
     #[test]
+    fn words_of_the_machine_are_a_list_or_a_table() {
+        let list = settings("[control]\nmachine_words = [\"LA_ON\", \"g48\"]").unwrap();
+        assert_eq!(list.control.mtc200.machine_words["G48"], None);
+        let table = settings("[control.machine_words]\nLA_ON = \"M101\"\nG48 = \"\"").unwrap();
+        assert_eq!(table.control.mtc200.machine_words["LA_ON"], Some(101));
+        assert_eq!(table.control.mtc200.machine_words["G48"], None);
+        assert!(settings("[control]\nmachine_words = { LA_ON = 5 }").is_err());
+        assert!(settings("[control]\nmachine_words = { LA_ON = \"X5\" }").is_err());
+    }
+
+    #[test]
     fn wrong_values_are_refused() {
         for text in [
             "[output]\ndecimals = 9",

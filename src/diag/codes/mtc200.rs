@@ -192,8 +192,8 @@ M2704 Warning "mtc-m-order" "M function is printed before the move"
 "The manual does not say whether this M function of the machine builder acts before or after the move of its block. It is printed before. \
 Put it into a block of its own to be certain."
 
-M2705 Error "mtc-spindle-speed" "spindle speed or limit has no meaning"
-"A speed is zero or more, and a limit above zero. Check the S word or its variable."
+M2705 Error "mtc-spindle-speed" "speed or dwell time has no meaning"
+"A spindle speed is zero or more, its limit above zero, and a dwell time 0 to 1000000. Check the S or F word, or its variable."
 
 M9001 Error "mtc-g-unsupported" "G function is not supported"
 "The function exists on the control, or was defined by the machine builder, but what it does to the path cannot be compiled, or is not documented well enough. \
@@ -216,7 +216,8 @@ M9005 Error "mtc-machine-position" "machine position is needed"
 For G53 set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates of the tool carrier."
 
 M9006 Error "mtc-g52" "meaning of G52 is not known"
-"Depending on the edition G52 names the present position or shifts the zero point. Set `[control] g52` to \"position\" or \"shift\"."
+"Depending on the edition G52 names the present position or shifts the zero point. Set `[control] g52` to \"position\" or \"shift\". Whether a G50 behind it \
+cancels what G52 did is not documented either: write such a program with G50 and G51 alone."
 
 M9007 Error "mtc-inch-speed" "unit of the cutting speed is not known"
 "Under G70 the S of G96 may count in m/min or ft/min: the manual does not say. Set `[control] inch_speed` to \"metres\" or \"feet\"."

@@ -12,7 +12,7 @@ use super::{Outcome, Run};
 /// Variables have three digits.
 pub(super) const VARIABLES: usize = 1000;
 
-/// Largest result of a formula.
+/// Largest number of a word or formula.
 const LARGEST: f64 = 1e12;
 
 impl Run<'_> {
@@ -20,7 +20,8 @@ impl Run<'_> {
     #[inline]
     pub(super) fn number(&mut self, word: &Word, block: &Block) -> Outcome<f64> {
         match word.value {
-            Value::Literal(n) => Ok(n),
+            Value::Literal(n) if n.abs() <= LARGEST => Ok(n),
+            Value::Literal(_) => self.fail(codes::M2302, word.span, "the number is too large"),
             Value::Formula(formula) => self.formula(formula, word.span, block),
             Value::None | Value::Label(_) => self.fail(codes::M1003, word.span, "the word has no value"),
         }

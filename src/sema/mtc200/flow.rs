@@ -273,7 +273,6 @@ impl Run<'_> {
         self.st.moved = old.moved;
         self.st.selected = old.selected;
         self.st.tool = old.tool;
-        self.st.turns = old.turns;
         if old.offset != Offset::Start {
             // Which offset is in force now depends on the machine, and the output still has the old one.
             self.st.offset = Offset::Reset;
@@ -285,7 +284,8 @@ impl Run<'_> {
 
     fn stop_and_branch(&mut self, label: Symbol, span: Span) -> Outcome {
         let place = self.find(label, span)?;
-        if self.program().first.is_some_and(|first| place.at > first) {
+        let elsewhere = self.level().program != 0;
+        if elsewhere || self.program().first.is_some_and(|first| place.at > first) {
             self.ended = true;
             let message = format!("the next start would go on at .{}", self.symbols.name(label));
             let help = "end the program with RET, or put the label at the top";

@@ -14,6 +14,9 @@ use super::gfunc::{G, Group};
 use super::words::{At, Words};
 use super::{Outcome, Run};
 
+/// Longest time of G04, as written.
+const MOST_DWELL: f64 = 1e6;
+
 /// Metres in a foot.
 const FOOT: f64 = 0.3048;
 
@@ -238,7 +241,7 @@ impl Run<'_> {
     /// G04.
     pub(super) fn dwell(&mut self, w: &Words, span: Span) -> Outcome {
         let Some(at) = w.feed else { return self.missing(span, "G04 needs its time: `G04 F2.5`") };
-        if at.value < 0.0 {
+        if !(0.0..=MOST_DWELL).contains(&at.value) {
             return self.fail(codes::M2705, at.span, format!("the dwell time is {}", at.value));
         }
         let unit = if self.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };

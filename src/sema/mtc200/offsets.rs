@@ -83,6 +83,10 @@ impl Run<'_> {
         let named = w.axes.known();
         let mut shift = self.st.shift;
         match g {
+            G::ShiftTo if self.st.named => {
+                let help = "write the offsets with G50 and G51 alone";
+                return self.fail_help(codes::M9006, span, "whether G50 cancels the G52 before it is not known", help);
+            }
             G::ShiftTo => {
                 if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
                     let letter = axis.letter();
@@ -107,6 +111,7 @@ impl Run<'_> {
                 }
             },
         }
+        self.st.named |= g == G::Name;
         self.put_in_force(shift, span)
     }
 

@@ -182,7 +182,6 @@ impl Run<'_> {
         self.st.pos.update(end);
         self.st.lost = self.st.lost.without(end.known());
         self.st.moved = self.st.moved.union(end.known());
-        self.st.side_sent = self.st.side;
         self.st.corner = None;
     }
 
@@ -201,8 +200,23 @@ impl Run<'_> {
         }
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         self.st.cornerable = feed.is_some();
+        let switches = self.st.side != self.st.side_sent && self.moves_in_plane(&end, w.axes_span)?;
         self.send(end, path, feed);
+        if switches {
+            self.st.side_sent = self.st.side;
+        }
         Ok(())
+    }
+
+    /// Does the move have a length in the plane, so that compensation can start or end on it?
+    #[cold]
+    fn moves_in_plane(&mut self, end: &Pos, span: Span) -> Outcome<bool> {
+        let mut moves = false;
+        for axis in plane_axes(self.st.plane).map(|i| Axis::ALL[i]) {
+            let from = self.position_of(axis, span)?;
+            moves |= end.get(axis).is_some_and(|to| (to - from).abs() > SAME_POINT);
+        }
+        Ok(moves)
     }
 
     /// A straight move under G53.

@@ -68,6 +68,8 @@ pub(super) struct State {
     pub offset: Offset,
     /// G50, G51 and G52 together, radius values.
     pub shift: [f64; AXES],
+    /// A part of `shift` comes from G52.
+    pub named: bool,
     /// G96.
     pub constant_speed: bool,
     /// Cutting speed in m/min.
@@ -82,8 +84,6 @@ pub(super) struct State {
     pub cornerable: bool,
     /// A corner waits for its second neighbour: where it stands, and the blocks since.
     pub corner: Option<(Loc, u32)>,
-    /// Whole turns between the printed and the programmed position of A, B, C, in degrees.
-    pub turns: [f64; 3],
     pub ctx: CtxRef,
 }
 
@@ -108,6 +108,7 @@ impl State {
             chamfers: false,
             offset: Offset::Start,
             shift: [0.0; AXES],
+            named: false,
             constant_speed: false,
             cutting_speed: None,
             speed_limit: None,
@@ -115,7 +116,6 @@ impl State {
             tool: None,
             cornerable: false,
             corner: None,
-            turns: [0.0; 3],
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
         }
     }
@@ -131,9 +131,6 @@ impl State {
         for axis in axes.iter() {
             self.pos.forget(axis);
             self.lost.remove(axis);
-            if axis.is_rotary() {
-                self.turns[axis.index() - Axis::A.index()] = 0.0;
-            }
         }
     }
 
