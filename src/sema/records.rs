@@ -255,6 +255,7 @@ impl Solver {
             (Some(x), None, Some(u)) if u.x.abs() > 1e-9 => Point2::new(x, at.y + (x - at.x) * u.y / u.x),
             (None, Some(y), Some(u)) if u.y.abs() > 1e-9 => Point2::new(at.x + (y - at.y) * u.x / u.y, y),
             (_, _, Some(u)) => self.open_line(typed, at, u, next)?,
+            (None, Some(y), None) => self.start_of_arc(typed, y, next)?,
             _ => return Err(Unsolved::Open(typed.record)),
         };
         // A line that goes the other way than it says.
@@ -312,6 +313,28 @@ impl Solver {
                     (false, false, _) => Err(Unsolved::Contradiction(typed.record)),
                 }
             }
+        }
+    }
+
+    /// The end of a line of which only the ordinate is known, on the circle of the arc behind it.
+    fn start_of_arc(&mut self, typed: Typed, y: f64, next: Option<Typed>) -> Result<Point2, Unsolved> {
+        let open = Unsolved::Open(typed.record);
+        let Some(Typed { kind: Kind::Arc { .. }, keys, .. }) = next else { return Err(open) };
+        let (Some(center), Some(end)) = (
+            keys.cx.zip(keys.cy).map(|(x, y)| Point2::new(x, y)),
+            keys.ex.zip(keys.ey).map(|(x, y)| Point2::new(x, y)),
+        ) else {
+            return Err(open);
+        };
+        let off = leg(distance(end, center), y - center.y).ok_or(Unsolved::Contradiction(typed.record))?;
+        match keys.dia.1 {
+            17 => Ok(Point2::new(center.x - off, y)),
+            217 => {
+                // Not seen in any program.
+                self.chosen.push(typed.record);
+                Ok(Point2::new(center.x + off, y))
+            }
+            _ => Err(open),
         }
     }
 

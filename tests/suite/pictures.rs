@@ -37,15 +37,20 @@ fn draw(title: &str, shape: Shape, from: (f64, f64), corner: (f64, f64), to: (f6
     let origin = Origin::default();
     let mut lower = Lower::new(&diags, &settings.machine, &mut plot);
     lower.function(&Function::ToolChange { number: 1 }, &ctx, &origin);
-    let step = if to.1 > from.1 { 2.0 } else { -2.0 };
-    let ahead = if from.0 > corner.0 { 1.5 } else { -1.5 };
-    lower.movement(&line(from.0 + ahead, from.1 + step, true), &ctx, &origin);
-    lower.movement(&line(from.0 + ahead, from.1, true), &ctx, &origin);
+    // The tool comes along the first line, and leaves in the direction of the second.
+    let along = if from.0 == corner.0 {
+        (0.0, 1.5 * (from.1 - corner.1).signum())
+    } else {
+        (1.5 * (from.0 - corner.0).signum(), 0.0)
+    };
+    let away = if to.0 == corner.0 { (along.0, 2.0 * (to.1 - corner.1).signum()) } else { (1.5, 2.0) };
+    lower.movement(&line(from.0 + along.0 + away.0, from.1 + along.1 + away.1, true), &ctx, &origin);
+    lower.movement(&line(from.0 + along.0, from.1 + along.1, true), &ctx, &origin);
     lower.movement(&line(corner.0, corner.1, false), &ctx, &origin);
     let shape = CornerShape::Undercut(Undercut::new(shape));
     lower.corner(&Corner { shape, feed: None, modal: false }, &ctx, &origin);
     lower.movement(&line(to.0, to.1, false), &ctx, &origin);
-    lower.movement(&line(to.0 + ahead, to.1 + step, true), &ctx, &origin);
+    lower.movement(&line(to.0 + away.0, to.1 + away.1, true), &ctx, &origin);
     lower.finish();
     plot.finish().expect("memory takes everything");
     assert!(!diags.has_errors(), "{title}");

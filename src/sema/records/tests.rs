@@ -104,6 +104,12 @@ fn other_ways_to_give_an_arc() {
 }
 
 #[test]
+fn a_line_may_end_where_the_next_arc_has_its_ordinate() {
+    let text = ";S,EX:0,EY:0\n;LA,EY:-10,ATT:APP(ALLPARA)\n;ACCW,DIA:0/17,EX:20,EY:-10,CX:10,CY:-10";
+    assert_eq!(words(text, 1.0), ["G0 0 0", "G1 0 -10", "G3 20 -10 AC 10 -10"]);
+}
+
+#[test]
 fn what_is_not_determined_is_not_guessed() {
     let fails = |text: &str| solve(&records(text), true, &Undercuts::default()).expect_err("unsolved");
     assert_eq!(fails(";LL,EX:5"), Unsolved::NoStart);
