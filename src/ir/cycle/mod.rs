@@ -4,6 +4,7 @@
 
 pub mod drilling;
 pub mod recess;
+pub mod roughing;
 pub mod thread;
 pub mod turning;
 pub mod undercut;
@@ -14,6 +15,7 @@ use super::Pos;
 
 pub use drilling::Drilling;
 pub use recess::RecessTurning;
+pub use roughing::Roughing;
 pub use thread::Thread;
 pub use undercut::UndercutCycle;
 
@@ -21,6 +23,7 @@ pub use undercut::UndercutCycle;
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
     RecessTurning(RecessTurning),
+    Roughing(Roughing),
     Thread(Thread),
     Drilling(Drilling),
     /// Ends where it starts.
@@ -33,6 +36,7 @@ impl Cycle {
         let mut end = *at;
         match self {
             Cycle::RecessTurning(recess) => recess.leaves(&mut end),
+            Cycle::Roughing(roughing) => roughing.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
             // A hole without depth moves nothing.
             Cycle::Drilling(hole) if hole.levels.outward() == 0.0 => {}

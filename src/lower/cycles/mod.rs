@@ -3,6 +3,10 @@
 pub mod drilling;
 pub mod infeed;
 pub mod recess;
+pub mod roughing;
+#[cfg(test)]
+mod simulate;
+pub mod slope;
 pub mod thread;
 pub mod track;
 pub mod undercut;
@@ -47,6 +51,7 @@ pub fn expand(
     };
     match cycle {
         Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
+        Cycle::Roughing(cycle) => roughing::expand(cycle, from, &mut send),
         Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
         Cycle::Undercut(cycle) => undercut::expand(cycle, from, &mut |mv| out.movement(mv, ctx, origin)),
         // Done above: a hole needs no position in the turning plane.
