@@ -335,6 +335,10 @@ pub fn place(shape: &Shape, corner: &Corner, reference: Reference, allowance: Al
     let start = beyond(polygon.first(), lines.0);
     let end = beyond(polygon.last(), lines.1);
     let elements = rounded(start, &polygon, end)?;
+    let finite = |p: Point2| p.x.is_finite() && p.y.is_finite();
+    if !elements.iter().all(|element| finite(element.from()) && finite(element.to())) {
+        return Err(Fault::Dimension);
+    }
     // The first and the last element are what is left of the lines.
     let leave = elements.first().map_or(start, Element::to);
     let join = elements.last().map_or(end, Element::from);
@@ -352,6 +356,38 @@ pub fn place(shape: &Shape, corner: &Corner, reference: Reference, allowance: Al
     let (leave, join) = if leads { (leave, join) } else { (join, leave) };
     let leans = [lines.0.1.y, lines.1.1.x].iter().any(|off| off.abs() > 1e-9);
     Ok(Placed { leave: frame.point(leave), join: frame.point(join), elements, orientation, leans, reduced })
+}
+
+/// The corners of the undercut before they are rounded, in the direction of travel, each with its radius.
+///
+/// # Errors
+/// See [`Fault`]; room is not looked at.
+pub fn vertices(
+    shape: &Shape,
+    corner: &Corner,
+    reference: Reference,
+    allowance: Allowance,
+) -> Result<Vec<(Point2, f64)>, Fault> {
+    shape.check()?;
+    let orientation = Orientation::of(corner)?;
+    let frame = Frame::new(corner.at, orientation, reference, allowance);
+    let leads = orientation.first_leads == (reference == Reference::First);
+    let (far, near) = if leads { (corner.from, corner.to) } else { (corner.to, corner.from) };
+    let at = frame.inward(corner.at);
+    let away = |p: Point2| super::direction(frame.inward(p) - at, SAME_POINT).ok_or(Fault::Degenerate);
+    let (polygon, _) = shape.polygon((at, away(far)?), (at, away(near)?)).ok_or(Fault::TooNarrow)?;
+    let placed = polygon.iter().map(|vertex| {
+        let radius = match vertex.edge {
+            Edge::Sharp => 0.0,
+            Edge::Round(r) | Edge::Chamfer(r) => r,
+        };
+        (frame.point(vertex.at), radius)
+    });
+    let mut list: Vec<_> = placed.collect();
+    if !leads {
+        list.reverse();
+    }
+    Ok(list)
 }
 
 /// The polygon from a point of the one line to a point of the other, its corners rounded. The first and the

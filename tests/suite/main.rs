@@ -11,6 +11,7 @@ mod hostile;
 mod layering;
 mod mtc200;
 mod oracle;
+mod pictures;
 mod props;
 mod reader;
 mod rs274;

@@ -231,7 +231,6 @@ pub(crate) fn joined(contour: &[Element]) -> bool {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::geo::Point2;
 
     /// A line contour through points given as (Z, X diameter).
     pub(crate) fn lines(points: &[(f64, f64)]) -> Vec<Element> {
