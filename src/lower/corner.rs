@@ -253,6 +253,10 @@ fn cut(
             return refuse(codes::G3009, format!("there is no corner to put a {name} in"));
         }
     };
+    let rapid = corner.feed.or(after.mv.feed).or(before.mv.feed).is_none();
+    if rapid && made.arc.is_some() {
+        return refuse(codes::G3024, format!("the {name} lies between two blocks at rapid traverse and has no feed"));
+    }
     Ok(pieces(before, after, corner, origin, &made))
 }
 
@@ -304,13 +308,14 @@ fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &C
     inserted.start = first.mv.end;
     inserted.mv.end.set_in_plane(plane, made.join);
     inserted.mv.axes = plane_axes(plane);
-    inserted.mv.feed = corner.feed.or(after.mv.feed);
+    inserted.mv.feed = corner.feed.or(after.mv.feed).or(before.mv.feed);
     inserted.origin = origin;
     inserted.mv.path = match made.arc {
         Some((center, ccw)) => {
             let sweep = arc::sweep(made.leave, made.join, center, ccw);
             Path::Arc(Arc { plane, from: made.leave, center, sweep })
         }
+        None if inserted.mv.feed.is_none() => Path::Rapid,
         None => Path::Line,
     };
     let any = distance(made.leave, made.join) > SAME_POINT;

@@ -33,6 +33,13 @@ impl Budget {
         true
     }
 
+    /// Takes `n` steps, for work that grows with a number of the program; false when fewer are left.
+    pub fn take(&mut self, n: u64) -> bool {
+        let enough = self.left >= n;
+        self.left = self.left.saturating_sub(n);
+        enough
+    }
+
     /// Notes a jump, repeat or call at `from`.
     pub fn jump(&mut self, from: Loc) {
         *self.jumps.entry(from).or_default() += 1;

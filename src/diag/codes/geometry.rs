@@ -135,6 +135,10 @@ difference may be a rounding of fewer decimal places, and the block still meant 
 whole turn, so nothing is written. Program the start point again as the end point for a full circle (a circle by angle has no such doubt), \
 or leave the arc out."
 
+G3024 Error "corner-at-rapid" "rounding between two blocks at rapid traverse"
+"A rounding is an arc, and plain G-code cuts arcs at a feed only. Both neighbours run at rapid traverse, so there is none. Give the rounding its \
+own feed, or program one of the neighbours with a feed."
+
 G3040 Error "cycle-too-many-cuts" "cycle makes too many cuts"
 "The infeed is so small against the depth that the cycle would run without end in sight. Most often a decimal point is lost. \
 Program a larger infeed."

@@ -305,6 +305,10 @@ S8024 Note "siemens-nose" "nose radius is not compensated"
 "The cycle of the control selects radius compensation itself. With `compensation = \"control\"` the output does so, too; otherwise the \
 programmed point of the tool follows the undercut."
 
+S8025 Note "siemens-tap" "tapping with a tension-compression chuck"
+"The target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
+target has rigid tapping of its own, replace the two moves by it."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -354,5 +358,13 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 S9016 Error "siemens-offsets-off" "move without tool offsets"
 "D0 switches the offsets of the tool off, so that positions count for the spindle nose. The target knows positions of the tool tip only. \
 Moves in machine coordinates (SUPA, G53, G500) can be printed."
+
+S9017 Error "siemens-mixed-offsets" "work offset of the program beside one of the machine"
+"A work offset that the program writes ($P_UIFR) is put into the coordinates, which then count from the basic system. Offsets that it only \
+selects are those of the machine, whose values are not known. Between the two no way can be computed. Use the one kind or the other."
+
+S9018 Error "siemens-save-offset" "SAVE and a changed work offset"
+"Whether the return from a program with SAVE brings the work offset back depends on machine datum 10617. Select the offset again in the calling \
+program before the next move, or leave it alone in the subprogram."
 
 }

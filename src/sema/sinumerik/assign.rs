@@ -422,6 +422,8 @@ impl Run<'_> {
         if count > u64::from(MOST_ELEMENTS) * 4 {
             return self.fail(codes::S2018, 12380, variable.span, format!("{count} elements are too many"));
         }
+        // Making them is work.
+        self.budget.take(count / 64);
         let values = vec![Val::zero(kind); count as usize];
         let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false };
         if let Some(formula) = variable.value {

@@ -26,7 +26,7 @@ impl Run<'_> {
         let ops = block.formula(formula);
         match ops {
             [Op::Int(n)] => return Ok(int_or_real(*n)),
-            [Op::Real(v)] => return Ok(Val::Real(*v)),
+            [Op::Real(v)] if v.is_finite() => return Ok(Val::Real(*v)),
             [] => return Ok(Val::Missing),
             _ => {}
         }
@@ -73,7 +73,8 @@ impl Run<'_> {
 
     fn operation(&mut self, op: &Op, stack: &mut Vec<Val>, whole_span: Span, text: &[u8]) -> Outcome {
         let value = match *op {
-            Op::Real(v) => Val::Real(v),
+            Op::Real(v) if v.is_finite() => Val::Real(v),
+            Op::Real(_) => return self.fail(codes::S2029, 12160, whole_span, "the number is too large"),
             Op::Int(n) => int_or_real(n),
             Op::Bool(b) => Val::Bool(b),
             Op::Char(c) => Val::Char(c),

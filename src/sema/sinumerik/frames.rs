@@ -33,6 +33,10 @@ impl Default for FrameValue {
     }
 }
 
+/// Largest shift in mm and largest factor that a frame can have.
+const MOST_SHIFT: f64 = 1e9;
+const MOST_SCALE: f64 = 1e6;
+
 /// A component of a frame: `[X,TR]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Component {
@@ -106,6 +110,16 @@ impl FrameValue {
         FrameValue { shift, fine: self.fine, linear: self.linear * inner.linear, parts }
     }
 
+    /// A shift in the frame, kept as the additive part (MD 24000 = 1).
+    pub fn translated(&self, values: &[(Axis, f64)]) -> FrameValue {
+        let moved = self.chain(&FrameValue::shifted(values));
+        let mut made = self.clone();
+        for i in 0..AXES {
+            made.fine[i] = self.fine[i] + (moved.shift[i] - self.shift[i]);
+        }
+        made
+    }
+
     fn total(&self, i: usize) -> f64 {
         self.shift[i] + self.fine[i]
     }
@@ -136,6 +150,12 @@ impl FrameValue {
         let mut shift = [0.0; AXES];
         for (i, value) in shift.iter_mut().enumerate() {
             *value = self.total(i);
+        }
+        let sizes = [0, 1, 2].map(|i| self.linear.column(i).norm());
+        let sensible = shift.iter().all(|v| v.abs() <= MOST_SHIFT)
+            && sizes.iter().all(|s| (1.0 / MOST_SCALE..=MOST_SCALE).contains(s));
+        if !sensible {
+            return None;
         }
         Frame::new(self.linear, shift)
     }

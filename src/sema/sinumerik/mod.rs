@@ -37,6 +37,7 @@ use crate::ir::contour::Sink;
 use crate::machine::Axis;
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt};
+use crate::parser::sinumerik::scan::scan;
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
@@ -143,8 +144,11 @@ struct Run<'a> {
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
     ended: Cell<bool>,
+    errors: Cell<u32>,
 }
 
+/// Errors after which a run ends.
+const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
 
@@ -193,6 +197,7 @@ impl<'a> Run<'a> {
             problems: Vec::new(),
             scratch: None,
             ended: Cell::new(false),
+            errors: Cell::new(0),
         }
     }
 
@@ -341,6 +346,10 @@ impl<'a> Run<'a> {
             Stmt::Header => return self.header(),
             Stmt::Bad => {
                 self.begins_executing();
+                // Without the head of a loop or branch nobody knows where the program goes on.
+                if scan(text, &mut self.symbols).structure.is_some() {
+                    self.stop_run();
+                }
                 self.st.lose(Axis::ALL.into_iter().collect());
                 self.pending = None;
                 self.lost();
@@ -385,6 +394,18 @@ impl<'a> Run<'a> {
         let unit = self.level().unit;
         if self.here.at == self.programs.units[unit].start.at || !self.starts_program() {
             return Ok(());
+        }
+        if self.levels.len() == 1 && self.program_level().executed && self.programs.units[unit].start.at == 0 {
+            let first = self.job.sources.bytes(self.here.file, Span::at(0, 4));
+            if !first.contains(&b'%') {
+                return self.fail_help(
+                    codes::S2013,
+                    0,
+                    Span::default(),
+                    "blocks stand in front of the first program of this archive",
+                    "delete them, or give them a head of their own: %_N_NAME_MPF",
+                );
+            }
         }
         if self.levels.len() > 1 || self.program_level().executed {
             self.end_of_file();
@@ -500,6 +521,13 @@ impl<'a> Run<'a> {
     }
 
     fn report(&self, found: Diagnostic) {
+        if found.code.severity == crate::diag::Severity::Error {
+            self.errors.set(self.errors.get() + 1);
+            // Nothing is written any more; a loop would report without end.
+            if self.errors.get() > MOST_ERRORS {
+                self.stop_run();
+            }
+        }
         self.job.diags.push(found.called(self.here.origin.call));
     }
 

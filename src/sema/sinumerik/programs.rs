@@ -102,8 +102,15 @@ impl Programs {
         }
         cursor.seek(job.sources, back)?;
         let Some(first) = self.units.iter().position(|unit| unit.file == file) else { return Ok(()) };
-        for (place, name, kind) in found {
+        // Comments in front of the first header are no program.
+        let named = header_name(first_line(self.files[file].cursor.head())).is_some();
+        for (i, (place, name, kind)) in found.into_iter().enumerate() {
             if place == self.units[first].start {
+                continue;
+            }
+            if i == 0 && !named && self.only_remarks(job, file, place) {
+                let unit = &mut self.units[first];
+                (unit.name, unit.kind, unit.start) = (name, kind, place);
                 continue;
             }
             let last = self.units.iter_mut().rev().find(|unit| unit.file == file);
@@ -133,6 +140,16 @@ impl Programs {
         }
         self.units.extend(found);
         Ok(())
+    }
+
+    /// Is there nothing but comments in front of `place`?
+    fn only_remarks(&self, job: &Job<'_>, file: usize, place: Place) -> bool {
+        let text = job.sources.bytes(self.files[file].file, Span { start: 0, end: place.at.min(1 << 16) });
+        text.split(|b| matches!(b, b'\n' | b'\r')).all(|line| {
+            let line = line.trim_ascii();
+            let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
+            line.is_empty() || line.starts_with(b";")
+        })
     }
 
     /// A program of the same archive.
@@ -361,8 +378,20 @@ fn first_line(head: &[u8]) -> &[u8] {
 /// Name and kind of a program from `%_N_NAME_MPF`.
 pub(super) fn header_name(line: &[u8]) -> Option<(String, UnitKind)> {
     let line = line.strip_prefix(b"%")?.trim_ascii();
+    // A lone % closes a file.
+    if line.is_empty() {
+        return None;
+    }
     let end = line.iter().position(|b| *b == b';' || b.is_ascii_whitespace()).unwrap_or(line.len());
     let name = String::from_utf8_lossy(&line[..end]).to_ascii_uppercase();
+    let old = |stem: &str| {
+        name.strip_prefix(stem).is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
+    };
+    if old("SPF") || old("MPF") {
+        // DIN form: %SPF2 is called by L2.
+        let kind = if old("SPF") { UnitKind::Sub } else { UnitKind::Main };
+        return Some((if old("SPF") { format!("L{}", &name[3..]) } else { name }, kind));
+    }
     Some(bare_name(&name))
 }
 

@@ -15,6 +15,9 @@ use super::vocabulary::{Address, Code, Meaning, Procedure, word};
 use super::words::{CallWord, Words};
 use super::{Outcome, Run};
 
+/// Longest dwell.
+const MOST_SECONDS: f64 = 1e5;
+
 impl Run<'_> {
     /// A code of group 2.
     pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words, block: &Block) -> Outcome {
@@ -92,8 +95,8 @@ impl Run<'_> {
                 return self.fail_help(codes::S2013, 12120, span, "G4 takes F or S", help);
             }
         };
-        if seconds < 0.0 {
-            return self.fail(codes::S2041, 0, span, "a dwell cannot be negative");
+        if !(0.0..=MOST_SECONDS).contains(&seconds) {
+            return self.fail(codes::S2041, 0, span, "a dwell lies between 0 and 100000 seconds");
         }
         self.function(Function::Dwell(seconds));
         Ok(())
@@ -186,6 +189,11 @@ impl Run<'_> {
                     let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
                     values.push((axis, given.value * unit));
                 }
+                if adds {
+                    self.st.programmable = self.st.programmable.translated(&values);
+                    self.refresh_frame();
+                    return Ok(());
+                }
                 FrameValue::shifted(&values)
             }
             Code::ROT | Code::AROT => {
@@ -252,6 +260,15 @@ impl Run<'_> {
     /// G58 and G59: parts of the programmable shift; settable offsets on small controls.
     fn axial_shift(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let small = self.job.settings.control.sinumerik == "802d";
+        if w.axes.is_empty() && !small {
+            let message = format!("{} has no axes", word(code));
+            let help = "on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`";
+            return self.fail_help(codes::S2013, 12120, span, message, help);
+        }
+        if small && !w.axes.is_empty() {
+            let message = format!("{} selects a work offset on an 802D and moves in the same block", word(code));
+            return self.fail_help(codes::S2013, 0, span, message, "give the selection a block of its own");
+        }
         if w.axes.is_empty() && small {
             let number = if code == Code::G58 { 5 } else { 6 };
             return self.work_offset(number + 1, span);

@@ -60,6 +60,9 @@ pub(super) struct State {
     pub settable: Option<FrameValue>,
     /// Number of the work offset in force.
     pub offset: u8,
+    /// The program selected offsets of the machine, and offsets that it wrote.
+    pub offsets_printed: bool,
+    pub offsets_resolved: bool,
     /// Blocks count in machine coordinates: G500 is in force.
     pub machine_coordinates: bool,
     pub diameter: Option<Diameter>,
@@ -127,6 +130,8 @@ impl State {
             written: BTreeMap::new(),
             settable: None,
             offset: 0,
+            offsets_printed: false,
+            offsets_resolved: false,
             machine_coordinates: false,
             diameter: None,
             tool: Tool::default(),
@@ -210,6 +215,16 @@ impl Run<'_> {
 
     pub(super) fn restore(&mut self, saved: Saved) {
         let changed = self.st.groups[15] != saved.groups[15];
+        if self.st.groups[8] != saved.groups[8] {
+            // Whether SAVE brings the work offset back is a machine datum.
+            let _: super::Outcome = self.fail_help(
+                crate::diag::codes::S9018,
+                0,
+                crate::text::Span::default(),
+                "a program with SAVE changed the work offset",
+                "whether it comes back is machine datum 10617: select the offset again in the calling program",
+            );
+        }
         let (kept_offset, kept_plane) = (self.st.groups[8], saved.groups[6]);
         self.st.groups = saved.groups;
         // The work offset of the subprogram stays (MD 10617).
@@ -249,11 +264,13 @@ impl Run<'_> {
             None => self.st.programmable.clone(),
         };
         let Some(frame) = total.map() else {
+            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.programmable = FrameValue::default();
             let _: super::Outcome = self.fail(
                 crate::diag::codes::S2034,
                 0,
                 crate::text::Span::default(),
-                "the frame cannot be inverted: a scaling factor is zero or a value is infinite",
+                "the frame cannot be used: a factor or a shift is zero or out of all range",
             );
             return;
         };

@@ -102,6 +102,14 @@ impl Run<'_> {
                 let given = n.and_then(|n| n.checked_sub(1)).and_then(|n| self.given_parameters.get(n));
                 Val::Bool(given.is_some_and(|(_, given)| *given))
             }
+            "$P_MC" => Val::Bool(self.modal.is_some() || self.modal_cycle.is_some()),
+            "$P_OFFN" => Val::Real(0.0),
+            "$P_SDIR" => Val::Int(match self.st.turn {
+                Some(crate::ir::function::Turn::Clockwise) => 3,
+                Some(crate::ir::function::Turn::CounterClockwise) => 4,
+                None => 5,
+            }),
+            "$AC_MARKER" | "$AC_PARAM" if !self.system.contains_key(&system_key(word, args)) => Val::Int(0),
             "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
@@ -169,6 +177,7 @@ impl Run<'_> {
                 let old = self.st.settable.clone().unwrap_or_default();
                 let frame = self.new_frame(&old, args, &value, span)?;
                 self.resolved_offset_note(span);
+                self.resolves_offsets(span)?;
                 self.switch_offset(Some(frame));
                 Ok(())
             }

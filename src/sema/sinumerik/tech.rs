@@ -14,6 +14,8 @@ use super::vocabulary::{Address, Code, Indexed};
 use super::words::{Given, MWord, SWord, Words};
 use super::{Outcome, Reported, Run};
 
+/// M functions of a block.
+const MOST_M: usize = 5;
 /// Highest spindle number that is a spindle.
 const MOST_SPINDLES: u8 = 20;
 
@@ -139,6 +141,8 @@ impl Run<'_> {
         let constant = matches!(self.st.groups[15], 4 | 7);
         if !constant && self.st.constant_cut && w.s.is_empty() {
             let span = w.code_of(15).map(|(_, span)| span).unwrap_or_default();
+            // Once is enough.
+            self.st.constant_cut = false;
             return self.fail_help(
                 codes::S2045,
                 0,
@@ -188,6 +192,9 @@ impl Run<'_> {
     }
 
     fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
+        if s.value > 1e6 {
+            return self.fail(codes::S2045, 0, s.span, format!("the speed S{} is out of all range", s.value));
+        }
         if s.value < 0.0 {
             let help = "the sense of rotation comes from M3 or M4";
             return self.fail_help(codes::S2045, 14840, s.span, format!("the speed S{} is negative", s.value), help);
@@ -339,6 +346,23 @@ impl Run<'_> {
         if w.m.iter().any(|m| m.number == 6) {
             self.change_tool()?;
         }
+        let turning = |m: &&MWord| matches!(m.number, 3..=5);
+        let spindles: Vec<&MWord> = w.m.iter().filter(turning).collect();
+        if let [first, second, ..] = spindles.as_slice()
+            && first.spindle == second.spindle
+        {
+            let message = format!("M{} and M{} stand in one block", first.number, second.number);
+            return self.fail_help(codes::S2045, 14760, second.span, message, "give each a block of its own");
+        }
+        if let Some(sixth) = w.m.get(MOST_M) {
+            return self.fail_help(
+                codes::S2007,
+                12010,
+                sixth.span,
+                "a block has at most five M functions",
+                "divide the block",
+            );
+        }
         for m in &w.m {
             self.early_function(*m)?;
         }
@@ -377,6 +401,15 @@ impl Run<'_> {
             9 => self.function(Function::Coolant(Coolant::Off)),
             number if self.job.settings.output.pass_m.contains(&number) => self.function(Function::Aux(number)),
             40..=45 => self.note_once(codes::S8004, m.span, "gear steps M40 to M45 are left out"),
+            96..=99 => {
+                return self.fail_help(
+                    codes::S2044,
+                    0,
+                    m.span,
+                    format!("M{} calls programs in ISO dialect only", m.number),
+                    "a subprogram is called by its name, as in L100 or POCKET",
+                );
+            }
             number => {
                 return self.fail_help(
                     codes::S2044,
@@ -434,14 +467,13 @@ impl Run<'_> {
 
     /// Tells the target which tool is compensated.
     pub(super) fn select_cutter(&mut self, span: Span) -> Outcome {
+        let help = if self.st.tool.next.is_some() {
+            "the tool is chosen, not changed: M6 is missing, or set `[control] tool_change = \"t\"`"
+        } else {
+            "select a tool before"
+        };
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
-            return self.fail_help(
-                codes::S2080,
-                10750,
-                span,
-                "radius compensation without a tool",
-                "select a tool before",
-            );
+            return self.fail_help(codes::S2080, 10750, span, "radius compensation without a tool", help);
         };
         let edge = self.st.tool.edge.unwrap_or(1);
         let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
@@ -495,6 +527,7 @@ impl Run<'_> {
         if let Some(frame) = self.st.written.get(&number).cloned() {
             self.st.machine_coordinates = false;
             self.resolved_offset_note(span);
+            self.resolves_offsets(span)?;
             self.switch_offset(Some(frame));
             return Ok(());
         }
@@ -520,6 +553,10 @@ impl Run<'_> {
             self.refresh_frame();
         }
         if let Some(number) = printed {
+            self.st.offsets_printed = true;
+            if self.st.offsets_resolved {
+                return self.mixed_offsets(span);
+            }
             self.function(Function::WorkOffset(number));
         }
         if printed.is_some() || !was_machine {
@@ -533,6 +570,24 @@ impl Run<'_> {
             );
         }
         Ok(())
+    }
+
+    /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
+    /// way between the two.
+    pub(super) fn resolves_offsets(&mut self, span: Span) -> Outcome {
+        self.st.offsets_resolved = true;
+        if self.st.offsets_printed { self.mixed_offsets(span) } else { Ok(()) }
+    }
+
+    fn mixed_offsets(&mut self, span: Span) -> Outcome {
+        self.forget_all();
+        self.fail_help(
+            codes::S9017,
+            0,
+            span,
+            "the program uses a work offset that it writes itself beside one of the machine",
+            "let it write all the offsets it uses, or none",
+        )
     }
 
     /// A work offset whose values are known goes into the coordinates.

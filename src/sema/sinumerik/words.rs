@@ -261,6 +261,10 @@ impl Run<'_> {
             return self.tool_word(words, formula, word.span, block, text);
         }
         let given = self.given(word, block, text)?;
+        if letter == b'R' {
+            let help = "the radius of an arc is CR=";
+            return self.fail_help(codes::S2016, 12050, word.span, "the address R has no meaning", help);
+        }
         match letter {
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 let axis = Axis::of(letter).unwrap_or(Axis::X);
@@ -269,6 +273,13 @@ impl Run<'_> {
             b'G' => self.g_word(words, given),
             b'M' => self.m_word(words, None, given),
             b'F' => self.set_address(words, Address::F, given),
+            b'S' if words.s.iter().any(|s| s.spindle.is_none()) => self.fail_help(
+                codes::S2007,
+                12000,
+                given.span,
+                "S stands twice in the block",
+                "delete one of the words",
+            ),
             b'S' => {
                 words.s.push(SWord { spindle: None, value: given.value, span: given.span });
                 Ok(())
@@ -386,7 +397,10 @@ impl Run<'_> {
     #[inline]
     pub(super) fn given(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome<Given> {
         match word.value {
-            Value::Literal { value, .. } => Ok(Given { value, mode: Mode::Plain, span: word.span }),
+            Value::Literal { value, .. } if value.is_finite() => {
+                Ok(Given { value, mode: Mode::Plain, span: word.span })
+            }
+            Value::Literal { .. } => self.fail(codes::S2029, 12160, word.span, "the number is too large"),
             Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
             Value::None | Value::Call(_) => self.fail(codes::S1001, 12080, word.span, "the word has no value"),
         }

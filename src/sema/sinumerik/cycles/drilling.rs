@@ -68,6 +68,13 @@ impl Run<'_> {
             "CYCLE87" => Method::BoreWithStop { dwell: 0.0, turn: self.spindle_turn(args, 6)? },
             _ => Method::BoreWithStop { dwell: self.dwell_of(args, 6)?, turn: self.spindle_turn(args, 7)? },
         };
+        if matches!(method, Method::Tap(_)) {
+            self.note_once(
+                codes::S8025,
+                args.span,
+                format!("{}: the tap needs a compensating chuck on the target", args.name),
+            );
+        }
         let hole = Drilling { axis, levels, feed, method };
         match hole.check() {
             Ok(()) => Ok(hole),
@@ -93,11 +100,11 @@ impl Run<'_> {
                 1.0 => self.st.geometry_axes[0],
                 2.0 => self.st.geometry_axes[1],
                 3.0 => self.st.geometry_axes[2],
-                _ => return self.cycle_fault(args, args.span_of(axn), 0, "_AXN is 0 to 3", "0 is the tool axis"),
+                _ => return self.cycle_fault(args, args.span_of(axn), 0, "`_AXN` is 0 to 3", "0 is the tool axis"),
             };
         }
         if gmode != 0 && args.digit(gmode, 1) != 0 {
-            return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (_GMODE)");
+            return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (`_GMODE`)");
         }
         if dmode != 0 {
             let plane = match args.digit(dmode, 0) {
@@ -105,11 +112,11 @@ impl Run<'_> {
                 n => n as u8,
             };
             if plane != self.st.groups[6] {
-                return self.not_built(args, dmode, "a plane other than the active one (_DMODE)");
+                return self.not_built(args, dmode, "a plane other than the active one (`_DMODE`)");
             }
         }
         if amode != 0 && args.digit(amode, 0) > 1 {
-            return self.not_built(args, amode, "this reading of the depth (_AMODE)");
+            return self.not_built(args, amode, "this reading of the depth (`_AMODE`)");
         }
         Ok(axis)
     }
@@ -152,7 +159,7 @@ impl Run<'_> {
 
     fn plain_hole(&self, args: &Arguments, feed: Feed) -> Outcome<Method> {
         if args.name == "CYCLE82" && args.or_zero(10) != 0.0 {
-            return self.not_built(args, 10, "predrilling and through-drilling (_VARI)");
+            return self.not_built(args, 10, "predrilling and through-drilling (`_VARI`)");
         }
         let dwell = self.dwell_of(args, 6)?;
         Ok(if args.name == "CYCLE89" { Method::Ream { dwell, back: feed } } else { Method::Drill { dwell } })
@@ -260,7 +267,7 @@ impl Run<'_> {
         let step = match args.or_zero(16) {
             0.0 => None,
             2.0 => Some(self.needed_length(args, 17, "the depth of a step")?),
-            _ => return self.not_built(args, 16, "chip breaking while tapping (_VARI)"),
+            _ => return self.not_built(args, 16, "chip breaking while tapping (`_VARI`)"),
         };
         if args.or_zero(15) != 0.0 {
             self.note_once(codes::S8002, args.span_of(15), "words that only shape speed and accuracy are left out");

@@ -213,7 +213,7 @@ impl Run<'_> {
     /// CYCLE99 codes much in digits; what is not known is refused.
     fn check_new_thread(&mut self, args: &Arguments) -> Outcome {
         for (place, what) in
-            [(17, "the first infeed _MID"), (18, "_GDEP"), (19, "a changing pitch (_PIT1)"), (20, "_FDEP")]
+            [(17, "the first infeed `_MID`"), (18, "`_GDEP`"), (19, "a changing pitch (`_PIT1`)"), (20, "`_FDEP`")]
         {
             if args.or_zero(place) != 0.0 {
                 return self.not_built(args, place, what);
@@ -222,21 +222,21 @@ impl Run<'_> {
         self.note_once(
             codes::S8020,
             args.span_of(14),
-            "the units of _VARI are read as in CYCLE97 (1 and 3 external, 2 and 4 internal); its other digits choose roughing and sides and are not looked at",
+            "the units of `_VARI` are read as in CYCLE97 (1 and 3 external, 2 and 4 internal); its other digits choose roughing and sides and are not looked at",
         );
         Ok(())
     }
 
     /// Pitch at place 13, in the unit of `_PITA`.
     fn new_pitch(&self, args: &Arguments) -> Outcome<f64> {
-        let pitch = self.needed(args, 13, "the pitch _PIT")?;
+        let pitch = self.needed(args, 13, "the pitch `_PIT`")?;
         if pitch <= 0.0 {
             return self.cycle_fault(args, args.span_of(13), 61001, "the pitch is not above 0", "give the pitch");
         }
         match args.or_zero(24) {
             0.0 => Ok(pitch * self.st.length_unit()),
             1.0 => Ok(pitch),
-            _ => self.not_built(args, 24, "a pitch in inches, turns or modules (_PITA)"),
+            _ => self.not_built(args, 24, "a pitch in inches, turns or modules (`_PITA`)"),
         }
     }
 }

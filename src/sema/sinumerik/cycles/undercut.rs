@@ -289,7 +289,7 @@ impl Run<'_> {
             "E" | "F" => None,
             _ => match args.digit(7, 0) {
                 2 => None,
-                1 | 3 => Some(self.needed_length(args, 14, "the infeed _MID")?),
+                1 | 3 => Some(self.needed_length(args, 14, "the infeed `_MID`")?),
                 _ => return self.cycle_fault(args, args.span_of(7), 61002, "_VARI is 1, 2 or 3", "2 finishes only"),
             },
         };
@@ -320,7 +320,7 @@ impl Run<'_> {
         let depth = if args.digit(22, 0) == 1 { depth.abs() } else { (x - depth / 2.0).abs() };
         let length = self.needed_length(args, 9, "the width _EPL")?;
         if args.digit(22, 1) != 1 {
-            return self.not_built(args, 22, "an absolute width (_AMODE)");
+            return self.not_built(args, 22, "an absolute width (`_AMODE`)");
         }
         self.note_once(
             codes::S8022,
