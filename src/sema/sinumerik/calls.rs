@@ -77,7 +77,6 @@ pub(super) struct Argument {
 pub(super) struct Modal {
     pub unit: usize,
     pub arguments: Vec<Argument>,
-    pub site: Loc,
 }
 
 impl Level {
@@ -634,7 +633,7 @@ impl Run<'_> {
         }
         let arguments = self.arguments(args, block, text)?;
         let unit = self.find_program(&word, block.span)?;
-        self.modal = Some(Modal { unit, arguments, site: self.here.origin.loc });
+        self.modal = Some(Modal { unit, arguments });
         self.modal_cycle = None;
         Ok(())
     }

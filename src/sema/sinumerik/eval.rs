@@ -255,7 +255,7 @@ impl Run<'_> {
             Ok(value) => return Ok(value),
             Err(error) => error,
         };
-        use NoResult::{Count, Domain, Machine, Type, Unknown};
+        use NoResult::{Count, Domain, Type, Unknown};
         match error {
             Unknown => self.fail_help(
                 codes::S2001,
@@ -267,7 +267,6 @@ impl Run<'_> {
             Count(takes) => self.fail(codes::S2021, 14021, span, format!("{word} takes {takes}")),
             Type => self.fail(codes::S2005, 12150, span, format!("{word} does not take a value of this type")),
             Domain(why) => self.fail(codes::S2006, 14051, span, format!("{word}: {why}")),
-            Machine => self.fail(codes::S2028, 0, span, format!("{word} is known on the machine only")),
         }
     }
 

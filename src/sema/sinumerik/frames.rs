@@ -124,15 +124,6 @@ impl FrameValue {
         self.shift[i] + self.fine[i]
     }
 
-    pub fn is_identity(&self) -> bool {
-        self.linear == Matrix3::identity() && (0..AXES).all(|i| self.total(i) == 0.0)
-    }
-
-    /// Nothing but shifts.
-    pub fn is_shift(&self) -> bool {
-        self.linear == Matrix3::identity()
-    }
-
     /// The frame with which `self` undoes itself.
     pub fn inverse(&self) -> Option<FrameValue> {
         let linear = self.linear.try_inverse()?;

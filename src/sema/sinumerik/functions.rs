@@ -18,8 +18,6 @@ pub(super) enum NoResult {
     Type,
     /// An argument outside what the function takes.
     Domain(&'static str),
-    /// The result is known on the machine only.
-    Machine,
 }
 
 use NoResult::{Count, Domain, Type, Unknown};

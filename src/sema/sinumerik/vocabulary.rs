@@ -143,15 +143,12 @@ code_names! {
     G4 = 2 1  G63 = 2 2  G74 = 2 3  G75 = 2 4
     TRANS = 3 1  ROT = 3 2  SCALE = 3 3  MIRROR = 3 4  ATRANS = 3 5  AROT = 3 6  ASCALE = 3 7  AMIRROR = 3 8
     G25 = 3 10  G26 = 3 11  G110 = 3 12  G111 = 3 13  G112 = 3 14  G58 = 3 15  G59 = 3 16
-    G17 = 6 1  G18 = 6 2  G19 = 6 3
-    G40 = 7 1  G41 = 7 2  G42 = 7 3
-    G500 = 8 1
+    G18 = 6 2
+    G40 = 7 1
     SUPD = 9 4
-    G70 = 13 1  G71 = 13 2  G700 = 13 3  G710 = 13 4
+    G70 = 13 1
     G91 = 14 2
-    G93 = 15 1  G94 = 15 2  G95 = 15 3  G96 = 15 4  G97 = 15 5  G961 = 15 7  G971 = 15 8
-    DIAMOF = 29 1  DIAMON = 29 2  DIAM90 = 29 3  DIAMCYCOF = 29 4
-    G291 = 47 2
+    DIAMOF = 29 1  DIAMON = 29 2
 }
 
 /// Addresses of more than one letter and those of one letter that are no axes. The value is a bit number.
@@ -159,7 +156,6 @@ code_names! {
 #[repr(u8)]
 pub(super) enum Address {
     F,
-    S,
     T,
     D,
     I,
@@ -185,7 +181,6 @@ pub(super) enum Address {
     Lims,
     Rpl,
     Fp,
-    P,
     Spos,
     Sposa,
     Svc,
@@ -549,6 +544,6 @@ mod tests {
         assert_eq!(codes.get(997.0), None);
         assert_eq!(word(Code::CT), "CT");
         assert_eq!(word(Code { group: 8, index: 7 }), "G506");
-        assert_eq!(words().get("DIAM90"), Some(&Meaning::Code(Code::DIAM90)));
+        assert_eq!(words().get("DIAMON"), Some(&Meaning::Code(Code::DIAMON)));
     }
 }
