@@ -140,7 +140,7 @@ pub const SECTIONS: &[Section] = &[
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree").or(r#""refuse""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
-            key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too").or("true"),
+            key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too"),
             key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm").or("0.01"),
             key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius")
                 .or("0.001"),

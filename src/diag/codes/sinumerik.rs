@@ -169,7 +169,7 @@ S2052 Error "siemens-polar-radius" "polar radius is negative"
 "RP= is a distance from the pole and cannot be negative: alarm 14200, in a pole block 14250."
 
 S2053 Error "siemens-polar-angle" "polar angle out of range"
-"AP= lies between -360 and 360 degrees: alarm 14210, in a pole block 14260."
+"AP= lies between -360 and 360 degrees: alarm 14210, in a pole block 14260. Look at the word that is marked, and at the value behind it."
 
 S2054 Warning "siemens-polar-missing" "polar word is taken from the position"
 "After a new pole or a change of plane AP= and RP= have to be programmed again; the manuals leave open what a missing one is. It is taken from \
@@ -204,7 +204,7 @@ S2090 Error "siemens-cycle-argument" "argument of a cycle is wrong"
 cycle raises itself. Arguments are counted by their commas; an empty argument is not given, which is not the same as 0."
 
 S3001 Error "siemens-radius" "arc by radius does not reach its end"
-"CR= is at least half the distance of start and end: alarm 14095."
+"CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value behind it."
 
 S3002 Error "siemens-arc-twice" "arc is given twice"
 "Centre, CR= and AR= exclude each other, and a polar arc has the pole as its centre: alarm 14900."
@@ -216,7 +216,7 @@ S3004 Error "siemens-opening" "opening angle out of range"
 "AR= lies between 0.0001 and 359.9999 degrees: alarm 14910. A full circle is programmed by its centre."
 
 S3005 Error "siemens-turns" "number of turns does not exist"
-"TURN= counts additional full circles, 0 to 999: alarm 14048."
+"TURN= counts additional full circles, 0 to 999: alarm 14048. Look at the word that is marked, and at the value behind it."
 
 S3006 Error "siemens-via" "intermediate point is missing"
 "CIP runs through a point between start and end, given by I1=, J1=, K1=: alarm 14920."
@@ -283,7 +283,7 @@ S8017 Note "siemens-files" "file access is left out"
 "WRITE, DELETE and others work on files of the control. They have no effect on the path."
 
 S8018 Warning "siemens-two-depths" "two depths for one hole"
-"DP and DPR give different depths. The cycle takes DPR. Leave one of them out."
+"DP and DPR give different depths. The cycle takes DPR. Leave one of them out. Look at the word that is marked, and at the value behind it."
 
 S8019 Warning "siemens-starts" "thread with several starts"
 "The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it."
@@ -328,7 +328,7 @@ S9006 Error "siemens-transformation" "transformation is not supported"
 "TRAORI, TRANSMIT, TRACYL, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine."
 
 S9007 Error "siemens-other-spindle" "word for another spindle"
-"Only speed and sense of rotation of further spindles can be printed."
+"Only speed and sense of rotation of further spindles can be printed. Look at the word that is marked, and at the value behind it."
 
 S9008 Error "siemens-axis-motion" "axis motion that cannot be printed"
 "Positioning axes that run beside the path, and approaches of machine-fixed points, need data of the machine. Reference and fixed points can be \
@@ -341,13 +341,13 @@ S9010 Error "siemens-resolve" "tool-centre path is not built"
 "Computing the path of the tool centre is not built yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
 
 S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordinates"
-"Under G53, G153, SUPA and G500 only straight absolute moves can be printed."
+"Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value behind it."
 
 S9012 Error "siemens-thread-start" "start angle of a thread"
 "The target starts every thread at the same angle of the spindle. Shift the start point along the thread instead."
 
 S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
-"Plain G-code has circles in the main planes only."
+"Plain G-code has circles in the main planes only. Look at the word that is marked, and at the value behind it."
 
 S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
 "The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
