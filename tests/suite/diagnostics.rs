@@ -55,6 +55,7 @@ const BUILT: &[Built] = &[
     },
     Built { code: "P0106", fires: || calls_of(1000), silent: || calls_of(999) },
     Built { code: "K2007", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
+    Built { code: "S8009", fires: || siemens_tool(&[]), silent: || siemens_tool(&[5]) },
 ];
 
 /// Codes that no program can bring about today. A case for one of them is to be added together with its removal here.
@@ -69,6 +70,8 @@ const NEVER: &[(&str, &str)] = &[
     ("G3066", "no dialect programs undercuts yet"),
     ("G3067", "no dialect programs undercuts yet"),
     ("G3068", "no dialect programs undercuts yet"),
+    ("G3020", "dialects look for three points on a line themselves"),
+    ("G3021", "dialects look for a lead without a way themselves"),
     ("O9001", "the only target has a word for everything that the dialects ask for"),
     ("G3040", "no dialect calls a turning cycle yet"),
     ("G3041", "no dialect calls a turning cycle yet"),
@@ -155,6 +158,14 @@ fn with_table(text: &str, numbers: &[u32]) -> Compiled {
     let mut settings = settings(&table);
     settings.tools.complete = true;
     compile_bytes("PART.H", text.as_bytes().to_vec(), "klartext", &settings, &NoFiles)
+}
+
+/// A SINUMERIK program with tool 5, and a complete table of these numbers.
+fn siemens_tool(numbers: &[u32]) -> Compiled {
+    let table: String = numbers.iter().map(|n| format!("[tools.{n}]\nradius = 5.0\n")).collect();
+    let mut settings = settings(&table);
+    settings.tools.complete = true;
+    compile_bytes("PART.MPF", b"T5 M6\nG0 X0\nM30\n".to_vec(), "sinumerik", &settings, &NoFiles)
 }
 
 /// The cases of each code: `(fires, silent)`.
