@@ -5,3 +5,4 @@
 
 pub mod klartext;
 pub mod sinumerik;
+pub mod turning;

@@ -7,3 +7,4 @@ pub mod klartext;
 pub mod problem;
 pub mod sinumerik;
 pub mod symbols;
+pub mod turning;
