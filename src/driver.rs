@@ -69,9 +69,8 @@ impl Session {
     ) -> io::Result<()> {
         let traits = targets::find(&settings.output.target)
             .ok_or_else(|| io::Error::other(format!("unknown target `{}`", settings.output.target)))?;
-        let most = settings.limits.output_blocks;
         let name = self.sources.name(FileId(0));
-        let mut printer = Printer::new(traits, &settings.output, most, &name, &self.diags, out, map);
+        let mut printer = Printer::new(traits, settings, &name, &self.diags, out, map);
         let hash = self.run(dialect, settings, files, &mut printer);
         printer.finish(hash)
     }
@@ -82,8 +81,7 @@ impl Session {
         let mut nowhere = Nowhere;
         // An output of the target finds what only shows in printed numbers.
         if let Some(traits) = targets::find(&settings.output.target) {
-            let most = settings.limits.output_blocks;
-            let mut printer = Printer::new(traits, &settings.output, most, "", &self.diags, &mut nowhere, None);
+            let mut printer = Printer::new(traits, settings, "", &self.diags, &mut nowhere, None);
             let hash = self.run(dialect, settings, files, &mut printer);
             let _ = printer.finish(hash);
         }

@@ -8,7 +8,7 @@ use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::axis::AXES;
-use crate::machine::{Axis, AxisSet, OutputSettings};
+use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings};
 
 use super::arc::{self, Printed};
 use super::line::Text;
@@ -27,6 +27,8 @@ const MOST_CHORDS: f64 = 10_000.0;
 pub struct Printer<'a> {
     traits: &'static Traits,
     settings: &'a OutputSettings,
+    /// X words are diameters.
+    diameter: bool,
     places: Places,
     diags: &'a Diags,
     out: &'a mut dyn Output,
@@ -42,8 +44,12 @@ pub struct Printer<'a> {
     stale: AxisSet,
     feed: Option<(bool, i64)>,
     per_revolution: bool,
+    /// Constant cutting speed is on.
+    constant_cut: bool,
     plane: Plane,
     side: Side,
+    /// Lead of the thread that is being printed.
+    thread_lead: Option<i64>,
     cutter: CutterData,
     error: Option<io::Error>,
     ended: bool,
@@ -59,40 +65,43 @@ impl<'a> Printer<'a> {
     /// A printer that has printed the head. `source` is the name of the main program.
     pub fn new(
         traits: &'static Traits,
-        settings: &'a OutputSettings,
-        most_lines: u64,
+        settings: &'a Settings,
         source: &str,
         diags: &'a Diags,
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> Printer<'a> {
+        let lathe = settings.machine.kind == MachineKind::Lathe;
         let mut printer = Printer {
             traits,
-            settings,
-            places: Places::new(settings.decimals),
+            settings: &settings.output,
+            diameter: lathe && settings.output.diameter,
+            places: Places::new(settings.output.decimals),
             diags,
             out,
             map,
             text: Text::with_capacity(CHUNK + 4096),
             lines: 0,
-            most_lines,
+            most_lines: settings.limits.output_blocks,
             hash_at: 0,
             at: [0; AXES],
             known: AxisSet::EMPTY,
             stale: AxisSet::EMPTY,
             feed: None,
             per_revolution: false,
-            plane: Plane::Xy,
+            constant_cut: false,
+            plane: if lathe { Plane::Zx } else { Plane::Xy },
             side: Side::None,
+            thread_lead: None,
             cutter: CutterData::default(),
             error: None,
             ended: false,
         };
-        printer.head(source);
+        printer.head(source, lathe);
         printer
     }
 
-    fn head(&mut self, source: &str) {
+    fn head(&mut self, source: &str, lathe: bool) {
         let (open, close) = self.traits.comment;
         self.plain(self.traits.frame.as_bytes());
         let title = format!("{open}partc {}, target {}{close}", env!("CARGO_PKG_VERSION"), self.traits.name);
@@ -105,9 +114,12 @@ impl<'a> Printer<'a> {
         text.extend_from_slice(&[b'0'; HASH_DIGITS]);
         text.extend_from_slice(close.as_bytes());
         self.plain(&text);
-        for line in self.traits.head {
+        let (last, lines) = self.traits.head.split_last().unwrap_or((&"", &[]));
+        for line in lines {
             self.plain(line.as_bytes());
         }
+        let last = if lathe { self.traits.lathe_head[usize::from(self.diameter)] } else { last };
+        self.plain(last.as_bytes());
     }
 
     /// Ends the text: closing frame, hash of the source in the head.
@@ -202,6 +214,7 @@ impl<'a> Printer<'a> {
         match &mv.path {
             Path::Rapid => self.straight(b"G0", mv, origin),
             Path::Line => self.straight(b"G1", mv, origin),
+            Path::Thread { lead } => self.thread(*lead, mv, origin),
             Path::Arc(arc) => self.arc(arc, mv, origin),
         }
     }
@@ -262,7 +275,10 @@ impl<'a> Printer<'a> {
         }
         self.text.word(word);
         for axis in changed.iter() {
-            self.text.number(axis.letter() as u8, ends[axis.index()], self.places);
+            self.axis_word(axis, ends[axis.index()]);
+        }
+        if let Some(units) = self.thread_lead {
+            self.text.number(b'K', units, self.places);
         }
         if let Some(units) = feed {
             self.text.number(b'F', units, self.places);
@@ -277,6 +293,29 @@ impl<'a> Printer<'a> {
         }
         self.known = self.known.union(changed);
         self.stale = self.stale.without(changed);
+    }
+
+    /// An axis with its coordinate in units.
+    #[inline]
+    fn axis_word(&mut self, axis: Axis, units: i64) {
+        let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
+        self.text.number(axis.letter() as u8, units, self.places);
+    }
+
+    /// A line in step with the spindle.
+    fn thread(&mut self, lead: f64, mv: &Move, origin: &Origin) {
+        let lead = self.places.units(lead).filter(|units| *units > 0);
+        let Some(lead) = lead else {
+            return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
+        };
+        let before = self.lines;
+        let end = Move { feed: None, ..*mv };
+        self.thread_lead = Some(lead);
+        self.straight(b"G33", &end, origin);
+        self.thread_lead = None;
+        if self.lines == before && !self.diags.has_errors() {
+            self.report(codes::O1003, origin, "the thread has no length that can be printed");
+        }
     }
 
     #[cold]
@@ -366,7 +405,7 @@ impl<'a> Printer<'a> {
                     let share = f64::from(block) * core::f64::consts::TAU / arc.sweep.abs();
                     start[i] + libm::round((ends[i] - start[i]) as f64 * share) as i64
                 };
-                self.text.number(axis.letter() as u8, units, self.places);
+                self.axis_word(axis, units);
             }
             let mut offsets = [(first, offset[0]), (second, offset[1])];
             offsets.sort_by_key(|(axis, _)| *axis);
@@ -439,7 +478,8 @@ impl<'a> Printer<'a> {
                 self.end_line(origin);
             }
             Function::Cutter(cutter) => self.cutter = *cutter,
-            Function::Spindle(spindle) => self.spindle(*spindle, origin),
+            Function::Spindle(spindle) => self.spindle(*spindle, None, origin),
+            Function::SpindleOf { number, spindle } => self.spindle(*spindle, Some(*number), origin),
             Function::Coolant(coolant) => {
                 let word = match coolant {
                     Coolant::Mist => b"M7",
@@ -484,22 +524,37 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn spindle(&mut self, spindle: Spindle, origin: &Origin) {
+    /// `number` counts spindles from 1; targets count from 0.
+    fn spindle(&mut self, spindle: Spindle, number: Option<u8>, origin: &Origin) {
         match spindle {
-            Spindle::Start(Turn::Clockwise) => self.words(b"M3", origin),
-            Spindle::Start(Turn::CounterClockwise) => self.words(b"M4", origin),
-            Spindle::Stop => self.words(b"M5", origin),
+            Spindle::Start(Turn::Clockwise) => self.text.word(b"M3"),
+            Spindle::Start(Turn::CounterClockwise) => self.text.word(b"M4"),
+            Spindle::Stop => self.text.word(b"M5"),
             Spindle::Speed(speed) => {
                 let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                self.text.number(b'S', units, self.places);
-                self.end_line(origin);
+                if std::mem::take(&mut self.constant_cut) {
+                    self.text.word(b"G97");
+                }
+                self.text.number(b'S', units, self.places)
+            }
+            Spindle::CuttingSpeed { speed, limit } => {
+                self.constant_cut = true;
+                self.text.word(b"G96");
+                if let Some(units) = limit.and_then(|limit| self.places.units(limit)) {
+                    self.text.number(b'D', units, self.places);
+                }
+                let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
+                self.text.number(b'S', units, self.places)
             }
             Spindle::Orient(angle) => {
                 let units = self.places.units(angle).unwrap_or(0);
-                self.text.word(b"M19").number(b'R', units, self.places);
-                self.end_line(origin);
+                self.text.word(b"M19").number(b'R', units, self.places)
             }
+        };
+        if let Some(number) = number {
+            self.text.whole(b'$', u64::from(number.saturating_sub(1)));
         }
+        self.end_line(origin);
     }
 
     fn comment(&mut self, text: &[u8], origin: &Origin) {

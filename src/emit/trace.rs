@@ -47,6 +47,7 @@ impl<'a> Trace<'a> {
             Path::Rapid => "rapid",
             Path::Line => "line",
             Path::Arc(_) => "arc",
+            Path::Thread { .. } => "thread",
         };
         line.insert("kind".to_owned(), json!(kind));
         line.insert("start".to_owned(), position(&self.at));
@@ -56,6 +57,9 @@ impl<'a> Trace<'a> {
             line.insert("center".to_owned(), center(arc.plane, arc.center));
             line.insert("plane".to_owned(), json!(plane_name(arc.plane)));
             line.insert("sweep_deg".to_owned(), json!(arc.sweep.to_degrees()));
+        }
+        if let Path::Thread { lead } = &mv.path {
+            line.insert("lead".to_owned(), json!(lead));
         }
         match mv.feed {
             Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(f)),

@@ -66,6 +66,31 @@ pub fn tangent_arc(from: Point2, tangent: Vec2, to: Point2, same: f64, tol: f64)
     TangentArc::Arc { center: from + left(tangent) * k, ccw: k > 0.0 }
 }
 
+/// Centre of the arc from `from` to `to` that sweeps `sweep` rad, less than a turn either way. `None` if the
+/// points coincide within `same` or the angle is none.
+pub fn center_by_opening(from: Point2, to: Point2, sweep: f64, same: f64) -> Option<Point2> {
+    let chord = to - from;
+    let half = libm::sin(sweep / 2.0);
+    if length(chord) <= same || half == 0.0 || sweep.abs() >= TAU {
+        return None;
+    }
+    Some(from + chord / 2.0 + left(chord) * (libm::cos(sweep / 2.0) / (2.0 * half)))
+}
+
+/// Centre and sense of the arc from `from` through `via` to `to`; `None` for points on one line.
+pub fn through(from: Point2, via: Point2, to: Point2, same: f64) -> Option<(Point2, bool)> {
+    let (a, b) = (via - from, to - from);
+    let area = cross(a, b);
+    let longest = length(a).max(length(b)).max(distance(via, to));
+    let shortest = length(a).min(length(b)).min(distance(via, to));
+    if shortest <= same || area.abs() <= same * longest {
+        return None;
+    }
+    let (aa, bb) = (a.dot(&a), b.dot(&b));
+    let center = from + Vec2::new(b.y * aa - a.y * bb, a.x * bb - b.x * aa) / (2.0 * area);
+    Some((center, area > 0.0))
+}
+
 /// Moves `center` onto the perpendicular bisector of `from` and `to`, so that both have the same distance.
 /// The points must not coincide.
 pub fn centered_between(from: Point2, to: Point2, center: Point2) -> Point2 {

@@ -68,6 +68,16 @@ pub fn chamfer(before: &Element, after: &Element, side: f64, tol: f64) -> Result
     Ok(Cut { leave: before.to() - u * side, join: after.from() + w * side, arc: None })
 }
 
+/// Chamfers the corner between two lines by a chamfer of `length`, the same angle to both.
+///
+/// # Errors
+/// See [`NoCut`].
+pub fn chamfer_of_length(before: &Element, after: &Element, length: f64, tol: f64) -> Result<Cut, NoCut> {
+    let (u, w) = directions(before, after)?;
+    // The chamfer is the base of a triangle with two equal sides along -u and w.
+    chamfer(before, after, length / (u + w).norm(), tol)
+}
+
 fn directions(before: &Element, after: &Element) -> Result<(Vec2, Vec2), NoCut> {
     let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else {
         return Err(NoCut::Degenerate);

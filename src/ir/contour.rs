@@ -4,7 +4,9 @@
 use std::rc::Rc;
 
 use crate::geo::{Deg, Plane, Point2};
+use crate::machine::Axis;
 
+use super::cycle::Cycle;
 use super::{Feed, Frame, Function, Origin, Pos, Side};
 
 /// State that holds for many items; a new one is made only when something in it changes.
@@ -61,6 +63,16 @@ pub enum Path {
     Rapid,
     Line,
     Arc(Arc),
+    Thread(Thread),
+}
+
+/// A line cut in step with the spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thread {
+    /// Way per turn of the spindle in mm.
+    pub lead: f64,
+    /// Axis along which `lead` counts; `None` for along the path.
+    pub along: Option<Axis>,
 }
 
 /// An arc or helix in `plane`.
@@ -68,6 +80,8 @@ pub enum Path {
 pub struct Arc {
     pub plane: Plane,
     pub shape: ArcShape,
+    /// Whole turns on top of what the shape says.
+    pub turns: u32,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +93,10 @@ pub enum ArcShape {
     Sweep { center: Point2, sweep: Deg },
     /// By radius; a negative one takes the longer arc. The end may lie `tol` mm too far.
     Radius { radius: f64, ccw: bool, tol: f64 },
+    /// By the angle between the radii to its ends: `sweep` degrees, counter-clockwise positive, below a turn.
+    Opening { sweep: Deg },
+    /// Through a point between its ends.
+    Via { point: Point2 },
     /// Tangential to the element before.
     Tangent,
 }
@@ -87,8 +105,10 @@ pub enum ArcShape {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
     pub shape: CornerShape,
-    /// Feed on the inserted element.
-    pub feed: Feed,
+    /// Feed on the inserted element; `None` for the feed of the element behind.
+    pub feed: Option<Feed>,
+    /// Asked for at every corner: where there is none, nothing is inserted and nothing is said.
+    pub modal: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,6 +120,10 @@ pub enum CornerShape {
     Chamfer {
         side: f64,
     },
+    /// Chamfer by its own length.
+    ChamferLength {
+        length: f64,
+    },
 }
 
 /// Takes what was programmed, in order. Each item comes with the state it was programmed under and the
@@ -108,6 +132,8 @@ pub trait Sink {
     fn movement(&mut self, mv: &Move, ctx: &CtxRef, origin: &Origin);
     fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin);
     fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin);
+    /// A cycle with all its arguments; where it leaves the tool is [`Cycle::leaves`].
+    fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin);
     /// The position is no longer what the moves so far say: an error was reported, or the program moves in
     /// a way that is not in the stream.
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin);

@@ -69,6 +69,15 @@ impl Frame {
         &self.linear
     }
 
+    /// By what all lengths are multiplied; `None` if that depends on the direction.
+    pub fn uniform_scale(&self) -> Option<f64> {
+        if self.is_shift() {
+            return Some(1.0);
+        }
+        let sizes = [0, 1, 2].map(|i| self.linear.column(i).norm());
+        sizes.iter().all(|size| (size - sizes[0]).abs() <= 1e-12 * sizes[0]).then_some(sizes[0])
+    }
+
     /// Workpiece coordinates of `p`. A coordinate that depends on an unknown one is unknown.
     pub fn apply(&self, p: &Pos) -> Pos {
         match self.kind {

@@ -16,6 +16,11 @@ pub enum Spindle {
     Stop,
     /// Speed in rev/min.
     Speed(f64),
+    /// Constant cutting speed in m/min, up to a speed in rev/min.
+    CuttingSpeed {
+        speed: f64,
+        limit: Option<f64>,
+    },
     /// Stop at an angle in degrees.
     Orient(f64),
 }
@@ -49,6 +54,11 @@ pub enum Function {
     },
     Cutter(CutterData),
     Spindle(Spindle),
+    /// Another spindle than the first.
+    SpindleOf {
+        number: u8,
+        spindle: Spindle,
+    },
     Coolant(Coolant),
     /// Wait, seconds.
     Dwell(f64),

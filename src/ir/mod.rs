@@ -3,6 +3,7 @@
 //! Both are streams of items with an [`Origin`]. Nothing here knows a dialect or a target.
 
 pub mod contour;
+pub mod cycle;
 pub mod frame;
 pub mod function;
 pub mod motion;

@@ -28,6 +28,10 @@ pub enum Path {
     #[default]
     Line,
     Arc(Arc),
+    /// A line in step with the spindle: mm along the path per turn.
+    Thread {
+        lead: f64,
+    },
 }
 
 /// Arc or helix. `sweep` in rad, counter-clockwise positive seen against the plane normal; it may exceed

@@ -10,6 +10,7 @@ use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Origin;
 use crate::ir::contour::{self, ArcShape};
 use crate::ir::motion::{Arc, Path};
+use crate::machine::AxisSet;
 
 use super::at;
 use super::step::{Step, plane_axes};
@@ -112,7 +113,14 @@ pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mu
     match path {
         contour::Path::Rapid => step.mv.path = Path::Rapid,
         contour::Path::Line => step.mv.path = Path::Line,
-        contour::Path::Arc(arc) => return resolve_arc(arc, step, last, adjusted),
+        contour::Path::Arc(arc) => {
+            let extra = resolve_arc(arc, step, last, adjusted)?;
+            if arc.turns > 0 {
+                add_turns(step, arc.turns);
+            }
+            return Ok(extra);
+        }
+        contour::Path::Thread(thread) => step.mv.path = thread_path(thread, step)?,
     }
     Ok(Extra::None)
 }
@@ -148,6 +156,23 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
             adjusted.note((d / 2.0 - radius.abs()).max(0.0), step.origin);
             step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
         }
+        ArcShape::Opening { sweep } => {
+            let sweep = sweep.radians();
+            let Some(center) = arc::center_by_opening(from, to, sweep, SAME_POINT) else {
+                let message = "start and end of the arc are the same point, or its angle is no part of a turn";
+                return refuse(step, codes::G3003, message.to_owned());
+            };
+            step.mv.path = Path::Arc(Arc { plane, from, center, sweep });
+        }
+        ArcShape::Via { point } => match arc::through(from, point, to, SAME_POINT) {
+            Some((center, ccw)) => {
+                step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
+            }
+            None => {
+                let message = "start, intermediate point and end lie on one line or are the same";
+                return refuse(step, codes::G3020, message.to_owned());
+            }
+        },
         ArcShape::Tangent => {
             let Some((tangent, _)) = last.tangent.filter(|(_, in_plane)| *in_plane == plane) else {
                 let why = match last.why {
@@ -174,6 +199,26 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
         }
     }
     Ok(Extra::None)
+}
+
+fn add_turns(step: &mut Step, turns: u32) {
+    if let Path::Arc(arc) = &mut step.mv.path {
+        let more = TAU * f64::from(turns);
+        arc.sweep += if arc.sweep > 0.0 { more } else { -more };
+    }
+}
+
+/// The lead along the path of a thread.
+fn thread_path(thread: &contour::Thread, step: &Step) -> Result<Path, Refused> {
+    let Some(axis) = thread.along else { return Ok(Path::Thread { lead: thread.lead }) };
+    let way = |axis| Some(step.mv.end.get(axis)? - step.start.get(axis)?);
+    let Some(along) = way(axis) else { return Err(None) };
+    let length = AxisSet::MAIN.iter().filter_map(way).fold(0.0, libm::hypot);
+    if along.abs() <= SAME_POINT {
+        let message = format!("the lead counts along {}, which does not move in this block", axis.letter());
+        return Err(Some(Box::new(at(codes::G3021, step.origin, message))));
+    }
+    Ok(Path::Thread { lead: thread.lead * length / along.abs() })
 }
 
 #[allow(clippy::too_many_arguments)]

@@ -1,6 +1,6 @@
 //! Pass 3: chamfers and roundings between two elements. Holds back one element.
 
-use crate::diag::{Diagnostic, Diags, codes};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut};
 use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{Corner, CornerShape};
@@ -57,6 +57,9 @@ impl Corners {
 
     pub fn corner(&mut self, corner: Corner, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         if !self.held {
+            if corner.modal {
+                return;
+            }
             diags.push(at(codes::G3007, origin, "no contour element stands before this chamfer or rounding"));
             return;
         }
@@ -86,7 +89,7 @@ impl Corners {
 
     /// Sends what is held; a corner that waits has no second neighbour.
     pub fn flush(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
-        if let Some((_, origin)) = self.corner {
+        if let Some((_, origin)) = self.corner.filter(|(corner, _)| !corner.modal) {
             diags.push(at(codes::G3007, origin, "no contour element stands behind this chamfer or rounding"));
         }
         self.drop_corner(out);
@@ -115,7 +118,9 @@ impl Corners {
                 self.steps[after] = rest;
             }
             Err(found) => {
-                diags.push(*found);
+                if !(corner.modal && silent(found.code)) {
+                    diags.push(*found);
+                }
                 out(Event::Step(&self.steps[before]));
             }
         }
@@ -124,6 +129,11 @@ impl Corners {
         }
         self.waiting = after;
     }
+}
+
+/// Reasons for which a rounding at every corner leaves one out without a word: there is no corner in the plane.
+fn silent(code: &Code) -> bool {
+    [codes::G3007, codes::G3009, codes::G3016].contains(&code)
 }
 
 /// The element before, what is put between, and the element after.
@@ -136,7 +146,7 @@ fn cut(
     let plane = after.ctx.plane;
     let name = match corner.shape {
         CornerShape::Rounding { .. } => "rounding",
-        CornerShape::Chamfer { .. } => "chamfer",
+        CornerShape::Chamfer { .. } | CornerShape::ChamferLength { .. } => "chamfer",
     };
     let refuse = |code, message: String| {
         let found = at(code, origin, message);
@@ -165,6 +175,7 @@ fn cut(
     let result = match corner.shape {
         CornerShape::Rounding { radius } => corner::rounding(&a, &b, radius, SHORT),
         CornerShape::Chamfer { side } => corner::chamfer(&a, &b, side, SHORT),
+        CornerShape::ChamferLength { length } => corner::chamfer_of_length(&a, &b, length, SHORT),
     };
     let made = match result {
         Ok(made) => made,
@@ -206,7 +217,7 @@ fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &C
     inserted.start = first.mv.end;
     inserted.mv.end.set_in_plane(plane, made.join);
     inserted.mv.axes = plane_axes(plane);
-    inserted.mv.feed = Some(corner.feed);
+    inserted.mv.feed = corner.feed.or(after.mv.feed);
     inserted.origin = origin;
     inserted.mv.path = match made.arc {
         Some((center, ccw)) => {

@@ -37,6 +37,10 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
     }
     let path = match &mv.path {
         Path::Arc(arc) => Path::Arc(map_arc(arc, frame)?),
+        Path::Thread { lead } => match frame.uniform_scale() {
+            Some(scale) => Path::Thread { lead: lead * scale },
+            None => return Err((codes::G3022, "the axes of this thread have different scaling factors".to_owned())),
+        },
         straight => *straight,
     };
     // Tilted working planes never get here with compensation on.

@@ -6,6 +6,7 @@
 
 pub mod arcs;
 pub mod corner;
+pub mod cycles;
 pub mod frames;
 pub mod limits;
 pub mod polar;
@@ -15,6 +16,7 @@ use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, EndPoint, Sink};
+use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, motion};
 use crate::machine::{Axis, Machine};
 
@@ -195,6 +197,15 @@ impl Sink for Lower<'_> {
         self.displace(function);
         let (corners, mut finish) = self.split();
         corners.function(function, origin, finish.diags, &mut |event| finish.event(event));
+    }
+
+    fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx);
+        let start = self.at;
+        if let Err(found) = cycles::expand(cycle, &start, ctx, origin, self) {
+            let end = cycle.leaves(&start);
+            self.refuse(Some(found), &end, origin);
+        }
     }
 
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin) {

@@ -23,7 +23,7 @@ impl Step {
         let from = self.start.in_plane(plane)?;
         let to = self.mv.end.in_plane(plane)?;
         match &self.mv.path {
-            Path::Rapid | Path::Line => Some(Element::Line { from, to }),
+            Path::Rapid | Path::Line | Path::Thread { .. } => Some(Element::Line { from, to }),
             Path::Arc(arc) if arc.plane == plane => {
                 Some(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
             }

@@ -81,4 +81,15 @@ G3019 Error "corner-frame" "coordinate system changes inside a corner"
 elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
 the next element."
 
+G3020 Error "via-on-line" "three points of an arc lie on one line"
+"An arc through an intermediate point needs three different points that are not on one line. Most often the intermediate point is the \
+start or the end, or a coordinate of it is missing."
+
+G3021 Error "lead-without-way" "lead of a thread along an axis that does not move"
+"The lead of a thread is given along one axis, by `I`, `J` or `K`, and the block does not move this axis. Give the lead along the axis that \
+moves most, and check the end point."
+
+G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
+"Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
+
 }

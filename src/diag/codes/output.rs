@@ -10,6 +10,10 @@ O1002 Error "value-not-finite" "value is too large to print"
 "A coordinate or feed is beyond 1000 km, or a computation overflowed. Nothing sensible can be printed, so nothing is. Look at the \
 parameters that the block computes with."
 
+O1003 Error "thread-lead-not-positive" "thread without a lead or a length"
+"A thread is cut by moving the tool by its lead with every turn of the spindle. Here the lead or the whole way is zero, or too small \
+or too large to print. Look where the lead is programmed."
+
 O4001 Note "arc-as-lines" "arc is printed as straight lines"
 "The arc is so small or so flat that its printed numbers cannot describe a circle within the tolerance of the target: \
 after rounding, start and end lie at different distances from every possible centre. It is printed as lines that leave the arc \

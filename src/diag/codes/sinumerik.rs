@@ -31,7 +31,7 @@ S1013 Error "siemens-modal-passes" "number of passes in a modal call"
 "MCALL calls the program once behind every positioning block; a number of passes cannot be given. The control shows alarm 12100."
 
 S1014 Error "siemens-name-length" "name is too long"
-"Labels and names have at most 32 characters. The control shows alarm 12420."
+"Labels and names have at most 32 characters; the control stops at a longer one with alarm 12420. Shorten it."
 
 S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
 "Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \

@@ -7,6 +7,7 @@ pub(super) const TRAITS: Traits = Traits {
     extension: "ngc",
     frame: "%",
     head: &["G90 G21 G91.1 G94", "G17 G40 G49 G80"],
+    lathe_head: ["G18 G8 G40 G49 G80", "G18 G7 G40 G49 G80"],
     comment: ("(", ")"),
     line_length: 80,
     arc_tolerance: 1.5,

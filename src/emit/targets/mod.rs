@@ -13,6 +13,8 @@ pub struct Traits {
     pub frame: &'static str,
     /// Lines that state the modes at the start.
     pub head: &'static [&'static str],
+    /// The last of these on a lathe, with X as a radius and as a diameter.
+    pub lathe_head: [&'static str; 2],
     /// What stands around a comment.
     pub comment: (&'static str, &'static str),
     /// Longest line, end of line not counted.

@@ -123,7 +123,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let feed = self.plunge_feed(Some(feed), &end);
-        self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape }), feed);
+        self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape, turns: 0 }), feed);
         Ok(())
     }
 

@@ -94,7 +94,7 @@ impl Run<'_> {
                 PathFn::LinePolar => self.polar_end(w, Path::Line)?,
                 PathFn::TangentPolar => {
                     let plane = self.pole("CTP")?.plane;
-                    self.polar_end(w, Path::Arc(Arc { plane, shape: ArcShape::Tangent }))?;
+                    self.polar_end(w, Path::Arc(Arc { plane, shape: ArcShape::Tangent, turns: 0 }))?;
                 }
                 PathFn::CirclePolar => self.polar_arc(w)?,
             }
@@ -409,7 +409,7 @@ impl Run<'_> {
         };
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         self.m_at_start(&w, true)?;
-        self.out.corner(&Corner { shape, feed }, &self.st.ctx, &self.here.origin);
+        self.out.corner(&Corner { shape, feed: Some(feed), modal: false }, &self.st.ctx, &self.here.origin);
         self.st.polar = None;
         self.m_at_end(&w)
     }
