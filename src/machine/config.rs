@@ -45,7 +45,7 @@ const fn key(name: &'static str, kind: Kind, doc: &'static str) -> Key {
 
 const GENERATIONS: &[&str] = &["tnc426", "itnc530", "tnc640", "tnc7"];
 const SINUMERIKS: &[&str] = &["802d", "810d", "828d", "840dsl", "one"];
-const TURNINGS: &[&str] = &["manualplus4110", "manualplus620"];
+const TURNINGS: &[&str] = &["manualplus4110", "cncpilot4290", "manualplus620"];
 
 const TOOL_KEYS: &[Key] = &[
     key("number", Kind::Whole, "tool number to print; needed for a tool known by name or index only"),
@@ -107,6 +107,9 @@ pub const SECTIONS: &[Section] = &[
             ),
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree"),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)"),
+            key("turning_arc_q", Kind::Choice(&["near", "far"]), "solution that Q0 of an arc names in turning programs"),
+            key("recess_depth", Kind::Choice(&["diameter", "radius"]), "what an incremental I of a recess (G22) counts"),
+            key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
         ],
     },
@@ -307,6 +310,15 @@ impl Reader {
             }
             "cp_sign" => control.cp_sign = if text(node) == "dr" { CpSign::Dr } else { CpSign::Refuse },
             "scaling" => control.scaling_in_plane = text(node) == "plane",
+            "turning_arc_q" => {
+                let far = text(node) == "far";
+                control.turning.arc_choice = if far { ArcChoice::ZeroIsFar } else { ArcChoice::ZeroIsNear };
+            }
+            "recess_depth" => {
+                let radius = text(node) == "radius";
+                control.turning.recess_depth = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
+            }
+            "tool_change_point" => control.turning.change_point = Some(change_point(node)?),
             "retract_max" => control.retract_max = number(node),
             _ => return Err(node.fail(format!("`{name}` has no place in [control]"))),
         }
@@ -478,6 +490,19 @@ fn range(node: &Node) -> Result<(f64, f64), ConfigError> {
         },
         _ => Err(fail()),
     }
+}
+
+fn change_point(node: &Node) -> Result<(f64, f64), ConfigError> {
+    let fail = || node.fail("a tool change point has both coordinates: { X = 300.0, Z = 400.0 }");
+    let (mut x, mut z) = (None, None);
+    for (name, node) in table_of(node) {
+        match name.as_str() {
+            "X" => x = number(node),
+            "Z" => z = number(node),
+            _ => return Err(fail()),
+        }
+    }
+    x.zip(z).ok_or_else(fail)
 }
 
 fn tool_key(name: &str, node: &Node) -> Result<ToolKey, ConfigError> {

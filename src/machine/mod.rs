@@ -9,7 +9,7 @@ pub mod tools;
 pub mod tree;
 
 pub use axis::{Axis, AxisSet};
-pub use settings::{
+pub use settings::{ArcChoice, RecessDepth, 
     CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings, PolarMissing,
     Settings, ShiftAxes, Unit,
 };

@@ -6,6 +6,7 @@
 pub mod exec;
 pub mod here;
 pub mod klartext;
+pub mod turning;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;

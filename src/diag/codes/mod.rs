@@ -8,12 +8,14 @@ mod geometry;
 mod klartext;
 mod output;
 mod sinumerik;
+mod turning;
 
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
 pub use output::*;
 pub use sinumerik::*;
+pub use turning::*;
 
 use super::Severity;
 
@@ -49,7 +51,7 @@ use codes;
 /// Every code, in order of its id.
 pub fn all() -> Vec<&'static Code> {
     let mut list: Vec<_> =
-        [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK]
+        [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK, turning::TURNING]
             .iter()
             .flat_map(|table| table.iter().copied())
             .collect();

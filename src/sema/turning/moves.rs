@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, Vec2, distance, SAME_POINT};
-use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path};
+use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Thread};
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -213,6 +213,51 @@ impl Run<'_> {
             );
         }
         Ok(Some(feed.with_value(feed.value() * num.value)))
+    }
+
+    /// G33: one thread cut, from where the tool stands.
+    pub(super) fn single_thread(&mut self, w: &Words) -> Outcome {
+        for (letter, what) in [(b'C', "start angle of a thread"), (b'E', "variable pitch")] {
+            if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
+                return self.fail(codes::T9007, num.span, format!("the target cannot cut a {what}"));
+            }
+        }
+        let from = self.stand()?;
+        let span = self.block_span();
+        let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
+        let lead = self.above_zero(pitch, "the pitch of the thread")?;
+        let (x, z) = (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z));
+        let mut end = Pos::UNKNOWN;
+        self.end_on(Axis::X, x, w, &mut end)?;
+        self.end_on(Axis::Z, z, w, &mut end)?;
+        let to = Point2::new(end.get(Axis::Z).unwrap_or(from.x), end.get(Axis::X).unwrap_or(from.y));
+        if x == Coord::Unknown || z == Coord::Unknown || distance(from, to) <= SAME_POINT {
+            return self.fail(codes::T1005, span, "a thread needs an end point");
+        }
+        // The pitch counts along the axis that moves most, so the target and the control agree on it.
+        let way = to - from;
+        let along = match self.choice(w, b'H', 0, 3)? {
+            0 if way.y.abs() <= way.x.abs() + AGREES => Some(Axis::Z),
+            1 if way.x.abs() <= way.y.abs() + AGREES => Some(Axis::X),
+            3 => None,
+            2 => return self.fail(codes::T1007, w.span(b'H', span), "H is 0 for Z, 1 for X, or 3 for along the path"),
+            _ => {
+                return self.fail_help(
+                    codes::T1007,
+                    w.span(b'H', span),
+                    "the thread leans more than 45 degrees out of the axis of its pitch",
+                    "program H0 for a pitch along Z, H1 for one along X",
+                );
+            }
+        };
+        end.set_in_plane(Plane::Zx, to);
+        let (side, coords) = (self.st.side, Coords::Frame);
+        let path = Path::Thread(Thread { lead, along });
+        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed: None, side, coords });
+        self.st.stands(to);
+        self.st.moved = true;
+        self.follow(Solved { from, to, arc: None }, Transition::Sharp);
+        Ok(())
     }
 
     /// G701: rapid traverse in machine coordinates.
