@@ -13,6 +13,17 @@ pub struct Cut {
     pub arc: Option<(Point2, bool)>,
 }
 
+/// Size of a corner, in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Size {
+    /// Of a rounding.
+    Radius(f64),
+    /// Cut off along each side by a chamfer.
+    Side(f64),
+    /// Of the chamfer itself.
+    Length(f64),
+}
+
 /// Why there is no cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoCut {
@@ -66,6 +77,17 @@ pub fn chamfer(before: &Element, after: &Element, side: f64, tol: f64) -> Result
     let (u, w) = directions(before, after)?;
     fits(side, before, after, tol)?;
     Ok(Cut { leave: before.to() - u * side, join: after.from() + w * side, arc: None })
+}
+
+/// How much a corner cuts off each of two lines; `None` beside an arc.
+pub fn cut_off(before: &Element, after: &Element, size: Size) -> Option<f64> {
+    let (Element::Line { .. }, Element::Line { .. }) = (before, after) else { return None };
+    let (u, w) = directions(before, after).ok()?;
+    Some(match size {
+        Size::Radius(radius) => radius * cross(u, w).abs() / (1.0 + u.dot(&w)),
+        Size::Side(side) => side,
+        Size::Length(length) => length / (u + w).norm(),
+    })
 }
 
 /// Chamfers the corner between two lines by a chamfer of `length`, the same angle to both.

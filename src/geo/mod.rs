@@ -9,6 +9,7 @@ pub mod corner;
 pub mod element;
 pub mod intersect;
 pub mod plane;
+pub mod wall;
 
 pub use angle::Deg;
 pub use element::Element;

@@ -1,7 +1,7 @@
 //! Pass 3: chamfers and roundings between two elements. Holds back one element.
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
-use crate::geo::corner::{self, Cut, NoCut};
+use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{Corner, CornerShape};
 use crate::ir::motion::{Arc, Path};
@@ -32,6 +32,8 @@ pub struct Corners {
     held: bool,
     corner: Option<(Corner, Origin)>,
     between: Vec<(Function, Origin)>,
+    /// The element that waits was shortened by the corner before it.
+    trimmed: bool,
 }
 
 impl Corners {
@@ -44,10 +46,15 @@ impl Corners {
     /// The element in [`Corners::slot`] is complete.
     #[inline]
     pub fn push(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
+        // An element that goes nowhere is no neighbour of a corner.
+        if self.held && self.steps[self.waiting ^ 1].rests_behind(&self.steps[self.waiting]) {
+            return;
+        }
         if self.corner.is_some() {
             self.cut(diags, out);
             return;
         }
+        self.trimmed = false;
         if self.held {
             out(Event::Step(&self.steps[self.waiting]));
         }
@@ -95,6 +102,11 @@ impl Corners {
         self.drop_corner(out);
     }
 
+    /// Sends what is held after an error: a corner that waits goes with it.
+    pub fn abandon(&mut self, out: &mut impl FnMut(Event<'_>)) {
+        self.drop_corner(out);
+    }
+
     fn drop_corner(&mut self, out: &mut impl FnMut(Event<'_>)) {
         self.corner = None;
         if std::mem::take(&mut self.held) {
@@ -109,8 +121,10 @@ impl Corners {
     fn cut(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         let Some((corner, origin)) = self.corner.take() else { return };
         let (before, after) = (self.waiting, self.waiting ^ 1);
-        match cut(&self.steps[before], &self.steps[after], &corner, origin) {
+        let trimmed = std::mem::take(&mut self.trimmed);
+        match cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed) {
             Ok((shortened, inserted, rest)) => {
+                self.trimmed = true;
                 out(Event::Step(&shortened));
                 if let Some(inserted) = inserted {
                     out(Event::Step(&inserted));
@@ -142,6 +156,7 @@ fn cut(
     after: &Step,
     corner: &Corner,
     origin: Origin,
+    trimmed: bool,
 ) -> Result<(Step, Option<Step>, Step), Box<Diagnostic>> {
     let plane = after.ctx.plane;
     let name = match corner.shape {
@@ -180,7 +195,7 @@ fn cut(
     let made = match result {
         Ok(made) => made,
         Err(NoCut::TooLarge) => {
-            return refuse(codes::G3008, format!("the {name} is larger than a neighbouring element"));
+            return refuse(codes::G3008, too_large(name, corner, &a, &b, trimmed));
         }
         Err(NoCut::Arc) => return refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned()),
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
@@ -192,6 +207,29 @@ fn cut(
         }
     };
     Ok(pieces(before, after, corner, origin, &made))
+}
+
+/// What a corner would need, and what there is.
+#[cold]
+fn too_large(name: &str, corner: &Corner, before: &Element, after: &Element, trimmed: bool) -> String {
+    let (size, cut) = match corner.shape {
+        CornerShape::Rounding { radius } => (format!("of radius {}", length(radius)), Size::Radius(radius)),
+        CornerShape::Chamfer { side } => (format!("of {}", length(side)), Size::Side(side)),
+        CornerShape::ChamferLength { length: own } => (format!("of {}", length(own)), Size::Length(own)),
+    };
+    let rest = if trimmed { " behind the corner in front of it" } else { "" };
+    let (a, b) = (length(before.length()), length(after.length()));
+    let needs = match corner::cut_off(before, after, cut) {
+        Some(back) => format!("needs {} mm of each neighbour", length(back)),
+        None => "does not fit between its neighbours".to_owned(),
+    };
+    format!("the {name} {size} {needs}: the element before has {a} mm{rest}, the one after {b} mm")
+}
+
+/// A length for a message: four decimals, no trailing zeros.
+fn length(mm: f64) -> String {
+    let text = format!("{mm:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &Cut) -> (Step, Option<Step>, Step) {

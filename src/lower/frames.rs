@@ -7,12 +7,12 @@ use crate::geo::Point2;
 use crate::ir::frame::PlaneMap;
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Frame, Pos};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 
 use super::step::Step;
 
-/// What cannot be mapped: code and message.
-type Unmapped = (&'static Code, String);
+/// What cannot be mapped: code, message and help.
+type Unmapped = (&'static Code, String, String);
 
 /// The move that `step` is in workpiece coordinates.
 ///
@@ -30,16 +30,18 @@ pub fn workpiece(step: &Step) -> Result<Cow<'_, Move>, Unmapped> {
 fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
     let end = frame.apply(&mv.end);
     let axes = frame.touched(mv.axes);
-    if let Some(axis) = axes.without(end.known()).iter().next() {
-        let message =
-            format!("under this rotation the block also moves {}, whose position is not known", axis.letter());
-        return Err((codes::G3015, message));
+    if !axes.without(end.known()).is_empty() {
+        return Err(position_missing(mv, frame, axes));
     }
     let path = match &mv.path {
         Path::Arc(arc) => Path::Arc(map_arc(arc, frame)?),
         Path::Thread { lead } => match frame.uniform_scale() {
             Some(scale) => Path::Thread { lead: lead * scale },
-            None => return Err((codes::G3022, "the axes of this thread have different scaling factors".to_owned())),
+            None => {
+                let help = "give its axes the same factor";
+                let what = "the axes of this thread have different scaling factors";
+                return Err((codes::G3022, what.to_owned(), help.to_owned()));
+            }
         },
         straight => *straight,
     };
@@ -52,14 +54,40 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
     Ok(Move { end, axes, path, side, plane, ..*mv })
 }
 
+/// Under a rotation the target depends on axes of which the program never said where they are.
+#[cold]
+fn position_missing(mv: &Move, frame: &Frame, axes: AxisSet) -> Unmapped {
+    let unknown = AxisSet::MAIN.without(mv.end.known());
+    let missing = unknown
+        .iter()
+        .filter(|from| axes.iter().any(|to| to.is_main() && frame.linear()[(to.index(), from.index())] != 0.0));
+    let missing: AxisSet = missing.collect();
+    let list = |axes: AxisSet| axes.iter().map(|axis| axis.letter().to_string()).collect::<Vec<_>>().join(" and ");
+    let (programmed, missing) = (list(mv.axes), list(missing));
+    let message = format!(
+        "under this rotation the target of {programmed} also depends on {missing}, whose position is not known"
+    );
+    (codes::G3015, message, format!("program {missing} in this block or before it"))
+}
+
 fn map_arc(arc: &Arc, frame: &Frame) -> Result<Arc, Unmapped> {
     let (plane, flips) = match frame.plane_map(arc.plane) {
         PlaneMap::Similar { plane, flips, .. } => (plane, flips),
         PlaneMap::Uneven => {
-            return Err((codes::G3011, "the axes of this arc have different scaling factors".to_owned()));
+            let help = "give both axes of the plane the same factor";
+            return Err((
+                codes::G3011,
+                "the axes of this arc have different scaling factors".to_owned(),
+                help.to_owned(),
+            ));
         }
         PlaneMap::Tilted => {
-            return Err((codes::G3012, "the rotation turns this arc out of the main planes".to_owned()));
+            let help = "reset the rotation before the arc";
+            return Err((
+                codes::G3012,
+                "the rotation turns this arc out of the main planes".to_owned(),
+                help.to_owned(),
+            ));
         }
     };
     let (_, _, third) = arc.plane.axes();

@@ -67,6 +67,12 @@ impl<'a> Lower<'a> {
         corners.flush(finish.diags, &mut |event| finish.event(event));
     }
 
+    /// The same after an error: that a corner has lost its neighbour is not worth another one.
+    fn abandon(&mut self) {
+        let (corners, mut finish) = self.split();
+        corners.abandon(&mut |event| finish.event(event));
+    }
+
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
         (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out })
     }
@@ -106,9 +112,12 @@ impl<'a> Lower<'a> {
         if step.mv.machine {
             step.mv.path = if mv.path == contour::Path::Rapid { motion::Path::Rapid } else { motion::Path::Line };
             step.mv.end = *programmed;
+            // Every programmed coordinate that depends on the axes that moved is unknown now.
+            let mut workpiece = self.ctx.frame.apply(&self.at);
             for axis in programmed.known().iter() {
-                self.at.forget(axis);
+                workpiece.forget(axis);
             }
+            self.at = self.ctx.frame.unapply(&workpiece);
             self.last.forget();
             return self.push();
         }
@@ -139,7 +148,7 @@ impl<'a> Lower<'a> {
     /// The element cannot be computed; the next ones start at its programmed end all the same.
     #[cold]
     fn refuse(&mut self, found: Option<Box<Diagnostic>>, programmed: &Pos, origin: &Origin) {
-        self.flush();
+        self.abandon();
         if let Some(found) = found {
             self.diags.push(*found);
         }
@@ -210,7 +219,11 @@ impl Sink for Lower<'_> {
 
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
-        self.flush();
+        if self.diags.has_errors() {
+            self.abandon();
+        } else {
+            self.flush();
+        }
         self.at.clear();
         self.last.forget();
         self.out.lost(origin);
@@ -235,7 +248,7 @@ impl Finish<'_> {
                     }
                     self.out.movement(&mv, &step.origin);
                 }
-                Err((code, message)) => self.diags.push(at(code, step.origin, message)),
+                Err((code, message, help)) => self.diags.push(at(code, step.origin, message).help(help)),
             },
             Event::Function(function, origin) => self.out.function(function, &origin),
         }

@@ -40,6 +40,20 @@ impl Step {
         }
     }
 
+    /// Does this straight element stay where `before` ends, under the same conditions?
+    #[inline]
+    pub fn rests_behind(&self, before: &Step) -> bool {
+        let still =
+            self.mv.axes.iter().all(|axis| self.start.get(axis).is_some_and(|at| self.mv.end.get(axis) == Some(at)));
+        still
+            && matches!(self.mv.path, Path::Rapid | Path::Line)
+            && !self.mv.machine
+            && !before.mv.machine
+            && self.mv.side == before.mv.side
+            && self.mv.plane == before.mv.plane
+            && std::rc::Rc::ptr_eq(&self.ctx, &before.ctx)
+    }
+
     /// Does an axis outside `plane` move?
     #[inline]
     pub fn leaves(&self, plane: Plane) -> bool {

@@ -6,7 +6,8 @@ use partc::dialect;
 use partc::driver::Session;
 use partc::ir::motion::{Move, Path, Sink};
 use partc::ir::{Function, Origin};
-use partc::machine::{Axis, Settings};
+use partc::machine::Settings;
+use partc::machine::axis::AXES;
 use partc::text::{Memory, Opened};
 
 use super::common::{self, cases, compile_case};
@@ -29,16 +30,14 @@ pub struct Meant {
 #[derive(Default)]
 pub struct Recorder {
     pub moves: Vec<Meant>,
-    at: [Option<f64>; 3],
+    at: [Option<f64>; AXES],
 }
 
 impl Sink for Recorder {
     fn movement(&mut self, mv: &Move, _: &Origin) {
         let before = self.at;
-        for axis in [Axis::X, Axis::Y, Axis::Z] {
-            if mv.axes.contains(axis) {
-                self.at[axis.index()] = mv.end.get(axis);
-            }
+        for axis in mv.axes.iter() {
+            self.at[axis.index()] = mv.end.get(axis);
         }
         let arc = match &mv.path {
             Path::Arc(arc) => {
@@ -48,12 +47,13 @@ impl Sink for Recorder {
             _ => None,
         };
         let printed = |v: Option<f64>| v.map(|v| (v * 1e4).round());
-        let same = (0..3).all(|i| printed(before[i]) == printed(self.at[i]));
+        let same = (0..AXES).all(|i| printed(before[i]) == printed(self.at[i]));
         if arc.is_some() || !same {
-            self.moves.push(Meant { rapid: mv.path == Path::Rapid, end: self.at, arc });
+            let end = [self.at[0], self.at[1], self.at[2]];
+            self.moves.push(Meant { rapid: mv.path == Path::Rapid, end, arc });
         }
         if mv.machine {
-            for axis in mv.axes.iter().filter(|axis| axis.index() < 3) {
+            for axis in mv.axes.iter() {
                 self.at[axis.index()] = None;
             }
         }
@@ -61,7 +61,7 @@ impl Sink for Recorder {
 
     fn function(&mut self, function: &Function, _: &Origin) {
         if matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_)) {
-            self.at = [None; 3];
+            self.at = [None; AXES];
         }
     }
 

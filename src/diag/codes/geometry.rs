@@ -92,4 +92,32 @@ moves most, and check the end point."
 G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
 "Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
 
+G3040 Error "cycle-too-many-cuts" "cycle makes too many cuts"
+"The infeed is so small against the depth that the cycle would run without end in sight. Most often a decimal point is lost. \
+Program a larger infeed."
+
+G3041 Error "cycle-arguments" "cycle data do not fit together"
+"The data of the cycle describe nothing that can be machined. The message names what is wrong; every dialect names its own word for it \
+before the path is computed, so this text is the last line of defence."
+
+G3042 Error "thread-flank-offset" "flank offset is longer than the way it uses up"
+"With infeed along a flank the cuts above the last one start a little ahead or behind. A start ahead of the run-in would plunge into the thread at \
+its full width, and an end behind the last part would cut nothing. Lengthen the run-in or run-out, or make the flank angle smaller."
+
+G3043 Error "cycle-start-unknown" "position in front of the cycle is not known"
+"A turning cycle takes the start of its way from where the tool stands when it is called. Here X or Z was not programmed yet, or was lost by \
+machine coordinates or an error before. Position both axes in front of the cycle."
+
+G3044 Error "recess-contour" "contour is not one recess"
+"Recess turning needs a contour that falls from one rim to the floor and rises to the other rim, seen from the tool, without leaning over. \
+Several recesses need a cycle each; walls that lean over cannot be reached by a straight tool."
+
+G3045 Error "recess-tool-too-wide" "recessing tool does not fit"
+"Between the walls, with their oversize, there is not room enough for the cutting width down to the floor; or the floor is round or oblique, so that \
+a flat tool does not reach its lowest point. Take a narrower tool, or one with a larger nose radius for a round floor."
+
+G3046 Error "cycle-blank" "blank is not where the cycle needs it"
+"The blank that the cycle was given does not stand above the contour, or the tool stands inside of it, so that there is nothing to cut or no \
+safe way. Check blank, contour and the position in front of the cycle."
+
 }

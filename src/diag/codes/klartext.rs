@@ -79,8 +79,9 @@ K2002 Error "feed-missing" "cutting move without a feed rate"
 "No F word stands before this move, neither in a path block nor in a TOOL CALL. The control stops with \"feed rate is missing\". \
 Program F, or set `[control] feed` for fragments that get their feed elsewhere."
 
-K2003 Error "feed-auto-missing" "F AUTO without a feed in the TOOL CALL"
-"`F AUTO` means the feed of the last TOOL CALL, and that block has none. Put F into the TOOL CALL, or set `[control] feed` in partc.toml \
+K2003 Error "feed-auto-missing" "F AUTO without a usable feed in the TOOL CALL"
+"`F AUTO` means the feed of the last TOOL CALL, and that block has none, or M136 or M137 changed what F counts since. Put F into the \
+TOOL CALL, or set `[control] feed` in partc.toml \
 for fragments."
 
 K2004 Error "tool-axis-missing" "first TOOL CALL has no tool axis"
@@ -126,7 +127,8 @@ K2102 Warning "pole-incomplete" "CC block with one coordinate"
 `[control] cc_missing = \"previous\"` takes the one of the CC before. Write both to be sure."
 
 K2103 Warning "turn-missing" "arc without DR turns as the last one did"
-"DR is missing, so the direction of the last arc holds, as on the control. That arc may stand far above, or in a subprogram. Write \
+"DR is missing, so the last DR programmed holds, as on the control. It may stand far above, or in a subprogram; CT and CTP do not \
+change it. Write \
 DR+ (counter-clockwise) or DR- to be sure."
 
 K2104 Error "turn-unknown" "arc without DR, and no arc before it"
@@ -142,7 +144,7 @@ K2106 Warning "polar-angle-range" "absolute angle beyond 360 degrees"
 turns. A helix of several turns is programmed with IPA."
 
 K2107 Warning "polar-inherited" "missing polar word is taken from the position"
-"PR or PA is missing and the block before was not a polar block about the same pole. partc computes the missing one from the position; \
+"PR or PA is missing and the block before was not a polar block about the same pole, or its PR was not above zero. partc computes the missing one from the position; \
 a control might keep the last programmed one. `[control] polar_missing = \"programmed\"` selects that. Write both words to be sure."
 
 K2108 Warning "pole-moved" "pole was set before the coordinate system changed"
@@ -261,8 +263,8 @@ K2505 Error "preset-unmapped" "preset number has no work offset"
 "Presets 1 to 9 become G54 to G59.3. For any other number name the work offset in partc.toml: `[datums]` with `preset.12 = \"G55\"`."
 
 K2506 Error "coordinate-under-transformation" "axis cannot be moved under this transformation"
-"A parallel axis U, V or W moves while a scaling or mirror is active. Controls differ in whether they scale and mirror such an axis, \
-so the block is refused. Reset the transformation first."
+"A parallel axis U, V or W moves while a scaling, mirror or rotation acts on its direction. Controls differ in whether they transform such \
+an axis, so the block is refused. Reset the transformation first."
 
 K2507 Warning "scaling-of-depth" "scaling also changes the tool axis"
 "A machine parameter (MP 7410) decides whether scaling acts in the working plane only or on all three axes. partc scales all three, which is \
@@ -276,6 +278,14 @@ K2509 Error "rotary-feed" "feed of a rotary axis under M116 is not supported"
 "M116 makes F a speed at the workpiece surface, which depends on the radius at which the tool stands from the rotary axis. \
 Plain G-code counts degrees per minute."
 
+K2510 Warning "rotary-half-turn" "rotary axis goes half a turn under M126"
+"M126 takes the shorter way, and over exactly 180 degrees both ways are as short. The manuals do not say which one the control takes; \
+partc turns in the positive sense. Program M127 and the angle with its turns where the sense of rotation matters."
+
+K2511 Warning "rotation-plane" "tool axis changes under a rotation"
+"A rotation turns the coordinates in the working plane in which it was programmed. The manuals do not say what becomes of it when a \
+TOOL CALL changes the working plane: partc leaves it where it is. Reset it before the change, and program it again after."
+
 K2601 Error "compensation-in-arc" "radius compensation starts or ends in an arc"
 "RL, RR and R0 take effect over a straight block, at whose end the tool stands beside the contour. The control refuses to switch in \
 C, CR, CT, CP and CTP. Put a straight block in front of or behind the arc."
@@ -288,9 +298,10 @@ K2603 Warning "compensation-open" "radius compensation is still on"
 "The program ends, calls a tool, a cycle or a program while RL or RR is active. The control cancels the compensation there; \
 the tool may cut the contour on the way. Program a block with R0 first."
 
-K2604 Error "paraxial-compensation" "R+ or R- outside a single-axis block"
+K2604 Error "paraxial-compensation" "R+ or R- where it cannot act"
 "R+ and R- lengthen or shorten a block that moves one axis by the tool radius, such as `X+50 R+ F200`. They cannot be used with \
-several axes, nor while RL or RR is active. Split the block, or program RL or RR."
+several axes, without a way, in machine coordinates or while RL or RR is active; and no arc or polar block can start where they left the \
+tool. Split the block, or program RL or RR."
 
 K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
@@ -318,6 +329,10 @@ knows what the function would do."
 
 K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does"
 "On the control M0 also stops the spindle and the coolant; a plain M0 does not on every target. M5 and M9 are printed before it."
+
+K2709 Warning "plunge-feed-open" "M103 does not know where the move starts"
+"M103 limits the feed by the share of the way that leads down, and where this move starts was not programmed. partc takes the lowest \
+feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning."
 
 K9001 Error "cycle-unsupported" "machining cycle is not supported yet"
 "The cycle is read, but partc cannot compute its path yet, and a path without it would leave out material removal. Nothing is written."

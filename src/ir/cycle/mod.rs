@@ -2,15 +2,28 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod thread;
+pub mod turning;
+
+use crate::geo::Plane;
+
 use super::Pos;
+
+pub use thread::Thread;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Cycle {}
+pub enum Cycle {
+    Thread(Thread),
+}
 
 impl Cycle {
     /// Where the tool stands afterwards, in the programmed frame, if the cycle starts in `at`.
-    pub fn leaves(&self, _at: &Pos) -> Pos {
-        match *self {}
+    pub fn leaves(&self, at: &Pos) -> Pos {
+        let mut end = *at;
+        match self {
+            Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
+        }
+        end
     }
 }

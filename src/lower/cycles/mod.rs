@@ -1,9 +1,16 @@
 //! Cycles become moves: one file per family.
 
-use crate::diag::Diagnostic;
+pub mod infeed;
+pub mod thread;
+pub mod track;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Plane;
 use crate::ir::contour::{CtxRef, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Origin, Pos};
+use crate::ir::{Function, Origin, Pos};
+
+use track::{Failure, Stroke};
 
 /// Sends what `cycle` does to `out`, starting in `start` (programmed frame).
 ///
@@ -11,10 +18,26 @@ use crate::ir::{Origin, Pos};
 /// Arguments that describe no safe path.
 pub fn expand(
     cycle: &Cycle,
-    _start: &Pos,
-    _ctx: &CtxRef,
-    _origin: &Origin,
-    _out: &mut dyn Sink,
+    start: &Pos,
+    ctx: &CtxRef,
+    origin: &Origin,
+    out: &mut dyn Sink,
 ) -> Result<(), Box<Diagnostic>> {
-    match *cycle {}
+    let mut send = |stroke: Stroke| match stroke {
+        Stroke::Dwell { seconds } => out.function(&Function::Dwell(seconds), ctx, origin),
+        Stroke::Move(path) => out.movement(&path.movement(), ctx, origin),
+    };
+    let Some(from) = start.in_plane(Plane::Zx) else {
+        let message = "the cycle starts where the tool stands, but its position in X and Z is not known";
+        return Err(report(Failure::new(codes::G3043, message, "position X and Z in front of the cycle"), origin));
+    };
+    match cycle {
+        Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
+    }
+    .map_err(|failure| report(failure, origin))
+}
+
+fn report(failure: Failure, origin: &Origin) -> Box<Diagnostic> {
+    let found = Diagnostic::new(failure.code, origin.loc, failure.message);
+    Box::new(found.called(origin.call).help(failure.help))
 }

@@ -32,6 +32,7 @@ const FORMS: &[(&str, &str)] = &[
     ("CALL", "CALL LBL 1 REP 2"),
     ("CYCL", "CYCL DEF 7.1 X+60"),
     ("FN", "FN 1: Q1 = +Q2 + +5"),
+    ("FN 9", "FN 9: IF +Q1 EQU +5 GOTO LBL 1"),
     ("Q", "Q1 = ( Q2 + 5 ) * SIN 30"),
     ("STOP", "STOP M6"),
     ("PLANE", "PLANE RESET STAY"),
@@ -69,15 +70,92 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
             .help("a comment starts with `;`");
     }
     if span.start == from {
-        let first: String = word.chars().take_while(|c| c.is_alphabetic()).collect();
-        let problem = Problem::new(codes::K1002, span, format!("`{word}` begins no Klartext block"));
-        let heads = FORMS.iter().map(|(head, _)| *head).filter(|head| head.len() > 1);
-        return match did_you_mean(&first, heads) {
-            Some(like) if first.len() > 1 => problem.help(format!("did you mean `{like}`?")),
-            _ => problem.help("a comment starts with `;`"),
-        };
+        return no_statement(&word, span, text);
     }
     Problem::new(codes::K1001, span, format!("`{word}` cannot stand here")).form(text, from)
+}
+
+/// Statements of two words: the first one, the second ones, how such a block looks.
+const PAIRS: &[(&str, &[&str], &str)] = &[
+    ("BEGIN", &["PGM"], "BEGIN PGM NAME MM"),
+    ("END", &["PGM"], "END PGM NAME MM"),
+    ("BLK", &["FORM"], "BLK FORM 0.1 Z X+0 Y+0 Z-20"),
+    ("TOOL", &["CALL", "DEF"], "TOOL CALL 5 Z S2500 F500"),
+    ("CALL", &["LBL", "PGM", "SELECTED"], "CALL LBL 1` or `CALL PGM NAME.H"),
+    ("SEL", &["PGM", "PATTERN", "TABLE", "CONTOUR"], "SEL PGM \"NAME.H\""),
+    ("CYCL", &["DEF", "CALL"], "CYCL DEF 7.1 X+60` or `CYCL CALL"),
+    ("TRANS", &["DATUM", "MIRROR", "ROTATION", "SCALE"], "TRANS DATUM AXIS X+10 Y+25"),
+    ("TCH", &["PROBE"], "TCH PROBE 0.0 REF. PLANE Q5 Z-"),
+    ("PATTERN", &["DEF"], "PATTERN DEF POS1 (X+12 Y+20 Z+0)"),
+    ("DECLARE", &["STRING", "CONTOUR"], "DECLARE STRING QS1 = \"TEXT\""),
+    ("PLANE", &["RESET", "SPATIAL", "PROJECTED", "EULER", "VECTOR", "POINTS", "RELATIVE", "AXIAL"], "PLANE RESET STAY"),
+];
+
+/// Words of other languages and of plain speech, and what Klartext writes for them.
+const MEANT: &[(&str, &str)] = &[
+    ("LINE", "L X+10 Y-5 F500"),
+    ("CIRCLE", "C X+20 Y+10 DR+"),
+    ("ARC", "CR X+20 Y+10 R+15 DR-"),
+    ("LABEL", "LBL 1"),
+    ("IF", "FN 9: IF +Q1 EQU +5 GOTO LBL 1"),
+    ("GOTO", "FN 9: IF +0 EQU +0 GOTO LBL 1"),
+    ("CHAMFER", "CHF 5"),
+    ("ROUND", "RND R5"),
+    ("DWELL", "CYCL DEF 9.1 DWELL 1.5"),
+];
+
+/// Path functions, the longest first.
+const FUNCTIONS: &[&str] = &["CTP", "CT", "CR", "CC", "CP", "LP", "L", "C"];
+
+/// The first word begins no block, or what follows does not belong to it.
+fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
+    let rest = text.get(span.start as usize..).unwrap_or_default();
+    let line = readable(rest).into_owned();
+    let code = line.split(';').next().unwrap_or_default();
+    let mut words = code.split_whitespace();
+    let first: String = words.next().unwrap_or(word).chars().take_while(|c| c.is_alphabetic()).collect();
+    let upper = first.to_uppercase();
+    if let Some((head, seconds, form)) = PAIRS.iter().find(|(head, ..)| *head == upper) {
+        return wrong_pair(head, seconds, form, words.next(), code, span);
+    }
+    let problem = Problem::new(codes::K1002, span, format!("`{word}` begins no Klartext block"));
+    if let Some((_, form)) = MEANT.iter().find(|(meant, _)| *meant == upper) {
+        return problem.help(format!("the block looks like `{form}`"));
+    }
+    if let Some(function) = glued(&upper) {
+        return problem.help(format!("write a blank behind the function: `{function} {}…`", &upper[function.len()..]));
+    }
+    let heads = FORMS.iter().map(|(head, _)| *head).filter(|head| head.len() > 1 && upper.starts_with(&head[..1]));
+    match did_you_mean(&upper, heads) {
+        Some(like) if upper.len() > 1 => problem.help(format!("did you mean `{like}`?")),
+        _ => problem.help("a comment starts with `;`"),
+    }
+}
+
+/// The function in `LX` or `CRX`.
+fn glued(word: &str) -> Option<&'static str> {
+    let function = FUNCTIONS.iter().copied().find(|function| word.starts_with(function))?;
+    let rest = &word[function.len()..];
+    let axis = rest.strip_prefix('I').unwrap_or(rest);
+    matches!(axis, "X" | "Y" | "Z" | "U" | "V" | "W" | "A" | "B" | "C" | "PR" | "PA").then_some(function)
+}
+
+fn wrong_pair(head: &str, seconds: &[&str], form: &str, second: Option<&str>, code: &str, span: Span) -> Problem {
+    let looks = format!("the block looks like `{form}`");
+    let Some(second) = second else {
+        return Problem::new(codes::K1002, span, format!("`{head}` alone is no Klartext block")).help(looks);
+    };
+    let len = code.find(second).map_or(span.end - span.start, |at| (at + second.len()) as u32);
+    let both = Span::at(span.start, len);
+    let upper = second.to_uppercase();
+    if seconds.contains(&upper.as_str()) {
+        return Problem::new(codes::K1002, both, format!("`{head} {second}` is not complete")).help(looks);
+    }
+    let problem = Problem::new(codes::K1002, both, format!("`{head} {second}` begins no Klartext block"));
+    match did_you_mean(&upper, seconds.iter().copied()) {
+        Some(like) => problem.help(format!("did you mean `{head} {like}`?")),
+        None => problem.help(looks),
+    }
 }
 
 impl Problem {
@@ -87,6 +165,9 @@ impl Problem {
         let len = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let first = readable(&rest[..len]).to_uppercase();
         let first = if first.starts_with('Q') { "Q" } else { &first };
+        let jump = first == "FN"
+            && matches!(rest[len..].trim_ascii_start(), [b'9', b':' | b' ', ..] | [b'1', b'0'..=b'2', ..]);
+        let first = if jump { "FN 9" } else { first };
         match FORMS.iter().find(|(head, _)| *head == first) {
             Some((_, form)) => self.help(format!("the block looks like `{form}`")),
             None => self,

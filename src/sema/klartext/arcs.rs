@@ -3,7 +3,7 @@
 //! Source: reference sections 2.3 to 2.5.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Plane, Point2};
+use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
 use crate::ir::contour::{Arc, ArcShape, EndPoint, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
@@ -56,7 +56,10 @@ impl Run<'_> {
                     Diagnostic::new(
                         codes::K2103,
                         self.here.origin.loc,
-                        format!("{function} without DR turns as the arc before"),
+                        format!(
+                            "{function} without DR turns as the last DR said: {}",
+                            if turn { "DR+" } else { "DR-" }
+                        ),
                     )
                     .help("write DR+ or DR-"),
                 );
@@ -82,6 +85,14 @@ impl Run<'_> {
     pub(super) fn start_in(&mut self, plane: Plane, what: &str) -> Outcome<Point2> {
         let (first, second, _) = plane.axes();
         let span = self.block_span();
+        if !self.st.nominal.known().common(plane_axes(plane)).is_empty() {
+            return self.fail_help(
+                codes::K2604,
+                span,
+                format!("{what} starts where R+ or R- left the tool, beside its nominal position"),
+                "program the axes of the plane with R0 first",
+            );
+        }
         let x = self.position_of(Axis::ALL[first], span, what)?;
         let y = self.position_of(Axis::ALL[second], span, what)?;
         Ok(Point2::new(x, y))
@@ -122,9 +133,31 @@ impl Run<'_> {
             self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
             return Err(Reported);
         }
-        let feed = self.plunge_feed(Some(feed), &end);
+        let length = if self.st.plunge_share.is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
+        let feed = self.plunge_feed(w, Some(feed), &end, length);
         self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape, turns: 0 }), feed);
         Ok(())
+    }
+
+    /// Length of an arc in its plane. An arc that does not exist has none: it is refused later.
+    #[cold]
+    fn arc_length(&mut self, plane: Plane, shape: ArcShape, end: &Pos) -> Outcome<f64> {
+        let from = self.start_in(plane, "M103")?;
+        let Some(to) = end.in_plane(plane) else { return Ok(0.0) };
+        let about = |center: Point2, ccw: bool| {
+            let whole = distance(from, to) <= SAME_POINT;
+            let sweep = if whole { core::f64::consts::TAU } else { arc::sweep(from, to, center, ccw).abs() };
+            distance(from, center) * sweep
+        };
+        Ok(match shape {
+            ArcShape::Center { center, ccw, .. } => about(center, ccw),
+            ArcShape::Sweep { center, sweep } => distance(from, center) * sweep.radians().abs(),
+            ArcShape::Radius { radius, ccw, tol } => {
+                arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol).map_or(0.0, |center| about(center, ccw))
+            }
+            // A tangential arc moves no other axis, and the rest is not of this language.
+            ArcShape::Tangent | ArcShape::Opening { .. } | ArcShape::Via { .. } => 0.0,
+        })
     }
 
     pub(super) fn circle(&mut self, w: &Words) -> Outcome {

@@ -31,6 +31,8 @@ pub(super) struct Level {
     pub call: CallPath,
     /// Section repeats under way: offset of the call block and repeats left.
     repeats: Vec<(u32, u32)>,
+    /// The label passed last.
+    passed: Option<Loc>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,6 +59,7 @@ impl Level {
             locals: Some(locals),
             call: CallPath::MAIN,
             repeats: Vec::new(),
+            passed: None,
         }
     }
 }
@@ -168,9 +171,10 @@ impl Run<'_> {
             let file = self.program().file;
             let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
             self.report(
-                Diagnostic::new(codes::K2203, call_site, "the subprogram has no LBL 0 at its end")
+                Diagnostic::new(codes::K2203, call_site, "the program ends before the LBL 0 of this subprogram")
                     .here("called here")
-                    .also(label, "it begins here"),
+                    .also(label, "it begins here")
+                    .help("put LBL 0 behind the last block of the subprogram"),
             );
             self.ended = true;
             return Err(Reported);
@@ -262,11 +266,21 @@ impl Run<'_> {
 
     /// `LBL n` in passing.
     pub(super) fn label(&mut self, label: LabelRef) -> Outcome {
-        if label == LabelRef::Number(0)
-            && let LevelKind::Subprogram { .. } = self.level().kind
-        {
-            self.leave();
+        let here = self.here.origin.loc;
+        if label != LabelRef::Number(0) {
+            self.level().passed = Some(here);
+            return Ok(());
         }
+        if let LevelKind::Subprogram { .. } = self.level().kind {
+            self.leave();
+            return Ok(());
+        }
+        let found = match self.level().passed.take() {
+            Some(label) => Diagnostic::new(codes::K2210, label, "the program runs into this subprogram without a call")
+                .also(here, "it ends here"),
+            None => Diagnostic::new(codes::K2210, here, "this LBL 0 ends no subprogram"),
+        };
+        self.report(found.help("put M30 or M2 in front of the subprograms, or skip this one with a jump"));
         Ok(())
     }
 
@@ -384,7 +398,7 @@ impl Run<'_> {
         let call = self.job.trail.enter(self.level().call, site);
         let unit = self.level().unit;
         let locals = matches!(kind, LevelKind::Program { .. }).then(Locals::default);
-        self.levels.push(Level { kind, program, back, unit, locals, call, repeats: Vec::new() });
+        self.levels.push(Level { kind, program, back, unit, locals, call, repeats: Vec::new(), passed: None });
         self.budget.jump(site);
         self.seek(to)
     }

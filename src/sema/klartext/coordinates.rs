@@ -5,6 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::{Function, Side};
+use crate::lexer::klartext::Value;
 use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::text::Span;
@@ -27,7 +28,12 @@ impl Run<'_> {
         let lift = self.st.tool.as_ref().map_or(0.0, |tool| tool.call_deltas[0]);
         let axis = self.st.axis();
         let Some(frame) = self.st.transform.frame(axis, lift) else {
-            return self.fail(codes::K2403, span, "the transformations together have no result");
+            return self.fail_help(
+                codes::K2403,
+                span,
+                "the transformations together are too large or too small to compute with",
+                "check the scaling factors and shifts in force",
+            );
         };
         let plane = self.st.plane();
         if frame == self.st.ctx.frame && plane == self.st.ctx.plane {
@@ -43,6 +49,11 @@ impl Run<'_> {
         if frame != self.st.ctx.frame {
             let at = self.st.ctx.frame.apply(&self.st.pos);
             self.st.pos = frame.unapply(&at);
+            // Where the nominal position of R+ and R- lies in the new system is not documented.
+            for axis in self.st.nominal.known().iter() {
+                self.st.pos.forget(axis);
+            }
+            self.st.nominal.clear();
             self.st.polar = None;
             self.st.system += 1;
         }
@@ -56,8 +67,12 @@ impl Run<'_> {
             return Err(Reported);
         }
         if open.axes.is_empty() {
-            self.error(codes::K2402, "cycle 7 names no axis");
-            return Err(Reported);
+            return self.fail_help(
+                codes::K2402,
+                self.block_span(),
+                "cycle 7 names no axis",
+                "write the shift: `CYCL DEF 7.1 X+60`",
+            );
         }
         self.shift(&open.axes)
     }
@@ -66,38 +81,40 @@ impl Run<'_> {
     pub(super) fn shift(&mut self, axes: &[AxisValue]) -> Outcome {
         let mm = self.level().unit.mm();
         let mut next = self.st.transform.clone();
+        let turned = self.job.settings.control.shift_axes == ShiftAxes::Transformed;
         for axis in axes {
             let Some(value) = axis.value else {
-                self.error(codes::K2402, format!("the shift of {} lacks its value", axis.axis.letter()));
+                let what = format!("the shift of {} lacks its value", axis.axis.letter());
+                self.report(Diagnostic::new(codes::K2402, axis.loc, what).help("write the shift behind the letter"));
                 return Err(Reported);
             };
             let value = if axis.axis.is_rotary() { value } else { value * mm };
-            let shift = &mut next.shift[axis.axis.index()];
-            *shift = if axis.incremental { *shift + value } else { value };
+            next.shift_by(axis.axis, value, axis.incremental, turned);
         }
         let now = &self.st.transform;
         let changes = AxisSet::MAIN.iter().any(|axis| now.shift[axis.index()] != next.shift[axis.index()]);
         let clears = AxisSet::MAIN.iter().all(|axis| next.shift[axis.index()] == 0.0);
-        if changes && !clears && !now.is_shift_only() {
-            match self.job.settings.control.shift_axes {
-                ShiftAxes::Original => self.report(
-                    Diagnostic::new(
-                        codes::K2501,
-                        self.here.origin.loc,
-                        "the datum shift is measured along the original axes, although they are turned, mirrored or scaled",
-                    )
-                    .help("reset the other transformations first, or set `[control] shift_axes`"),
-                ),
-                ShiftAxes::Transformed => turn_shift(&mut next),
-            }
+        if changes && !clears && !now.is_shift_only() && !turned {
+            self.report(
+                Diagnostic::new(
+                    codes::K2501,
+                    self.here.origin.loc,
+                    "the datum shift is measured along the original axes, although they are turned, mirrored or scaled",
+                )
+                .help("reset the other transformations first, or set `[control] shift_axes`"),
+            );
         }
         self.set_transformation(next)
     }
 
     pub(super) fn mirror(&mut self, axes: AxisSet) -> Outcome {
         if !axes.without(AxisSet::MAIN).is_empty() {
-            self.error(codes::K2403, "only X, Y and Z can be mirrored");
-            return Err(Reported);
+            return self.fail_help(
+                codes::K2403,
+                self.block_span(),
+                "only X, Y and Z can be mirrored",
+                "name one or two of X, Y, Z",
+            );
         }
         if axes.contains(self.st.axis()) {
             let axis = self.st.axis().letter();
@@ -132,8 +149,12 @@ impl Run<'_> {
         if (0.000_001..=99.999_999).contains(&factor) {
             return Ok(());
         }
-        self.error(codes::K2403, format!("a scaling factor of {factor} is out of range (0.000001 to 99.999999)"));
-        Err(Reported)
+        self.fail_help(
+            codes::K2403,
+            self.block_span(),
+            format!("a scaling factor of {factor} is out of range"),
+            "a scaling factor lies between 0.000001 and 99.999999",
+        )
     }
 
     pub(super) fn scale(&mut self, factor: f64) -> Outcome {
@@ -157,24 +178,26 @@ impl Run<'_> {
         let mut next = self.st.transform.clone();
         for axis in &open.axes {
             let (true, Some(factor)) = (axis.axis.is_main(), axis.value) else {
-                self.error(codes::K2403, format!("{} cannot be scaled", axis.axis.letter()));
+                let what = format!("{} cannot be scaled", axis.axis.letter());
+                self.report(
+                    Diagnostic::new(codes::K2403, axis.loc, what)
+                        .help("write the factor behind X, Y or Z: `CYCL DEF 26.1 X1.4 Y0.6`"),
+                );
                 return Err(Reported);
             };
             self.check_factor(factor)?;
             next.axis_scale[axis.axis.index()] = factor;
         }
         next.scale_center = [0.0; 3];
-        for (label, value) in &open.values {
-            let axis = match label.as_str() {
+        for labelled in &open.values {
+            let axis = match labelled.label.as_str() {
                 "CCX" => 0,
                 "CCY" => 1,
                 "CCZ" => 2,
-                _ => {
-                    self.error(codes::K2402, format!("`{label}` is no word of cycle 26"));
-                    return Err(Reported);
-                }
+                // Other names are refused where they are read.
+                _ => continue,
             };
-            next.scale_center[axis] = value * mm;
+            next.scale_center[axis] = labelled.value * mm;
         }
         self.set_transformation(next)
     }
@@ -194,8 +217,12 @@ impl Run<'_> {
     /// Cycle 247: a row of the preset table becomes a work offset.
     pub(super) fn preset(&mut self, open: &Open) -> Outcome {
         let Some(&(_, number)) = open.parameters.iter().find(|(q, _)| *q == 339) else {
-            self.error(codes::K2402, "cycle 247 lacks the preset number Q339");
-            return Err(Reported);
+            return self.fail_help(
+                codes::K2402,
+                self.block_span(),
+                "cycle 247 lacks the preset number Q339",
+                "write `Q339=1` into the definition",
+            );
         };
         let row = (number >= 0.0 && number.fract() == 0.0).then_some(number as u32);
         let configured = row.and_then(|row| self.job.settings.datums.presets.get(&row).copied());
@@ -218,6 +245,7 @@ impl Run<'_> {
         self.set_transformation(Transformation::default())?;
         // In the new system no axis has a known position.
         self.st.pos = crate::ir::Pos::UNKNOWN;
+        self.st.nominal = crate::ir::Pos::UNKNOWN;
         self.st.lost = AxisSet::EMPTY;
         self.st.polar = None;
         self.st.system += 1;
@@ -226,39 +254,62 @@ impl Run<'_> {
 
     /// TRANS DATUM, TRANS MIRROR, TRANS ROTATION, TRANS SCALE.
     pub(super) fn transform_block(&mut self, kind: Transform, block: &Block, text: &[u8]) -> Outcome {
-        let mut axes = Vec::new();
+        let (head, wanted, help) = match kind {
+            Transform::Datum => ("TRANS DATUM", "AXIS", "write `TRANS DATUM AXIS X+10 Y+25` or `TRANS DATUM RESET`"),
+            Transform::Mirror => ("TRANS MIRROR", "AXIS", "write `TRANS MIRROR AXIS X` or `TRANS MIRROR RESET`"),
+            Transform::Rotation => ("TRANS ROTATION", "ROT", "write `TRANS ROTATION ROT+90` or `TRANS ROTATION RESET`"),
+            Transform::Scale => ("TRANS SCALE", "SCL", "write `TRANS SCALE SCL1.5` or `TRANS SCALE RESET`"),
+        };
+        let mut words = block.words.iter();
+        let first = words.next().filter(|word| word.addr == Addr::Name);
+        let label = first.map(|word| word.span.of(text).to_ascii_uppercase()).unwrap_or_default();
+        match label.as_slice() {
+            b"RESET" => {
+                return match words.next() {
+                    Some(&word) => self.not_admitted(word, head),
+                    None => self.reset_transform(kind),
+                };
+            }
+            b"TABLE" | b"TABLINE" => {
+                return self.fail_help(
+                    codes::K9012,
+                    first.map_or(block.span, |word| word.span),
+                    "datum tables are not supported",
+                    "program the values: `TRANS DATUM AXIS X+10 Y+25`",
+                );
+            }
+            b"IROT" if kind == Transform::Rotation => {}
+            label if label == wanted.as_bytes() => {}
+            _ => {
+                let span = block.words.first().map_or(block.span, |word| word.span);
+                return self.fail_help(codes::K2402, span, format!("{head} lacks {wanted}"), help);
+            }
+        }
+        let axes = matches!(kind, Transform::Datum | Transform::Mirror);
+        let mut named = Vec::new();
         let mut value = None;
-        let mut incremental = false;
-        let mut label = Vec::new();
-        for &word in &block.words {
+        for &word in words {
             match word.addr {
-                Addr::Name => {
-                    let name = word.span.of(text).to_ascii_uppercase();
-                    match name.as_slice() {
-                        b"RESET" => return self.reset_transform(kind),
-                        b"TABLE" | b"TABLINE" => {
-                            return self.fail(codes::K9012, word.span, "datum tables are not supported");
-                        }
-                        _ => label = name,
+                Addr::Axis { axis, incremental } if axes => {
+                    if kind == Transform::Mirror && (incremental || word.value != Value::None) {
+                        return self.not_admitted(word, head);
                     }
-                }
-                Addr::Axis { axis, incremental } => {
+                    if named.iter().any(|other: &AxisValue| other.axis == axis) {
+                        return self.twice(word, block);
+                    }
                     let value = self.number_if(word.value, word.span)?;
-                    axes.push(AxisValue { axis, incremental, value });
+                    named.push(AxisValue { axis, incremental, value, loc: self.loc(word.span) });
                 }
-                Addr::Value => {
-                    incremental = label == b"IROT";
-                    value = Some(self.number(word.value, word.span)?);
-                }
-                _ => return self.not_admitted(word, "TRANS"),
+                Addr::Value if !axes && value.is_none() => value = Some(self.number(word.value, word.span)?),
+                _ => return self.not_admitted(word, head),
             }
         }
         match (kind, value) {
-            (Transform::Datum, None) if !axes.is_empty() => self.shift(&axes),
-            (Transform::Mirror, None) if !axes.is_empty() => self.mirror(axes.iter().map(|axis| axis.axis).collect()),
-            (Transform::Rotation, Some(angle)) => self.rotate(angle, incremental),
+            (Transform::Datum, None) if !named.is_empty() => self.shift(&named),
+            (Transform::Mirror, None) if !named.is_empty() => self.mirror(named.iter().map(|axis| axis.axis).collect()),
+            (Transform::Rotation, Some(angle)) => self.rotate(angle, label == b"IROT"),
             (Transform::Scale, Some(factor)) => self.scale(factor),
-            _ => self.fail(codes::K2402, block.span, "this TRANS block lacks its values"),
+            _ => self.fail_help(codes::K2402, block.span, format!("{head} lacks its values"), help),
         }
     }
 
@@ -266,7 +317,7 @@ impl Run<'_> {
         let mut next = self.st.transform.clone();
         let none = Transformation::default();
         match kind {
-            Transform::Datum => next.shift = none.shift,
+            Transform::Datum => next.unshift(),
             Transform::Mirror => next.mirror = none.mirror,
             Transform::Rotation => next.angle = none.angle,
             Transform::Scale => {
@@ -276,13 +327,6 @@ impl Run<'_> {
         }
         self.set_transformation(next)
     }
-}
-
-/// A shift measured along the turned and mirrored axes.
-fn turn_shift(next: &mut Transformation) {
-    let unscaled = Transformation { scale: 1.0, axis_scale: [1.0; 3], ..next.clone() };
-    let v = unscaled.linear() * nalgebra::Vector3::new(next.shift[0], next.shift[1], next.shift[2]);
-    next.shift[..3].copy_from_slice(v.as_slice());
 }
 
 fn offset_word(offset: u8) -> &'static str {

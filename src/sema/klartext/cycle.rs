@@ -6,8 +6,8 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef, Value};
-use crate::machine::{Axis, AxisSet};
-use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
+use crate::machine::{Axis, AxisSet, Generation};
+use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt, Word};
 use crate::text::{Loc, Span};
 
 use super::cycle_names::{Nature, name, nature};
@@ -32,8 +32,8 @@ pub(super) struct Open {
     /// Highest part read; `None` for a cycle with Q parameters.
     part: Option<u32>,
     pub axes: Vec<AxisValue>,
-    /// Values without an axis, with the name in front of them in upper case.
-    pub values: Vec<(String, f64)>,
+    /// Values without an axis.
+    pub values: Vec<Labelled>,
     /// Q parameters by number.
     pub parameters: Vec<(u32, f64)>,
     pub table_row: bool,
@@ -46,6 +46,14 @@ pub(super) struct AxisValue {
     pub axis: Axis,
     pub incremental: bool,
     pub value: Option<f64>,
+    pub loc: Loc,
+}
+
+/// A value with the name in front of it, in upper case.
+#[derive(Debug, Clone)]
+pub(super) struct Labelled {
+    pub label: String,
+    pub value: f64,
 }
 
 /// What CYCL CALL, M99 and M89 run.
@@ -94,6 +102,7 @@ impl Run<'_> {
     pub(super) fn cycle_block(&mut self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
         match part {
             None | Some(0) => {
+                let words = self.check_title(number, part, block, text);
                 self.cycles.open = Some(Open {
                     number,
                     here: self.here,
@@ -103,7 +112,7 @@ impl Run<'_> {
                     parameters: Vec::new(),
                     table_row: false,
                     program: None,
-                    failed: false,
+                    failed: words.is_err(),
                 });
             }
             Some(part) => match &mut self.cycles.open {
@@ -132,20 +141,31 @@ impl Run<'_> {
     /// Names in cycles are decoration in any language; values and axes count.
     fn cycle_words(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let mut label = String::new();
-        let mut hash = false;
+        let number = self.open_cycle().number;
+        let nature = nature(number);
         for &word in &block.words {
+            let first = self.open_cycle().values.is_empty();
+            self.check_cycle_word(nature, number, word, &label, first)?;
             match word.addr {
                 Addr::Axis { axis, incremental } => {
+                    if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
+                        && self.open_cycle().axes.iter().any(|other| other.axis == axis)
+                    {
+                        return self.twice(word, block);
+                    }
                     let value = self.number_if(word.value, word.span)?;
-                    self.open_cycle().axes.push(AxisValue { axis, incremental, value });
+                    let loc = self.loc(word.span);
+                    self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
                 }
                 Addr::Name => label = String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(),
-                Addr::Hash => hash = true,
+                Addr::Hash => {
+                    label = "#".to_owned();
+                    self.open_cycle().table_row = true;
+                }
                 Addr::Value => {
                     let value = self.number(word.value, word.span)?;
-                    let open = self.open_cycle();
-                    open.table_row |= hash;
-                    open.values.push((std::mem::take(&mut label), value));
+                    let label = std::mem::take(&mut label);
+                    self.open_cycle().values.push(Labelled { label, value });
                 }
                 Addr::Assign(q) => {
                     let value = match word.value {
@@ -167,6 +187,70 @@ impl Run<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
+    fn check_title(&self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
+        let acts = !matches!(nature(number), Nature::Machining | Nature::Pattern | Nature::Data | Nature::Unknown);
+        if part.is_none() || !acts {
+            return Ok(());
+        }
+        let head = block.span.of(text);
+        let name = head.iter().position(|b| *b == b'.').map_or(head.len(), |dot| dot + 2).min(head.len());
+        let mut at = name;
+        for word in head[name..].split(u8::is_ascii_whitespace) {
+            if word.iter().any(u8::is_ascii_digit) {
+                let span = Span::at(block.span.start + at as u32, word.len() as u32);
+                return self.fail_help(
+                    codes::K1005,
+                    span,
+                    format!("`{}` stands in the name of the cycle", self.word_text(span)),
+                    &format!("the values of cycle {number} belong into the blocks {number}.1 and up"),
+                );
+            }
+            at += word.len() + 1;
+        }
+        Ok(())
+    }
+
+    /// A word that the cycle does not take.
+    pub(super) fn cycle_word<T>(&self, span: Span, cycle: u32) -> Outcome<T> {
+        let text = self.word_text(span);
+        let form = match cycle {
+            7 => "write the shift: `CYCL DEF 7.1 X+60`",
+            8 => "write the letters of the axes: `CYCL DEF 8.1 X Y`",
+            9 => "write the time: `CYCL DEF 9.1 DWELL 1.5`",
+            10 => "write the angle: `CYCL DEF 10.1 ROT+35`",
+            11 => "write the factor: `CYCL DEF 11.1 SCL 0.75`",
+            13 => "write the angle: `CYCL DEF 13.1 ANGLE 180`",
+            26 => "write factors and centre: `CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20`",
+            _ => "remove the word",
+        };
+        self.fail_help(codes::K1005, span, format!("`{text}` has no place in cycle {cycle}"), form)
+    }
+
+    /// Refuses a word that the definition under way does not take, before it is stored.
+    fn check_cycle_word(&self, nature: Nature, number: u32, word: Word, label: &str, first: bool) -> Outcome {
+        use Nature::*;
+        let valued = word.value != Value::None;
+        let admitted = match (nature, word.addr) {
+            // What these do is decided where they run, or they do nothing.
+            (Machining | Pattern | Data | Unknown | Tolerance | Preset | ProgramCall, _) => true,
+            (_, Addr::Name | Addr::MEmpty | Addr::RadiusEmpty | Addr::FeedEmpty) => true,
+            (DatumShift, Addr::Axis { .. } | Addr::Hash) => true,
+            (DatumShift, Addr::Value) => label == "#",
+            (Mirror, Addr::Axis { incremental, .. }) => !valued && !incremental,
+            (AxisScaling, Addr::Axis { incremental, .. }) => valued && !incremental,
+            (AxisScaling, Addr::Value) => matches!(label, "CCX" | "CCY" | "CCZ"),
+            (Rotation, Addr::Value) => first && matches!(label, "ROT" | "IROT"),
+            (Scaling, Addr::Value) => first && label == "SCL",
+            // Their names are written in the language of the control.
+            (Dwell | Orientation, Addr::Value) => first,
+            // A tilt is refused for its angles; its feed and distance belong to it.
+            (Tilt, Addr::Axis { .. } | Addr::Value | Addr::Feed | Addr::FeedMax) => true,
+            _ => false,
+        };
+        if admitted { Ok(()) } else { self.cycle_word(word.span, number) }
     }
 
     fn open_cycle(&mut self) -> &mut Open {
@@ -204,15 +288,19 @@ impl Run<'_> {
             Nature::Dwell => {
                 let seconds = self.single_value(open)?;
                 if !(0.0..=3600.0).contains(&seconds) {
-                    self.error(codes::K2403, format!("a dwell of {seconds} s is out of range"));
-                    return Err(Reported);
+                    return self.fail_help(
+                        codes::K2403,
+                        self.block_span(),
+                        format!("a dwell of {seconds} s is out of range"),
+                        "a dwell takes 0 to 3600 seconds",
+                    );
                 }
                 self.function(Function::Dwell(seconds));
                 Ok(())
             }
             Nature::Rotation => {
                 let angle = self.single_value(open)?;
-                let incremental = open.values.iter().any(|(label, _)| label == "IROT");
+                let incremental = open.values.iter().any(|value| value.label == "IROT");
                 self.rotate(angle, incremental)
             }
             Nature::Scaling => {
@@ -223,6 +311,7 @@ impl Run<'_> {
             Nature::ProgramCall => match open.program.clone() {
                 Some(name) => {
                     self.cycles.defined = Some(Defined::Program { name });
+                    self.cycles.modal = false;
                     Ok(())
                 }
                 None => {
@@ -272,13 +361,10 @@ impl Run<'_> {
 
     fn single_value(&mut self, open: &Open) -> Outcome<f64> {
         match open.values.as_slice() {
-            [(_, value)] => Ok(*value),
+            // Two values are refused where they are read.
+            [only, ..] => Ok(only.value),
             [] => {
                 self.error(codes::K2402, format!("cycle {} lacks its value", open.number));
-                Err(Reported)
-            }
-            _ => {
-                self.error(codes::K2402, format!("cycle {} has more than one value", open.number));
                 Err(Reported)
             }
         }
@@ -293,13 +379,26 @@ impl Run<'_> {
         };
         match kind {
             CallKind::Here => {
-                let w = self.gather(block, "CYCL CALL", Admits::M.and(Admits::FEED))?;
+                let w = self.gather(block, "CYCL CALL", Admits::M)?;
                 self.check_m(&w)?;
+                self.forbid_m(&w, "CYCL CALL", &[89, 91, 99])?;
+                if let Some(m) = w.any_m(&[2, 30]) {
+                    return self.fail_help(
+                        codes::K1014,
+                        m.span,
+                        "a cycle call and the end of the program in one block",
+                        "write the end of the program into a block of its own",
+                    );
+                }
                 self.m_at_start(&w, false)?;
-                self.call_cycle()?;
-                self.m_at_end(&w)
+                self.m_at_end(&w)?;
+                // Newer controls end M89 by M99, CYCL CALL POS or a new definition only.
+                if self.job.settings.control.klartext == Generation::Tnc426 {
+                    self.cycles.modal = false;
+                }
+                self.call_cycle("CYCL CALL")
             }
-            CallKind::At => self.call_cycle(),
+            CallKind::At => self.call_cycle_at(block),
             CallKind::Pattern => {
                 self.error(codes::K9010, "CYCL CALL PAT is not supported yet");
                 Err(Reported)
@@ -307,12 +406,28 @@ impl Run<'_> {
         }
     }
 
+    /// CYCL CALL POS moves to a position and runs the cycle there.
+    fn call_cycle_at(&mut self, block: &Block) -> Outcome {
+        self.cycles.modal = false;
+        if let Some(Defined::Program { .. }) = self.cycles.defined {
+            return self.refuse_motion(
+                codes::K9001,
+                block.span,
+                "CYCL CALL POS with the program call of cycle 12 is not supported: what its Z shifts is open",
+            );
+        }
+        self.call_cycle("CYCL CALL POS")
+    }
+
     /// Runs the cycle defined last.
-    pub(super) fn call_cycle(&mut self) -> Outcome {
+    pub(super) fn call_cycle(&mut self, by: &str) -> Outcome {
         let here = self.here.origin.loc;
         match &mut self.cycles.defined {
             None => {
-                self.error(codes::K2401, "no cycle is defined");
+                self.report(
+                    Diagnostic::new(codes::K2401, here, format!("{by} calls a cycle, and none is defined"))
+                        .help("put CYCL DEF in front of the call, or remove the call"),
+                );
                 Err(Reported)
             }
             Some(Defined::Program { name, .. }) => {

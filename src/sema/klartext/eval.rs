@@ -24,7 +24,15 @@ impl Run<'_> {
                 let n = self.parameter(q, span)?;
                 Ok(if negative { -n } else { n })
             }
-            Value::None | Value::FeedMax | Value::FeedAuto => self.fail(codes::K1006, span, "a number is missing"),
+            Value::None | Value::FeedMax | Value::FeedAuto => {
+                let word = self.word_text(span);
+                self.fail_help(
+                    codes::K1006,
+                    span,
+                    format!("`{word}` has no number"),
+                    "write the number behind the letter",
+                )
+            }
         }
     }
 
@@ -240,6 +248,16 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// The block `text` would have set a parameter and was refused: its value is lost, not undefined.
+    pub(super) fn lose_target(&mut self, text: &[u8]) {
+        let Some(q) = assigned(text) else { return };
+        if exists(q)
+            && let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut())
+        {
+            self.vars.set(locals, q, Slot::Lost);
+        }
+    }
+
     /// FN 9 to 12.
     pub(super) fn jump_if(&mut self, test: Test, target: LabelRef, text: &[u8]) -> Outcome {
         let whole = Span::at(0, 0);
@@ -314,4 +332,20 @@ fn pop(stack: &mut Vec<Val>) -> Result<f64, String> {
         Some(Val::Text(_)) => Err("a number is needed, not a text".to_owned()),
         None => Err("a value is missing".to_owned()),
     }
+}
+
+/// The parameter in front of the first `=`: `Q1 = …`, `FN 1: Q1 = …`, `TABREAD Q10 = …`.
+fn assigned(text: &[u8]) -> Option<QRef> {
+    let front = text.split(|b| *b == b'=').next().filter(|front| front.len() < text.len())?;
+    let word = front.trim_ascii_end().rsplit(|b| b.is_ascii_whitespace() || *b == b':').next()?;
+    let name = word.to_ascii_uppercase();
+    let (kind, digits) = match name.as_slice() {
+        [b'Q', b'L', digits @ ..] => (QKind::Ql, digits),
+        [b'Q', b'R', digits @ ..] => (QKind::Qr, digits),
+        [b'Q', b'S', digits @ ..] => (QKind::Qs, digits),
+        [b'Q', digits @ ..] => (QKind::Q, digits),
+        _ => return None,
+    };
+    let number = std::str::from_utf8(digits).ok()?.parse().ok()?;
+    Some(QRef { kind, number })
 }

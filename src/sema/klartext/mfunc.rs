@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
-use crate::machine::{AxisSet, Unit};
+use crate::machine::{Axis, AxisSet, Unit};
 use crate::text::Span;
 
 use super::words::{MWord, Words};
@@ -27,7 +27,10 @@ pub(super) struct Args {
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Takes {
     pub feed: bool,
-    pub axes: bool,
+    /// Axis letters without a value.
+    pub letters: bool,
+    /// Axis letters with a value that is no position.
+    pub values: AxisSet,
     /// A name with a value: `LA 5`, `T0.01`.
     pub named: bool,
     /// `MB 50`, `MB MAX`.
@@ -121,8 +124,9 @@ pub(super) fn takes(number: u32) -> Takes {
     let none = Takes::default();
     match number {
         103 | 128 => Takes { feed: true, ..none },
-        94 | 118 | 138 => Takes { axes: true, ..none },
-        112 => Takes { named: true, axes: true, ..none },
+        94 | 138 => Takes { letters: true, ..none },
+        118 => Takes { letters: true, values: Axis::ALL.into_iter().collect(), ..none },
+        112 => Takes { named: true, values: AxisSet::of(Axis::A), ..none },
         120 | 124 | 197 => Takes { named: true, ..none },
         140 => Takes { retract: true, feed: true, ..none },
         _ => none,
@@ -176,6 +180,17 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Refuses M functions that say how or where a block moves, in a block that does not.
+    pub(super) fn forbid_m(&mut self, w: &Words, head: &str, numbers: &[u32]) -> Outcome {
+        let Some(m) = w.any_m(numbers) else { return Ok(()) };
+        self.fail_help(
+            codes::K1005,
+            m.span,
+            format!("M{} has no place in a {head} block", m.number),
+            &format!("write M{} into the positioning block it belongs to", m.number),
+        )
+    }
+
     /// M functions that act at the start of the block. `moves` tells whether the block moves.
     pub(super) fn m_at_start(&mut self, w: &Words, moves: bool) -> Outcome {
         for m in w.m() {
@@ -216,7 +231,7 @@ impl Run<'_> {
             Act::SpindleStop => self.stop_spindle(),
             Act::CoolantOn => self.coolant(true),
             Act::CoolantOff => self.coolant(false),
-            Act::Stop => self.stop_all(),
+            Act::Stop => self.stop_all(m.span),
             Act::OptionalStop => self.function(Function::OptionalStop),
             Act::ProgramEnd { rewind } => return self.program_end(rewind),
             Act::ToolChange => self.m6(m.span),
@@ -278,13 +293,14 @@ impl Run<'_> {
     }
 
     /// M0: program stop, spindle stop, coolant off.
-    fn stop_all(&mut self) {
+    fn stop_all(&mut self, span: Span) {
         if self.st.spindle.is_some() || self.st.coolant {
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2708,
-                self.here.origin.loc,
-                "M0 also stops the spindle and the coolant",
-            ));
+            let what = match (self.st.spindle.is_some(), self.st.coolant) {
+                (true, true) => "the spindle and the coolant",
+                (true, false) => "the spindle",
+                _ => "the coolant",
+            };
+            self.report(Diagnostic::new(codes::K2708, self.loc(span), format!("M0 also stops {what}")));
         }
         if self.st.spindle.is_some() {
             self.stop_spindle();
@@ -313,6 +329,7 @@ impl Run<'_> {
     pub(super) fn stop_block(&mut self, block: &crate::parser::klartext::ast::Block) -> Outcome {
         let w = self.gather(block, "STOP", super::words::Admits::M)?;
         self.check_m(&w)?;
+        self.forbid_m(&w, "STOP", &[89, 91, 99])?;
         self.m_at_start(&w, false)?;
         if w.has_m(0) {
             return self.m_at_end(&w);

@@ -240,8 +240,7 @@ impl Run<'_> {
         match block.stmt {
             Stmt::Empty => return,
             Stmt::Bad => {
-                self.st.lose(crate::machine::AxisSet::MAIN);
-                self.lost();
+                self.bad_block(block, text);
                 return;
             }
             _ => {}
@@ -250,7 +249,9 @@ impl Run<'_> {
             self.finish_cycle();
         }
         // What went wrong was reported; the next block may show more.
-        let _ = self.statement(block, text);
+        if self.statement(block, text).is_err() {
+            self.lose_feed(block);
+        }
     }
 
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
@@ -281,23 +282,63 @@ impl Run<'_> {
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
-            Stmt::PlaneReset(rest) => self.plane_reset(rest.of(text)),
-            Stmt::Approach => self.refuse_motion(codes::K9003, "APPR and DEP blocks are not supported yet"),
-            Stmt::Fk => self.refuse_motion(codes::K9002, "free contour programming is not supported yet"),
-            Stmt::Surface => self.refuse_motion(codes::K9015, "LN and SPL blocks are not supported"),
-            Stmt::Iso => self.refuse_motion(codes::K9009, "DIN/ISO words cannot stand in a Klartext program"),
-            Stmt::Refused(what, _) => self.refused(what),
+            Stmt::PlaneReset(rest) => self.plane_reset(rest.of(text), block),
+            Stmt::Approach => {
+                let (name, span) = self.block_name(block, text, 2);
+                self.refuse_motion(codes::K9003, span, &format!("{name} is not supported yet"))
+            }
+            Stmt::Fk => {
+                let (name, span) = self.block_name(block, text, 1);
+                let message = format!("{name}: free contour programming is not supported yet");
+                self.refuse_motion(codes::K9002, span, &message)
+            }
+            Stmt::Surface => {
+                let (name, span) = self.block_name(block, text, 1);
+                self.refuse_motion(codes::K9015, span, &format!("{name} blocks are not supported"))
+            }
+            Stmt::Iso => {
+                let (name, span) = self.block_name(block, text, 1);
+                let message = format!("{name} is a DIN/ISO word and cannot stand in a Klartext program");
+                self.refuse_motion(codes::K9009, span, &message)
+            }
+            Stmt::Refused(what, _) => self.refused(what, block, text),
         }
     }
 
     /// A block that would move is refused: afterwards no position is known.
-    fn refuse_motion(&mut self, code: &'static Code, message: &str) -> Outcome {
-        self.error(code, message);
+    fn refuse_motion(&mut self, code: &'static Code, span: Span, message: &str) -> Outcome {
+        self.report(Diagnostic::new(code, self.loc(span), message));
+        self.lose_all();
+        Err(Reported)
+    }
+
+    /// Nothing is known behind this block; what only suffers from it is not worth another error.
+    fn lose_all(&mut self) {
         self.st.lose(crate::machine::AxisSet::MAIN);
         self.st.pole = None;
         self.st.pole_lost = true;
         self.lost();
-        Err(Reported)
+    }
+
+    /// A block that cannot be read, which was reported. A parameter that it would have set is lost.
+    fn bad_block(&mut self, block: &Block, text: &[u8]) {
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.lose_feed(block);
+        self.lost();
+        self.lose_target(block.span.of(text));
+    }
+
+    /// The first words of the block as written, which name its function.
+    fn block_name(&self, block: &Block, text: &[u8], words: usize) -> (String, Span) {
+        let code = block.span.of(text);
+        let mut len = 0;
+        for _ in 0..words {
+            let rest = &code[len..];
+            len += rest.iter().take_while(|b| b.is_ascii_whitespace()).count();
+            len += code[len..].iter().take_while(|b| !b.is_ascii_whitespace()).count();
+        }
+        let span = Span::at(block.span.start, len as u32);
+        (crate::text::decode::readable(&code[..len]).split_whitespace().collect::<Vec<_>>().join(" "), span)
     }
 
     fn comment(&mut self, text: &[u8]) {

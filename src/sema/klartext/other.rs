@@ -1,6 +1,7 @@
 //! Blank form, FN 14 and up, and statements that are refused by name.
 
 use crate::diag::{Diagnostic, codes};
+use crate::lexer::klartext::Value;
 use crate::parser::klartext::ast::{Addr, Block, Refused};
 
 use super::{Outcome, Reported, Run};
@@ -11,19 +12,26 @@ impl Run<'_> {
         let mm = self.level().unit.mm();
         let mut corner = None;
         let mut values = [None; 3];
-        for &word in &block.words {
+        for (at, &word) in block.words.iter().enumerate() {
             match word.addr {
-                Addr::Value if corner.is_none() => corner = Some(word.span.of(text).to_vec()),
-                Addr::Axis { axis, .. } if word.value == crate::lexer::klartext::Value::None => {
+                Addr::Value if at == 0 => corner = Some(word.span.of(text).to_vec()),
+                Addr::Axis { axis, incremental: false } if word.value == Value::None && corner.is_some() => {
                     self.st.blank.axis = Some(axis);
                 }
-                Addr::Axis { axis, incremental } if axis.is_main() => {
+                Addr::Axis { axis, incremental } if axis.is_main() && corner.is_some() => {
+                    if values[axis.index()].is_some() {
+                        return self.twice(word, block);
+                    }
                     let value = self.number(word.value, word.span)? * mm;
                     let base = if incremental { self.st.blank.min.map_or(0.0, |min| min[axis.index()]) } else { 0.0 };
                     values[axis.index()] = Some(base + value);
                 }
-                // Cylinders, bodies of revolution, files.
-                _ => return Ok(()),
+                // The words of cylinders, bodies of revolution and files have no influence on the path.
+                Addr::M(_) | Addr::Feed | Addr::FeedMax | Addr::CompLeft | Addr::CompRight | Addr::Speed => {
+                    return self.not_admitted(word, "BLK FORM");
+                }
+                _ if corner.is_none() => {}
+                _ => return self.not_admitted(word, "BLK FORM"),
             }
         }
         let [Some(x), Some(y), Some(z)] = values else { return Ok(()) };
@@ -50,6 +58,9 @@ impl Run<'_> {
 
     /// FN 14 and up. What writes to screens and files only has no influence on the path.
     pub(super) fn fn_other(&mut self, number: u32, rest: &[u8]) -> Outcome {
+        if matches!(number, 17..=29) {
+            self.lose_target(rest);
+        }
         let rest = crate::text::decode::readable(rest).to_ascii_uppercase();
         match number {
             14 => {
@@ -88,30 +99,29 @@ impl Run<'_> {
     }
 
     /// A statement that is known by name only.
-    pub(super) fn refused(&mut self, what: Refused) -> Outcome {
+    pub(super) fn refused(&mut self, what: Refused, block: &Block, text: &[u8]) -> Outcome {
+        let (name, span) = self.block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
         match what {
             Refused::Plane => {
-                self.refuse_motion(codes::K9004, "the tilted working plane cannot be compiled for three axes")
+                let message = format!("{name} tilts the working plane, which cannot be compiled for three axes");
+                self.refuse_motion(codes::K9004, span, &message)
             }
-            Refused::TouchProbe => self.refuse_motion(codes::K9005, "touch probe cycles run only at the machine"),
-            Refused::Pattern => {
-                self.error(codes::K9010, "point patterns are not supported yet");
-                Err(Reported)
-            }
-            Refused::SelectTable => {
-                self.error(codes::K9012, "datum tables are not supported");
-                Err(Reported)
-            }
+            Refused::TouchProbe => self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine"),
+            Refused::Pattern => self.fail(codes::K9010, span, format!("{name}: point patterns are not supported yet")),
+            Refused::SelectTable => self.fail(codes::K9012, span, format!("{name}: datum tables are not supported")),
             Refused::Contour => {
-                self.error(codes::K9018, "contour definitions for SL cycles are not supported yet");
-                Err(Reported)
+                self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
             }
-            Refused::Function => self.refuse_motion(codes::K9011, "this function is not supported"),
+            Refused::Function => {
+                let (name, span) =
+                    self.block_name(block, text, if name.eq_ignore_ascii_case("FUNCTION") { 2 } else { 1 });
+                self.refuse_motion(codes::K9011, span, &format!("{name} is not supported"))
+            }
         }
     }
 
     /// PLANE RESET: no tilt was active, so nothing changes; the positioning words are checked.
-    pub(super) fn plane_reset(&mut self, rest: &[u8]) -> Outcome {
+    pub(super) fn plane_reset(&mut self, rest: &[u8], block: &Block) -> Outcome {
         let rest = crate::text::decode::readable(rest).to_ascii_uppercase();
         let mut words = rest.split_whitespace();
         match words.next() {
@@ -121,7 +131,7 @@ impl Run<'_> {
                 }
                 Ok(())
             }
-            _ => self.refuse_motion(codes::K9004, "PLANE RESET with MOVE or TURN moves the rotary axes"),
+            _ => self.refuse_motion(codes::K9004, block.span, "PLANE RESET with MOVE or TURN moves the rotary axes"),
         }
     }
 

@@ -7,7 +7,8 @@ use crate::geo::{Deg, Plane};
 use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation, Unit};
-use crate::parser::klartext::ast::{Block, PathFn, Stmt};
+use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
+use crate::text::Span;
 
 use super::mfunc::Args;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
@@ -46,7 +47,7 @@ impl Run<'_> {
             .words
             .iter()
             .filter_map(|word| match word.addr {
-                crate::parser::klartext::ast::Addr::Axis { axis, .. } => Some(axis),
+                Addr::Axis { axis, .. } => Some(axis),
                 _ => None,
             })
             .collect();
@@ -57,9 +58,26 @@ impl Run<'_> {
         self.lost();
     }
 
+    /// A block with a feed word was refused: that a feed is missing afterwards is not worth another error.
+    #[cold]
+    pub(super) fn lose_feed(&mut self, block: &Block) {
+        let feeds = block.words.iter().any(|word| matches!(word.addr, Addr::Feed | Addr::FeedAuto | Addr::FeedPerRev));
+        if feeds && self.st.feed.is_none() {
+            self.st.feed = Some(Feed::PerMinute(1.0));
+        }
+    }
+
     pub(super) fn run_path(&mut self, function: PathFn, w: &Words) -> Outcome {
         self.check_m(w)?;
         let machine = w.has_m(91);
+        if machine && matches!(w.comp, Some(Comp::Paraxial(_))) {
+            return self.fail_help(
+                codes::K2604,
+                w.comp_span,
+                "R+ and R- need the way of the axis, which machine coordinates (M91) leave open",
+                "program workpiece coordinates, or the corrected machine coordinate without R+",
+            );
+        }
         if machine && (function != PathFn::Line || !w.incremental.is_empty()) {
             return self.fail_help(
                 codes::K9008,
@@ -81,13 +99,16 @@ impl Run<'_> {
             self.set_feed(w)?;
         }
         if let Some(speed) = w.speed {
-            self.spindle_speed(speed, w.axes_span)?;
+            self.spindle_speed(speed, w.speed_span)?;
         }
         if machine {
             self.machine_move(w)?;
         } else if moves {
             match function {
-                PathFn::Line => self.line(w)?,
+                PathFn::Line => match w.comp {
+                    Some(Comp::Paraxial(longer)) => self.lengthened(w, longer)?,
+                    _ => self.line(w)?,
+                },
                 PathFn::Circle => self.circle(w)?,
                 PathFn::CircleRadius => self.circle_by_radius(w)?,
                 PathFn::CircleTangent => self.tangent(w)?,
@@ -118,11 +139,16 @@ impl Run<'_> {
         let calls = once || modal || w.has_m(89);
         let stops_here = w.m().iter().any(|m| matches!(m.number, 2 | 30));
         if calls && stops_here {
-            return self.fail(codes::K1014, w.m()[0].span, "a cycle call and the end of the program in one block");
+            return self.fail_help(
+                codes::K1014,
+                w.any_m(&[2, 30]).map_or(w.m()[0].span, |m| m.span),
+                "a cycle call and the end of the program in one block",
+                "write the end of the program into a block of its own",
+            );
         }
         self.m_at_end(w)?;
         if calls && !self.ended {
-            return self.call_cycle();
+            return self.call_cycle(if once { "M99" } else { "M89" });
         }
         Ok(())
     }
@@ -136,12 +162,28 @@ impl Run<'_> {
     // Feed and compensation.
 
     pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
-        let feed = match w.feed {
+        let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
-            FeedWord::Value(f) => self.feed_of(f),
-            FeedWord::PerRevolution(f) => Feed::PerRevolution(f),
+            FeedWord::Value(f) => (self.feed_of(f), f),
+            FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
             FeedWord::Auto => match self.st.tool_feed {
-                Some(f) => Feed::PerMinute(f),
+                Some((Feed::PerMinute(_), _)) if self.st.per_revolution => {
+                    return self.fail_help(
+                        codes::K2003,
+                        w.feed_span,
+                        "the F of the last TOOL CALL counts per minute, and M136 makes F count per revolution",
+                        "program F in mm/rev, or M137 first",
+                    );
+                }
+                Some((Feed::PerRevolution(_), _)) if !self.st.per_revolution => {
+                    return self.fail_help(
+                        codes::K2003,
+                        w.feed_span,
+                        "the F of the last TOOL CALL counts per revolution, and M137 makes F count per minute",
+                        "program F in mm/min, or M136 first",
+                    );
+                }
+                Some(feed) => feed,
                 None => {
                     return self.fail_help(
                         codes::K2003,
@@ -153,10 +195,23 @@ impl Run<'_> {
             },
         };
         if feed.value() <= 0.0 {
-            return self.fail(codes::O1001, w.feed_span, format!("the feed is {}", feed.value()));
+            return self.feed_not_positive(w.feed_span, written);
         }
         self.st.feed = Some(feed);
+        self.st.written_feed = written;
         Ok(())
+    }
+
+    #[cold]
+    pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
+        let text = self.word_text(span);
+        let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
+        self.fail_help(
+            codes::O1001,
+            span,
+            format!("{what}: the feed has to be above zero"),
+            "program the feed of this move",
+        )
     }
 
     /// A feed word in the unit and mode in force.
@@ -233,6 +288,11 @@ impl Run<'_> {
     pub(super) fn send(&mut self, end: EndPoint, after: &Pos, path: Path, feed: Option<Feed>) {
         self.movement(&Move { end, path, feed, side: self.st.side, coords: Coords::Frame });
         self.st.pos.update(after);
+        if !self.st.nominal.known().is_empty() {
+            for axis in after.known().iter() {
+                self.st.nominal.forget(axis);
+            }
+        }
         self.st.lost = self.st.lost.without(after.known());
         self.st.moved = true;
     }
@@ -245,8 +305,13 @@ impl Run<'_> {
     pub(super) fn line_to(&mut self, w: &Words, end: Pos) -> Outcome {
         let feed = self.move_feed(w)?;
         let end = self.check_axes(w, end, feed.is_some())?;
-        let feed = self.plunge_feed(feed, &end);
-        self.st.polar = None;
+        let feed = self.rotary_only_feed(feed, &end);
+        let feed = self.plunge_feed(w, feed, &end, None);
+        if let Some(last) = self.st.polar
+            && !end.known().common(plane_axes(last.plane)).is_empty()
+        {
+            self.st.polar = None;
+        }
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         self.send(EndPoint::Cartesian(end), &end, path, feed);
         Ok(())
@@ -265,11 +330,12 @@ impl Run<'_> {
     pub(super) fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
         for axis in end.known().without(AxisSet::MAIN).iter() {
             if !axis.is_rotary() {
-                if self.st.transform.scales() || self.st.transform.mirror.contains(axis) {
-                    return self.fail(
+                if let Some(what) = self.st.transform.touches_parallel(axis) {
+                    return self.fail_help(
                         codes::K2506,
                         w.axes_span,
-                        format!("{} moves while a scaling or mirror is active", axis.letter()),
+                        format!("{} moves while a {what} is active", axis.letter()),
+                        "reset the transformation before the block",
                     );
                 }
                 continue;
@@ -282,19 +348,54 @@ impl Run<'_> {
                     "switch M116 off with M117 and program degrees per minute",
                 );
             }
+            if w.incremental.contains(axis) {
+                // Counted from a position that holds the whole turns already.
+                self.check_increment(w, axis)?;
+                continue;
+            }
             let target = end.get(axis).unwrap_or(0.0);
-            end.set(axis, self.rotary_target(axis, target));
+            end.set(axis, self.rotary_target(axis, target, w.axes_span));
         }
         Ok(end)
     }
 
+    /// M126 and an increment of more than half a turn contradict each other.
+    fn check_increment(&mut self, w: &Words, axis: Axis) -> Outcome {
+        let step = w.axes.get(axis).unwrap_or(0.0);
+        if !self.st.short_way || step.abs() <= 180.0 {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K9008,
+            w.axes_span,
+            format!("under M126 it is open whether I{}{step:+} goes its own way or the short one", axis.letter()),
+            "program M127 first, or the absolute angle",
+        )
+    }
+
     /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.
-    pub(super) fn rotary_target(&mut self, axis: Axis, target: f64) -> f64 {
+    pub(super) fn rotary_target(&mut self, axis: Axis, target: f64, span: Span) -> f64 {
         let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
-        let Some(from) = self.st.pos.get(axis) else { return target };
+        let Some(from) = self.st.pos.get(axis) else {
+            *offset = 0.0;
+            return target;
+        };
         if self.st.short_way {
             // `from` already holds the whole turns.
             let ahead = Deg(target - from).normal().0;
+            if ahead == 180.0 {
+                let found = Diagnostic::new(
+                    codes::K2510,
+                    self.here.loc(&self.job, span),
+                    format!(
+                        "{} goes half a turn, where both ways are as short; it turns in the positive sense",
+                        axis.letter()
+                    ),
+                );
+                self.job
+                    .diags
+                    .push(found.called(self.here.origin.call).help("program M127 if the sense of rotation matters"));
+            }
             let step = if ahead > 180.0 { ahead - 360.0 } else { ahead };
             *offset = from + step - target;
             return from + step;
@@ -317,19 +418,77 @@ impl Run<'_> {
     }
 
     /// M103: the feed component into the workpiece is limited.
-    pub(super) fn plunge_feed(&self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
-        let (Some(share), Some(feed)) = (self.st.plunge_share, feed) else { return feed };
-        let axis = self.st.axis();
-        let step = |axis: Axis| match (end.get(axis), self.st.pos.get(axis)) {
-            (Some(to), Some(from)) => to - from,
-            _ => 0.0,
-        };
-        let down = step(axis);
+    ///
+    /// `in_plane` is the length of an arc; without it the way is straight.
+    #[inline]
+    pub(super) fn plunge_feed(
+        &mut self,
+        w: &Words,
+        feed: Option<Feed>,
+        end: &Pos,
+        in_plane: Option<f64>,
+    ) -> Option<Feed> {
+        match (self.st.plunge_share, feed) {
+            (Some(share), Some(feed)) => Some(self.shared_feed(w, feed, share, end, in_plane)),
+            _ => feed,
+        }
+    }
+
+    #[cold]
+    fn shared_feed(&mut self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Feed {
+        let tool_axis = self.st.axis();
+        if end.get(tool_axis).is_none() {
+            return feed;
+        }
+        let mut step = nalgebra::Vector3::zeros();
+        let mut open = AxisSet::EMPTY;
+        for axis in AxisSet::MAIN.iter() {
+            match (end.get(axis), self.st.pos.get(axis)) {
+                (Some(to), Some(from)) => step[axis.index()] = to - from,
+                (Some(_), None) => open.insert(axis),
+                (None, _) => {}
+            }
+        }
+        // Which way is down, and how long the way is, counts on the workpiece.
+        let linear = *self.st.ctx.frame.linear();
+        let real = linear * step;
+        let down = real[tool_axis.index()];
+        if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
+            self.report(
+                Diagnostic::new(
+                    codes::K2709,
+                    self.loc(w.axes_span),
+                    format!(
+                        "the start of this move is not known, so M103 limits it to {} % of its feed",
+                        share * 100.0
+                    ),
+                )
+                .help("program M103 behind the first positioning"),
+            );
+            return feed.with_value(feed.value() * share);
+        }
         if down >= 0.0 {
+            return feed;
+        }
+        let way = match in_plane {
+            Some(length) => {
+                let (first, ..) = self.st.plane().axes();
+                libm::hypot(length * linear.column(first).norm(), down)
+            }
+            None => real.norm(),
+        };
+        feed.with_value((feed.value() * share * way / -down).min(feed.value()))
+    }
+
+    /// Where only rotary axes move, F counts degrees per minute, whatever the unit of the program.
+    #[inline]
+    fn rotary_only_feed(&mut self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
+        let feed = feed?;
+        if self.level().unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
             return Some(feed);
         }
-        let way = AxisSet::MAIN.iter().fold(0.0, |sum: f64, axis| libm::hypot(sum, step(axis)));
-        Some(feed.with_value((feed.value() * share * way / -down).min(feed.value())))
+        let linear = |axis: &Axis| !axis.is_rotary() && self.st.pos.get(*axis) != end.get(*axis);
+        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.written_feed) })
     }
 
     /// A move in machine coordinates: afterwards the workpiece position of its axes is not known.
@@ -339,14 +498,7 @@ impl Run<'_> {
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         let coords = Coords::Machine;
         self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
-        for axis in end.known().iter() {
-            self.st.pos.forget(axis);
-            self.st.lost.remove(axis);
-            if axis.is_rotary() {
-                self.st.rotary_offset[axis.index() - Axis::A.index()] = 0.0;
-            }
-        }
-        self.st.polar = None;
+        self.st.moved_by_machine(end.known());
         Ok(())
     }
 
@@ -354,6 +506,9 @@ impl Run<'_> {
     pub(super) fn retract(&mut self, m: &MWord) -> Outcome {
         let axis = self.st.axis();
         let Args { feed, value, max, .. } = m.args;
+        if feed.is_some_and(|feed| feed <= 0.0) {
+            return self.fail(codes::O1001, m.span, "the feed of M140 is not above zero");
+        }
         let feed = feed.map(|f| self.feed_of(f));
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         let mut end = Pos::UNKNOWN;
@@ -374,12 +529,34 @@ impl Run<'_> {
             end.set(axis, top);
             let coords = Coords::Machine;
             self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
-            self.st.pos.forget(axis);
-            self.st.lost.remove(axis);
+            self.st.moved_by_machine(end.known());
             return Ok(());
         }
-        let from = self.position_of(axis, m.span, "M140")?;
-        end.set(axis, from + value.unwrap_or(0.0));
+        let way = value.unwrap_or(0.0);
+        if way <= 0.0 {
+            return self.fail_help(
+                codes::K2707,
+                m.span,
+                "the path of M140 is not above zero",
+                "write how far to retract: `M140 MB 50`",
+            );
+        }
+        // The path is a real one: no scaling acts on it, and it leads away from the workpiece.
+        let column = self.st.ctx.frame.linear().column(axis.index()).into_owned();
+        let factor = column[axis.index()];
+        if !(factor > 0.0 && AxisSet::MAIN.iter().all(|other| other == axis || column[other.index()] == 0.0)) {
+            return self.fail_help(
+                codes::K9008,
+                m.span,
+                format!("M140 retracts along {0}, and {0} is mirrored or turned here", axis.letter()),
+                "reset the mirror or rotation in front of M140",
+            );
+        }
+        let from = match self.st.pos.get(axis) {
+            Some(from) => from,
+            None => self.position_of(axis, m.span, "M140")?,
+        };
+        end.set(axis, from + way / factor);
         self.send(EndPoint::Cartesian(end), &end, path, feed);
         Ok(())
     }
@@ -392,11 +569,16 @@ impl Run<'_> {
         let admits = Admits::FEED.and(Admits::M).and(Admits::NUMBER);
         let w = self.gather(block, head, if rounding { admits.and(Admits::RADIUS) } else { admits })?;
         self.check_m(&w)?;
+        self.forbid_m(&w, head, &[2, 30, 89, 91, 99, 140])?;
         let mm = self.level().unit.mm();
         let size = w.radius.or(w.number.map(|n| n * mm));
         let Some(size) = size.filter(|size| *size > 0.0) else {
-            let what = if rounding { "RND needs a radius above zero" } else { "CHF needs a length above zero" };
-            return self.fail(codes::K1006, block.span, what);
+            let (what, help) = if rounding {
+                ("RND needs a radius above zero", "write the radius: `RND R5`")
+            } else {
+                ("CHF needs a length above zero", "write the length cut off along each side: `CHF 5`")
+            };
+            return self.fail_help(codes::K1006, block.span, what, help);
         };
         let feed = match w.feed {
             FeedWord::None => match self.st.feed {
@@ -405,20 +587,38 @@ impl Run<'_> {
             },
             FeedWord::Value(f) if f > 0.0 => self.feed_of(f),
             FeedWord::PerRevolution(f) if f > 0.0 => Feed::PerRevolution(f),
-            _ => return self.fail(codes::O1001, w.feed_span, "the feed of a corner is a number above zero"),
+            FeedWord::Value(f) | FeedWord::PerRevolution(f) => return self.feed_not_positive(w.feed_span, f),
+            FeedWord::Max | FeedWord::Auto => {
+                let text = self.word_text(w.feed_span);
+                return self.fail_help(
+                    codes::K1005,
+                    w.feed_span,
+                    format!("`{text}` has no place in a {head} block"),
+                    "the feed of a corner is a number; without F the one in force holds",
+                );
+            }
         };
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         self.m_at_start(&w, true)?;
         self.out.corner(&Corner { shape, feed: Some(feed), modal: false }, &self.st.ctx, &self.here.origin);
-        self.st.polar = None;
         self.m_at_end(&w)
     }
 
-    /// `X+50 R+ F200`: one axis, or several without R+ and R-.
+    /// `X+50 R+ F200`: one axis.
     pub(super) fn paraxial_block(&mut self, block: &Block) -> Outcome {
-        let result = self.gather(block, "positioning", PATH.and(Admits::PARAXIAL)).and_then(|w| match w.comp {
-            Some(Comp::Paraxial(longer)) => self.lengthened(&w, longer),
-            _ => self.run_path(PathFn::Line, &w),
+        let result = self.gather(block, "positioning", PATH.and(Admits::PARAXIAL)).and_then(|w| {
+            let paraxial = matches!(w.comp, Some(Comp::Paraxial(_)));
+            if w.axes.known().len() > 1 && !paraxial {
+                return self.fail_help(
+                    codes::K1005,
+                    w.axes_span,
+                    "a block without a function word moves one axis only",
+                    "write L in front for a straight line: `L X+50 Y+10`",
+                );
+            }
+            let result = self.run_path(PathFn::Line, &w);
+            self.put_back(w);
+            result
         });
         if result.is_err() {
             self.lose_after(PathFn::Line, block);
@@ -429,26 +629,40 @@ impl Run<'_> {
     /// R+ makes the way longer by the tool radius, R- shorter.
     fn lengthened(&mut self, w: &Words, longer: bool) -> Outcome {
         let mut axes = w.axes.known().iter();
-        let (Some(axis), None, Side::None) = (axes.next(), axes.next(), self.st.side) else {
+        let axis = match (axes.next(), axes.next(), self.st.side) {
+            (Some(axis), None, Side::None) if axis.is_main() => axis,
+            _ => {
+                return self.fail_help(
+                    codes::K2604,
+                    w.comp_span,
+                    "R+ and R- belong to a block that moves one of X, Y, Z without RL or RR",
+                    "program the axes in blocks of their own",
+                );
+            }
+        };
+        let name = if longer { "R+" } else { "R-" };
+        let radius = self.tool_radius(w.comp_span)?;
+        let from = self.position_of(axis, w.axes_span, name)?;
+        let stands = self.st.pos.get(axis).unwrap_or(from);
+        let target = self.absolute(w)?.get(axis).unwrap_or(from);
+        let way = target - from;
+        // Where the tool stands beside its nominal position, both have to agree on the direction.
+        if way == 0.0 || way * (target - stands) <= 0.0 {
             return self.fail_help(
                 codes::K2604,
                 w.comp_span,
-                "R+ and R- belong to a block that moves one axis without RL or RR",
-                "program the axes in blocks of their own",
+                format!("{} is there already, so {name} has no direction", axis.letter()),
+                "program a way in this block that is longer than the tool radius",
             );
-        };
-        self.check_m(w)?;
-        let radius = self.tool_radius(w.comp_span)?;
-        let from = self.position_of(axis, w.axes_span, if longer { "R+" } else { "R-" })?;
-        let target = self.absolute(w)?.get(axis).unwrap_or(from);
-        let sign = if longer { 1.0 } else { -1.0 };
-        let way = target - from;
+        }
+        let sign = if (way < 0.0) == longer { -1.0 } else { 1.0 };
+        // The radius is a real one: no scaling acts on it.
+        let scale = self.st.ctx.frame.linear().column(axis.index()).norm();
         let mut end = Pos::UNKNOWN;
-        end.set(axis, target + sign * radius * if way < 0.0 { -1.0 } else { 1.0 });
-        self.m_at_start(w, true)?;
-        self.set_feed(w)?;
+        end.set(axis, target + sign * radius / scale);
         self.line_to(w, end)?;
-        self.after_motion(w, true)
+        self.st.nominal.set(axis, target);
+        Ok(())
     }
 }
 

@@ -38,23 +38,29 @@ impl Run<'_> {
     ) -> (f64, Option<Deg>) {
         let plain = |word: Option<(f64, bool)>| matches!(word, Some((_, false)));
         let complete = plain(w.polar_radius) && plain(w.polar_angle);
-        let follows = self.st.polar.is_some_and(|last| last.pole == pole.at && last.plane == pole.plane);
-        if complete || follows {
-            return start;
-        }
+        let last = self.st.polar.filter(|last| last.pole == pole.at && last.plane == pole.plane);
         let missing = w.polar_radius.is_none() || w.polar_angle.is_none();
-        if !missing {
-            return start;
+        match last {
+            _ if complete => return start,
+            Some(LastPolar { doubtful: false, .. }) => return start,
+            None if !missing => return start,
+            _ => {}
         }
         if self.job.settings.control.polar_missing == PolarMissing::Programmed
             && let Some((radius, angle)) = self.st.programmed_polar
         {
             return (radius, Some(angle));
         }
-        self.report(
-            Diagnostic::new(codes::K2107, self.here.origin.loc, "the missing polar word is computed from the position")
-                .help("write both PR and PA"),
-        );
+        // Without an angle the block is refused, and that is enough to say.
+        if start.1.is_some() || matches!(w.polar_angle, Some((_, false))) {
+            let what = match last {
+                Some(_) => {
+                    "PR was not above zero in the block before; the word left open is computed from the position"
+                }
+                None => "the missing polar word is computed from the position",
+            };
+            self.report(Diagnostic::new(codes::K2107, self.here.origin.loc, what).help("write both PR and PA"));
+        }
         start
     }
 
@@ -82,7 +88,7 @@ impl Run<'_> {
             (Some((a, false)), ..) => Deg(a),
             (Some((a, true)), Some(from), _) => Deg(from.0 + a),
             (None, _, Some(angle)) => angle,
-            _ => return self.angle_undefined(),
+            _ => return self.angle_undefined(w),
         };
         self.forbid_plane_axes(w, pole.plane, function)?;
         let feed = if path == Path::Line { self.move_feed(w)? } else { Some(self.arc_feed(w)?) };
@@ -94,19 +100,20 @@ impl Run<'_> {
             self.flat(w, pole.plane, function)?;
             self.start_in(pole.plane, function)?;
         }
-        let feed = self.plunge_feed(feed, &end);
+        let feed = self.plunge_feed(w, feed, &end, None);
         let path = if feed.is_none() { Path::Rapid } else { path };
         let polar = Polar { pole: pole.at, plane: pole.plane, radius, angle, rest };
         self.send(EndPoint::Polar(polar), &end, path, feed);
-        self.st.polar = Some(LastPolar { radius, angle, pole: pole.at, plane: pole.plane });
+        self.st.polar = Some(LastPolar::new(radius, angle, &pole));
         self.st.programmed_polar = Some((radius, angle));
         Ok(())
     }
 
-    pub(super) fn angle_undefined<T>(&mut self) -> Outcome<T> {
+    pub(super) fn angle_undefined<T>(&mut self, w: &Words) -> Outcome<T> {
+        let span = if w.polar_angle.is_some() { w.polar_angle_span } else { w.polar_radius_span };
         self.fail_help(
             codes::K2110,
-            self.block_span(),
+            span,
             "the tool stands on the pole, so the angle is not determined",
             "write the angle PA",
         )
@@ -115,31 +122,38 @@ impl Run<'_> {
     /// CP: arc or helix about the pole.
     pub(super) fn polar_arc(&mut self, w: &Words) -> Outcome {
         let pole = self.pole("CP")?;
-        if let Some((_, incremental)) = w.polar_radius {
-            let _ = incremental;
+        if w.polar_radius.is_some() {
             return self.fail_help(
                 codes::K1005,
-                self.block_span(),
+                w.polar_radius_span,
                 "CP takes no PR: its radius is the distance of the tool from the pole",
                 "remove PR, or go to the radius with LP first",
             );
         }
         let Some((angle, incremental)) = w.polar_angle else {
-            return self.fail(codes::K2109, self.block_span(), "CP needs PA or IPA");
+            return self.fail_help(
+                codes::K2109,
+                self.block_span(),
+                "CP needs PA or IPA",
+                "write the angle of the end point, or the angle to go: `CP IPA+90 DR+`",
+            );
         };
         self.forbid_plane_axes(w, pole.plane, "CP")?;
         let start = self.start_in(pole.plane, "CP")?;
-        let (radius, Some(from)) = self.polar_start(&pole, "CP")? else { return self.angle_undefined() };
+        let (radius, Some(from)) = self.polar_start(&pole, "CP")? else { return self.angle_undefined(w) };
         let sweep = if incremental {
             self.incremental_sweep(w, angle)?
         } else {
             let ccw = self.turn(w, "CP")?;
             if angle.abs() > 360.0 {
-                self.report(Diagnostic::new(
-                    codes::K2106,
-                    self.here.origin.loc,
-                    format!("PA {angle} is reduced to a direction"),
-                ));
+                self.report(
+                    Diagnostic::new(
+                        codes::K2106,
+                        self.loc(w.polar_angle_span),
+                        format!("PA {angle} is reduced to a direction"),
+                    )
+                    .help("program more than one turn with IPA"),
+                );
             }
             absolute_sweep(from, angle, ccw, radius)
         };
@@ -150,7 +164,7 @@ impl Run<'_> {
         let shape = ArcShape::Sweep { center: pole.at, sweep: Deg(sweep) };
         self.send_arc(w, pole.plane, shape, end)?;
         let angle = Deg(from.0 + sweep);
-        self.st.polar = Some(LastPolar { radius, angle, pole: pole.at, plane: pole.plane });
+        self.st.polar = Some(LastPolar::new(radius, angle, &pole));
         self.st.programmed_polar = Some((radius, angle));
         Ok(())
     }
@@ -158,7 +172,12 @@ impl Run<'_> {
     /// IPA is the sweep itself; its sign and DR must agree.
     pub(super) fn incremental_sweep(&mut self, w: &Words, angle: f64) -> Outcome<f64> {
         if angle == 0.0 {
-            return self.fail(codes::K2109, self.block_span(), "IPA is zero: the arc has no length");
+            return self.fail_help(
+                codes::K2109,
+                w.polar_angle_span,
+                "IPA is zero: the arc has no length",
+                "write the angle to go; a full circle is IPA+360 or IPA-360",
+            );
         }
         let ccw = match w.turn {
             Some(turn) => turn,
@@ -179,7 +198,7 @@ impl Run<'_> {
         }
         self.fail_help(
             codes::K2105,
-            self.block_span(),
+            w.polar_angle_span,
             format!("IPA {angle} turns one way and DR the other"),
             "give IPA the sign of DR, or set `[control] cp_sign = \"dr\"`",
         )
@@ -233,21 +252,22 @@ impl Run<'_> {
             }
             _ => self.st.plane(),
         };
-        if axes.len() == 1 {
-            self.report(
-                Diagnostic::new(
-                    codes::K2102,
-                    self.loc(span),
-                    "CC with one coordinate: the other one is taken from the position",
-                )
-                .help("write both coordinates"),
-            );
-        }
         let written = self.absolute(w)?;
         let (first, second, _) = plane.axes();
         let previous = self.st.pole.filter(|pole| pole.plane == plane);
         let keep = axes.len() == 1 && self.job.settings.control.cc_missing == CcMissing::Previous;
         let old = previous.filter(|_| keep).map(|pole| pole.at);
+        if axes.len() == 1 {
+            let from = if old.is_some() { "the CC before" } else { "the position" };
+            self.report(
+                Diagnostic::new(
+                    codes::K2102,
+                    self.loc(span),
+                    format!("CC with one coordinate: the other one is taken from {from}"),
+                )
+                .help("write both coordinates"),
+            );
+        }
         let mut coordinate = |axis: Axis, old: Option<f64>| match (written.get(axis), old) {
             (Some(value), _) => Ok(value),
             (None, Some(old)) => Ok(old),

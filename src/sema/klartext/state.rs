@@ -16,6 +16,8 @@ use super::transform::Transformation;
 pub(super) struct State {
     /// Programmed position.
     pub pos: Pos,
+    /// Nominal coordinates of axes that R+ or R- left beside them; increments count from here.
+    pub nominal: Pos,
     /// Axes whose position is unknown because an error was reported: not worth another one.
     pub lost: AxisSet,
     pub pole: Option<PoleState>,
@@ -28,8 +30,10 @@ pub(super) struct State {
     /// Counter-clockwise, of the last arc.
     pub turn: Option<bool>,
     pub feed: Option<Feed>,
-    /// F of the last TOOL CALL.
-    pub tool_feed: Option<f64>,
+    /// Number of the feed word in force, as written: what a move of rotary axes alone takes as degrees.
+    pub written_feed: f64,
+    /// F of the last TOOL CALL, and the number as written.
+    pub tool_feed: Option<(Feed, f64)>,
     /// M136: F counts per revolution.
     pub per_revolution: bool,
     /// M103: highest share of the feed in the negative tool axis.
@@ -73,10 +77,21 @@ pub(super) struct PoleState {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LastPolar {
+    /// Not negative: a negative PR is kept as its opposite direction.
     pub radius: f64,
     pub angle: Deg,
     pub pole: Point2,
     pub plane: Plane,
+    /// PR was written negative or zero: what a missing word means then is open.
+    pub doubtful: bool,
+}
+
+impl LastPolar {
+    pub fn new(radius: f64, angle: Deg, pole: &PoleState) -> LastPolar {
+        let (at, plane) = (pole.at, pole.plane);
+        let angle = if radius < 0.0 { Deg(angle.0 + 180.0) } else { angle };
+        LastPolar { radius: radius.abs(), angle, pole: at, plane, doubtful: radius <= 0.0 }
+    }
 }
 
 /// The tool in the spindle; lengths in mm, `None` for unknown.
@@ -114,6 +129,7 @@ impl State {
         let feed = settings.control.feed;
         State {
             pos: Pos::UNKNOWN,
+            nominal: Pos::UNKNOWN,
             lost: AxisSet::EMPTY,
             pole: None,
             pole_lost: false,
@@ -121,7 +137,8 @@ impl State {
             programmed_polar: None,
             turn: None,
             feed: feed.map(Feed::PerMinute),
-            tool_feed: feed,
+            written_feed: feed.unwrap_or_default(),
+            tool_feed: feed.map(|feed| (Feed::PerMinute(feed), feed)),
             per_revolution: false,
             plunge_share: None,
             side: Side::None,
@@ -159,9 +176,30 @@ impl State {
     pub fn lose(&mut self, axes: AxisSet) {
         for axis in axes.iter() {
             self.pos.forget(axis);
+            self.nominal.forget(axis);
         }
         self.lost = self.lost.union(axes);
         self.polar = None;
+    }
+
+    /// These axes were moved in machine coordinates: forgets every programmed coordinate that depends on them.
+    pub fn moved_by_machine(&mut self, axes: AxisSet) {
+        let mut at = self.ctx.frame.apply(&self.pos);
+        for axis in axes.iter() {
+            at.forget(axis);
+            self.nominal.forget(axis);
+            if axis.is_rotary() {
+                self.rotary_offset[axis.index() - Axis::A.index()] = 0.0;
+            }
+        }
+        self.pos = self.ctx.frame.unapply(&at);
+        self.lost = self.lost.without(axes);
+        self.polar = None;
+    }
+
+    /// What is shown for a rotary axis: the position without the whole turns that only the output counts.
+    pub fn shown(&self, axis: Axis, at: f64) -> f64 {
+        if axis.is_rotary() { at - self.rotary_offset[axis.index() - Axis::A.index()] } else { at }
     }
 }
 

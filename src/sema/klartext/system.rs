@@ -100,7 +100,7 @@ impl Run<'_> {
             (270, 1) => match axis {
                 Some(axis) => {
                     let value = self.position_of(axis, block.span, "SYSREAD")?;
-                    return Ok(if axis.is_rotary() { value } else { value / mm });
+                    return Ok(if axis.is_rotary() { self.st.shown(axis, value) } else { value / mm });
                 }
                 None => None,
             },

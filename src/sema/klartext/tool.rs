@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{CutterData, Spindle};
-use crate::ir::{Function, Side};
+use crate::ir::{Feed, Function, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
@@ -44,7 +44,9 @@ pub(super) type Defined = FxHashMap<u32, (Option<f64>, Option<f64>)>;
 struct Call {
     axis: Option<Axis>,
     speed: Option<f64>,
+    speed_span: Span,
     feed: Option<f64>,
+    feed_span: Span,
     /// DL, DR, DR2 as far as written.
     deltas: [Option<f64>; 3],
 }
@@ -92,7 +94,7 @@ impl Run<'_> {
             Some((tool, rest)) => (Some(tool), rest),
             None => (None, block.words.as_slice()),
         };
-        let call = self.call_words(rest)?;
+        let call = self.call_words(rest, block)?;
         if self.st.side != Side::None {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "TOOL CALL ends the radius compensation")
@@ -120,18 +122,20 @@ impl Run<'_> {
         }
         self.update_frame(block.span)?;
         if let Some(speed) = call.speed {
-            self.spindle_speed(speed, block.span)?;
+            self.spindle_speed(speed, call.speed_span)?;
         }
         if let Some(feed) = call.feed {
             if feed <= 0.0 {
-                return self.fail(codes::O1001, block.span, format!("the feed is {feed}"));
+                return self.feed_not_positive(call.feed_span, feed);
             }
             // The feed of a TOOL CALL holds until another one is programmed, in a block or a TOOL CALL.
-            let feed = self.feed_of(feed);
-            self.st.tool_feed = Some(feed.value());
+            let written = feed;
+            let feed = self.feed_of(written);
+            self.st.tool_feed = Some((feed, written));
             self.st.feed = Some(feed);
+            self.st.written_feed = written;
         } else if tool.is_some() {
-            self.st.tool_feed = self.job.settings.control.feed;
+            self.st.tool_feed = self.job.settings.control.feed.map(|feed| (Feed::PerMinute(feed), feed));
         }
         Ok(())
     }
@@ -141,11 +145,21 @@ impl Run<'_> {
         self.st.tool_axis = Some(axis);
         if changed {
             self.function(Function::Plane(self.st.plane()));
+            if self.st.transform.angle.0 != 0.0 && self.st.transform.plane != self.st.plane() {
+                self.report(
+                    Diagnostic::new(
+                        codes::K2511,
+                        self.here.origin.loc,
+                        format!("the tool axis becomes {}, and the rotation stays in its plane", axis.letter()),
+                    )
+                    .help("reset the rotation before the change, and program it again after"),
+                );
+            }
         }
     }
 
     /// The words behind the tool of a TOOL CALL.
-    fn call_words(&mut self, words: &[Word]) -> Outcome<Call> {
+    fn call_words(&mut self, words: &[Word], block: &Block) -> Outcome<Call> {
         let mm = self.level().unit.mm();
         let mut call = Call::default();
         for &word in words {
@@ -161,7 +175,7 @@ impl Run<'_> {
                 (Addr::Feed, _) => &mut call.feed,
                 (Addr::Axis { axis, incremental: false }, _) if word.value == Value::None && !axis.is_rotary() => {
                     if call.axis.replace(axis).is_some() {
-                        return self.fail(codes::K1004, word.span, "a second tool axis");
+                        return self.twice(word, block);
                     }
                     continue;
                 }
@@ -169,8 +183,12 @@ impl Run<'_> {
                 _ => return self.not_admitted(word, "TOOL CALL"),
             };
             if slot.is_some() {
-                let text = self.word_text(word.span);
-                return self.fail(codes::K1004, word.span, format!("`{text}` repeats a word of this block"));
+                return self.twice(word, block);
+            }
+            match word.addr {
+                Addr::Speed => call.speed_span = word.span,
+                Addr::Feed => call.feed_span = word.span,
+                _ => {}
             }
             let value = self.number(word.value, word.span)?;
             *slot = Some(if delta.is_some() { value * mm } else { value });

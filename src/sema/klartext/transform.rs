@@ -13,8 +13,11 @@ use crate::machine::{Axis, AxisSet};
 /// The transformations in force.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Transformation {
-    /// By axis, mm or degrees.
+    /// By axis of the workpiece, mm or degrees.
     pub shift: [f64; AXES],
+    /// What each of X, Y, Z of the datum shift contributes to `shift`. They differ from the axes of the workpiece
+    /// where the shift was measured along turned axes.
+    parts: [Vector3<f64>; 3],
     pub mirror: AxisSet,
     /// About the datum, in `plane`.
     pub angle: Deg,
@@ -32,6 +35,7 @@ impl Default for Transformation {
     fn default() -> Transformation {
         Transformation {
             shift: [0.0; AXES],
+            parts: [Vector3::zeros(); 3],
             mirror: AxisSet::EMPTY,
             angle: Deg(0.0),
             plane: Plane::Xy,
@@ -53,9 +57,48 @@ impl Transformation {
         self.mirror.is_empty() && self.angle.0 == 0.0 && self.scale == 1.0 && self.axis_scale == [1.0; 3]
     }
 
-    /// Scaling in force for any axis?
-    pub fn scales(&self) -> bool {
-        self.scale != 1.0 || self.axis_scale != [1.0; 3]
+    /// Shifts the datum along `axis`, to `value` or by it. Along the axes as they are turned and mirrored now, or
+    /// along those of the workpiece; a new value replaces the old one of this axis, however it was measured.
+    pub fn shift_by(&mut self, axis: Axis, value: f64, incremental: bool, turned: bool) {
+        let i = axis.index();
+        if !axis.is_main() {
+            self.shift[i] = if incremental { self.shift[i] + value } else { value };
+            return;
+        }
+        let mut unit = Vector3::zeros();
+        unit[i] = 1.0;
+        if turned {
+            let unscaled = Transformation { scale: 1.0, axis_scale: [1.0; 3], ..self.clone() };
+            unit = unscaled.linear() * unit;
+        }
+        self.parts[i] = if incremental { self.parts[i] + unit * value } else { unit * value };
+        let sum = self.parts[0] + self.parts[1] + self.parts[2];
+        self.shift[..3].copy_from_slice(sum.as_slice());
+    }
+
+    /// No datum shift.
+    pub fn unshift(&mut self) {
+        self.shift = [0.0; AXES];
+        self.parts = [Vector3::zeros(); 3];
+    }
+
+    /// A transformation under which it is open where the parallel axis `axis` goes.
+    pub fn touches_parallel(&self, axis: Axis) -> Option<&'static str> {
+        let (first, second, _) = self.plane.axes();
+        let main = match axis {
+            Axis::U => Axis::X,
+            Axis::V => Axis::Y,
+            _ => Axis::Z,
+        };
+        if self.scale != 1.0 || self.axis_scale != [1.0; 3] {
+            Some("scaling")
+        } else if self.mirror.contains(main) {
+            Some("mirror")
+        } else if self.angle.0 != 0.0 && (main.index() == first || main.index() == second) {
+            Some("rotation")
+        } else {
+            None
+        }
     }
 
     /// Rotation, scaling and mirror as one matrix.

@@ -4,7 +4,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::{Pos, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, AxisSet};
-use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::parser::klartext::ast::{Addr, Block, Stmt, Word};
 use crate::text::{Span, decode::readable};
 
 use super::mfunc::{self, Args};
@@ -80,7 +80,9 @@ pub(super) struct Words {
     pub axes_span: Span,
     /// Value, incremental.
     pub polar_radius: Option<(f64, bool)>,
+    pub polar_radius_span: Span,
     pub polar_angle: Option<(f64, bool)>,
+    pub polar_angle_span: Span,
     pub radius: Option<f64>,
     pub radius_span: Span,
     /// Counter-clockwise.
@@ -90,6 +92,7 @@ pub(super) struct Words {
     pub feed: FeedWord,
     pub feed_span: Span,
     pub speed: Option<f64>,
+    pub speed_span: Span,
     pub number: Option<f64>,
     m: Vec<MWord>,
 }
@@ -116,6 +119,11 @@ impl Words {
 
     pub fn has_m(&self, number: u32) -> bool {
         self.m().iter().any(|m| m.number == number)
+    }
+
+    /// The first of these M functions in the block.
+    pub fn any_m(&self, numbers: &[u32]) -> Option<&MWord> {
+        self.m().iter().find(|m| numbers.contains(&m.number))
     }
 }
 
@@ -144,7 +152,7 @@ impl Run<'_> {
                 Addr::Axis { axis, incremental } if admits.has(Admits::AXES) => {
                     let value = self.number(word.value, word.span)?;
                     if w.axes.known().contains(axis) {
-                        return self.twice(word.span);
+                        return self.twice(word, block);
                     }
                     w.axes.set(axis, if axis.is_rotary() { value } else { value * mm });
                     if incremental {
@@ -156,13 +164,13 @@ impl Run<'_> {
                     if admits.has(Admits::FEED) =>
                 {
                     if w.feed != FeedWord::None {
-                        return self.twice(word.span);
+                        return self.twice(word, block);
                     }
                     w.feed = self.feed_word(word, mm)?;
                     w.feed_span = word.span;
                 }
                 Addr::M(number) if admits.has(Admits::M) => {
-                    let (args, used) = self.m_arguments(number, word.span, &block.words[at..])?;
+                    let (args, used) = self.m_arguments(number, word.span, &block.words[at..], block, w)?;
                     at += used;
                     if w.m.len() == MOST_M {
                         return self.fail(codes::K1005, word.span, "too many M functions in one block");
@@ -171,62 +179,64 @@ impl Run<'_> {
                 }
                 // Empty words of old listings mean "unchanged".
                 Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty => {}
-                _ => self.rare_word(word, head, admits, mm, w)?,
+                _ => self.rare_word(word, head, admits, mm, w, block)?,
             }
         }
         if w.m.len() > 1 {
-            self.check_m_conflicts(w)?;
+            self.check_m_conflicts(w, block)?;
         }
         Ok(())
     }
 
     /// The words that CAM programs hardly use.
-    fn rare_word(&mut self, word: Word, head: &str, admits: Admits, mm: f64, w: &mut Words) -> Outcome {
+    fn rare_word(&mut self, word: Word, head: &str, admits: Admits, mm: f64, w: &mut Words, block: &Block) -> Outcome {
         match word.addr {
             Addr::PolarRadius { incremental } if admits.has(Admits::POLAR) => {
                 let value = self.number(word.value, word.span)?;
                 if w.polar_radius.replace((value * mm, incremental)).is_some() {
-                    return self.twice(word.span);
+                    return self.twice(word, block);
                 }
+                w.polar_radius_span = word.span;
             }
             Addr::PolarAngle { incremental } if admits.has(Admits::POLAR) => {
                 let value = self.number(word.value, word.span)?;
                 if w.polar_angle.replace((value, incremental)).is_some() {
-                    return self.twice(word.span);
+                    return self.twice(word, block);
                 }
+                w.polar_angle_span = word.span;
             }
             // R0 without a sign is compensation, everything else a radius.
             Addr::Radius { signed: false } if word.value == Value::Number(0.0) && admits.has(Admits::COMP) => {
-                self.comp_word(w, Comp::Side(Side::None), word.span)?;
+                self.comp_word(w, Comp::Side(Side::None), word, block)?;
             }
             Addr::Radius { .. } if admits.has(Admits::RADIUS) => {
                 let value = self.number(word.value, word.span)?;
-                if w.radius.replace(value * mm).is_some() {
-                    return self.twice(word.span);
+                if w.radius.replace(value * mm).is_some() || w.number.is_some() {
+                    return self.twice(word, block);
                 }
                 w.radius_span = word.span;
             }
-            Addr::CompLeft if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Left), word.span)?,
-            Addr::CompRight if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Right), word.span)?,
-            Addr::ParaxialPlus if admits.has(Admits::PARAXIAL) => self.comp_word(w, Comp::Paraxial(true), word.span)?,
-            Addr::ParaxialMinus if admits.has(Admits::PARAXIAL) => {
-                self.comp_word(w, Comp::Paraxial(false), word.span)?
+            Addr::CompLeft if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Left), word, block)?,
+            Addr::CompRight if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Right), word, block)?,
+            Addr::ParaxialPlus | Addr::ParaxialMinus if admits.has(Admits::PARAXIAL) => {
+                self.comp_word(w, Comp::Paraxial(word.addr == Addr::ParaxialPlus), word, block)?;
             }
             Addr::TurnPlus | Addr::TurnMinus if admits.has(Admits::TURN) => {
                 if w.turn.replace(word.addr == Addr::TurnPlus).is_some() {
-                    return self.twice(word.span);
+                    return self.twice(word, block);
                 }
             }
             Addr::Speed if admits.has(Admits::SPEED) => {
                 let value = self.number(word.value, word.span)?;
                 if w.speed.replace(value).is_some() {
-                    return self.twice(word.span);
+                    return self.twice(word, block);
                 }
+                w.speed_span = word.span;
             }
             Addr::Value if admits.has(Admits::NUMBER) => {
                 let value = self.number(word.value, word.span)?;
-                if w.number.replace(value).is_some() {
-                    return self.twice(word.span);
+                if w.number.replace(value).is_some() || w.radius.is_some() {
+                    return self.twice(word, block);
                 }
             }
             _ => return self.not_admitted(word, head),
@@ -234,11 +244,11 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn comp_word(&mut self, w: &mut Words, comp: Comp, span: Span) -> Outcome {
+    fn comp_word(&mut self, w: &mut Words, comp: Comp, word: Word, block: &Block) -> Outcome {
         if w.comp.replace(comp).is_some() {
-            return self.twice(span);
+            return self.twice(word, block);
         }
-        w.comp_span = span;
+        w.comp_span = word.span;
         Ok(())
     }
 
@@ -265,10 +275,20 @@ impl Run<'_> {
         })
     }
 
+    /// `word` says again what an earlier word of the block says.
     #[cold]
-    fn twice<T>(&self, span: Span) -> Outcome<T> {
-        let word = self.word_text(span);
-        self.fail_help(codes::K1004, span, format!("`{word}` repeats a word of this block"), "remove one of the two")
+    pub(super) fn twice<T>(&self, word: Word, block: &Block) -> Outcome<T> {
+        let text = self.word_text(word.span);
+        let found =
+            Diagnostic::new(codes::K1004, self.loc(word.span), format!("`{text}` repeats a word of this block"))
+                .help("remove one of the two");
+        let first = block.words.iter().find(|first| same_matter(first.addr, word.addr));
+        let found = match first.filter(|first| first.span.start < word.span.start) {
+            Some(first) => found.also(self.loc(first.span), "the first one"),
+            None => found,
+        };
+        self.report(found);
+        Err(super::Reported)
     }
 
     #[cold]
@@ -292,8 +312,15 @@ impl Run<'_> {
         readable(&self.job.sources.bytes(loc.file, loc.span)).into_owned()
     }
 
-    /// The arguments of an M function, and how many words they took.
-    fn m_arguments(&mut self, number: u32, span: Span, words: &[Word]) -> Outcome<(Args, usize)> {
+    /// The arguments of an M function, and how many words they took. `w` holds the words in front of it.
+    fn m_arguments(
+        &mut self,
+        number: u32,
+        span: Span,
+        words: &[Word],
+        block: &Block,
+        w: &Words,
+    ) -> Outcome<(Args, usize)> {
         let takes = mfunc::takes(number);
         let mut args = Args::default();
         let mm = self.level().unit.mm();
@@ -304,8 +331,12 @@ impl Run<'_> {
                     args.feed = Some(self.number(word.value, word.span)?)
                 }
                 Addr::FeedMax if takes.retract && args.given => args.feed_max = true,
-                Addr::Axis { axis, .. } if takes.axes => {
+                // A letter alone names an axis; with a value it is where the block goes.
+                Addr::Axis { axis, incremental: false } if takes.letters && word.value == Value::None => {
                     args.axes.insert(axis);
+                }
+                Addr::Axis { axis, .. } if takes.values.contains(axis) => {
+                    self.check_m_value(number, word, block, w)?;
                     args.given |= self.number_if(word.value, word.span)?.is_some();
                 }
                 Addr::DeltaLength if takes.named => args.value = Some(self.number(word.value, word.span)?),
@@ -347,12 +378,35 @@ impl Run<'_> {
         Ok((args, at))
     }
 
+    /// Behind M118 and M112 an axis word is a size, behind everything else the place to go to. Refuses what may
+    /// be either: the control itself writes the place in front, with a sign, and the size without one.
+    fn check_m_value(&mut self, number: u32, word: Word, block: &Block, w: &Words) -> Outcome {
+        let Addr::Axis { axis, incremental } = word.addr else { return Ok(()) };
+        let text = self.word_text(word.span);
+        let signed = incremental || text.contains(['+', '-']);
+        let alone = block.stmt == Stmt::Functions;
+        let clear = match number {
+            // `M112 T0.01 A10`
+            112 => !signed,
+            _ => alone || w.axes.known().contains(axis) || (!signed && !w.axes.known().is_empty()),
+        };
+        if clear {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K2707,
+            word.span,
+            format!("`{text}` behind M{number} may belong to it, or be where the block goes"),
+            &format!("write the coordinates in front of M{number}, or M{number} into a block of its own without L"),
+        )
+    }
+
     /// M3 with M4, M8 with M9 and the like.
-    fn check_m_conflicts(&self, w: &Words) -> Outcome {
+    fn check_m_conflicts(&self, w: &Words, block: &Block) -> Outcome {
         for (i, a) in w.m().iter().enumerate() {
             for b in &w.m()[i + 1..] {
                 if a.number == b.number {
-                    return self.twice(b.span);
+                    return self.twice(Word { addr: Addr::M(b.number), value: Value::None, span: b.span }, block);
                 }
                 if mfunc::conflict(a.number, b.number) {
                     self.report(
@@ -386,7 +440,7 @@ impl Run<'_> {
 
     /// Programmed position of an axis; an error where it is not known.
     pub(super) fn position_of(&mut self, axis: Axis, span: Span, what: &str) -> Outcome<f64> {
-        if let Some(value) = self.st.pos.get(axis) {
+        if let Some(value) = self.st.nominal.get(axis).or(self.st.pos.get(axis)) {
             return Ok(value);
         }
         if self.st.lost.contains(axis) {
@@ -398,5 +452,23 @@ impl Run<'_> {
             format!("{what} needs the position of {}, which is not known here", axis.letter()),
             &format!("program an absolute position of {} first", axis.letter()),
         )
+    }
+}
+
+/// Do the two addresses exclude each other in one block?
+fn same_matter(a: Addr, b: Addr) -> bool {
+    use Addr::*;
+    match (a, b) {
+        (Axis { axis: a, .. }, Axis { axis: b, .. }) => a == b,
+        (PolarRadius { .. }, PolarRadius { .. }) | (PolarAngle { .. }, PolarAngle { .. }) => true,
+        (Feed | FeedMax | FeedAuto | FeedPerRev | FeedOther, Feed | FeedMax | FeedAuto | FeedPerRev | FeedOther) => {
+            true
+        }
+        (TurnPlus | TurnMinus, TurnPlus | TurnMinus) => true,
+        (
+            Radius { .. } | Value | CompLeft | CompRight | ParaxialPlus | ParaxialMinus,
+            Radius { .. } | Value | CompLeft | CompRight | ParaxialPlus | ParaxialMinus,
+        ) => true,
+        (a, b) => a == b,
     }
 }

@@ -1,0 +1,409 @@
+//! The way of a round tool nose down a wall: the exact offset of a falling chain of lines and arcs.
+//!
+//! The chain runs towards +x and never rises; the material lies on its left and below. For every height of
+//! the nose's lowest point there is one place where the nose touches. Each line, arc and corner of the chain
+//! says how near it lets the nose come at a height; the greatest of these values wins. So the way cannot
+//! gouge, whatever small element or narrow arc the chain has.
+//!
+//! ```text
+//!   material │
+//!            ╰─╮   ◯ nose
+//!   ═══════════╰───────────
+//! ```
+
+use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, direction, distance, intersect, left};
+
+/// Heights closer than this are one, mm. Far below what is printed, far above what arithmetic loses.
+const SAME_HEIGHT: f64 = 1e-7;
+
+/// Curves closer than this are one, mm.
+const SAME_CURVE: f64 = 1e-9;
+
+/// How a piece of the way runs. Points are those of the nose's lowest point below its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Curve {
+    /// Through `at`, `slope` = dx/dy.
+    Line { at: Point2, slope: f64 },
+    /// On a circle, on its right (`+1`) or left (`-1`) half.
+    Circle { center: Point2, radius: f64, half: f64 },
+}
+
+/// What one line, arc or corner demands, from `high` (exclusive) down to `low`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Piece {
+    curve: Curve,
+    high: f64,
+    low: f64,
+}
+
+/// A wall as a nose of some radius sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wall {
+    pieces: Vec<Piece>,
+    radius: f64,
+}
+
+/// A piece of the way down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Leg {
+    Line { to: Point2 },
+    Arc { to: Point2, center: Point2, ccw: bool },
+}
+
+impl Leg {
+    pub fn to(&self) -> Point2 {
+        match *self {
+            Leg::Line { to } | Leg::Arc { to, .. } => to,
+        }
+    }
+}
+
+/// Why a chain is no wall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoWall {
+    /// An element rises, or leans over.
+    Rises,
+    /// An element does not start where the one before ends.
+    Gap,
+    Empty,
+}
+
+impl Wall {
+    /// The wall of `chain` for a nose of `radius`. Above its start the wall goes straight up.
+    ///
+    /// # Errors
+    /// See [`NoWall`]. Arcs must not run through a quadrant point; see [`quarters`].
+    pub fn new(chain: &[Element], radius: f64) -> Result<Wall, NoWall> {
+        let start = chain.first().ok_or(NoWall::Empty)?.from();
+        let mut wall = Wall { pieces: Vec::with_capacity(2 * chain.len() + 2), radius };
+        let ray = Point2::new(start.x + radius, start.y);
+        wall.add(Curve::Line { at: ray, slope: 0.0 }, f64::INFINITY, start.y - radius);
+        let mut at = start;
+        wall.corner(at);
+        for element in chain {
+            if distance(at, element.from()) > super::SAME_POINT {
+                return Err(NoWall::Gap);
+            }
+            if !falls(element) {
+                return Err(NoWall::Rises);
+            }
+            wall.element(element);
+            at = element.to();
+            wall.corner(at);
+        }
+        Ok(wall)
+    }
+
+    fn add(&mut self, curve: Curve, high: f64, low: f64) {
+        if high > low {
+            self.pieces.push(Piece { curve, high, low });
+        }
+    }
+
+    /// The nose turns about a point of the chain.
+    fn corner(&mut self, p: Point2) {
+        let center = Point2::new(p.x, p.y - self.radius);
+        self.add(Curve::Circle { center, radius: self.radius, half: 1.0 }, p.y, p.y - self.radius);
+    }
+
+    fn element(&mut self, element: &Element) {
+        let r = self.radius;
+        match *element {
+            Element::Line { from, to } => {
+                let Some(u) = direction(to - from, 0.0) else { return };
+                let shift = left(u) * r - Vec2::new(0.0, r);
+                let (a, b) = (from + shift, to + shift);
+                // A level line is held up by its end corner.
+                if a.y > b.y {
+                    self.add(Curve::Line { at: a, slope: (b.x - a.x) / (b.y - a.y) }, a.y, b.y);
+                }
+            }
+            Element::Arc { from, to, center, sweep } => {
+                let arc = distance(from, center);
+                // Material inside the arc, or outside of it.
+                let (radius, half) = if sweep < 0.0 { (arc + r, 1.0) } else { (arc - r, -1.0) };
+                if radius <= 0.0 || arc <= 0.0 {
+                    return;
+                }
+                let height = |p: Point2| center.y + (p.y - center.y) / arc * radius - r;
+                let seen = Point2::new(center.x, center.y - r);
+                self.add(Curve::Circle { center: seen, radius, half }, height(from), height(to));
+            }
+        }
+    }
+
+    /// Least x of the nose centre when its lowest point is at height `y`.
+    pub fn touch(&self, y: f64) -> f64 {
+        self.best(y).map_or(f64::NEG_INFINITY, |i| self.pieces[i].curve.x(y))
+    }
+
+    /// The piece that holds the nose at height `y`.
+    fn best(&self, y: f64) -> Option<usize> {
+        let mut best: Option<(usize, f64)> = None;
+        for (i, piece) in self.pieces.iter().enumerate() {
+            if piece.low <= y && y < piece.high {
+                let x = piece.curve.x(y);
+                if best.is_none_or(|(_, most)| x > most) {
+                    best = Some((i, x));
+                }
+            }
+        }
+        best.map(|(i, _)| i)
+    }
+
+    /// The piece that holds the nose at height `y`; the one before as long as no other is really ahead, so that
+    /// pieces that touch do not take turns.
+    fn next(&self, y: f64, before: Option<usize>) -> Option<usize> {
+        let best = self.best(y)?;
+        let most = self.pieces[best].curve.x(y);
+        let stays = |i: &usize| {
+            let piece = &self.pieces[*i];
+            piece.low <= y && y < piece.high && piece.curve.x(y) > most - SAME_CURVE
+        };
+        Some(before.filter(stays).unwrap_or(best))
+    }
+
+    /// The way down from height `top` to `bottom`: where it starts, and its legs. x is the nose centre, y its
+    /// lowest point.
+    pub fn way(&self, top: f64, bottom: f64) -> (Point2, Vec<Leg>) {
+        let mut at = Point2::new(self.touch(top), top);
+        let start = at;
+        let mut legs = Vec::new();
+        let mut last: Option<usize> = None;
+        for pair in self.heights(top, bottom).windows(2) {
+            let (high, low) = (pair[0], pair[1]);
+            let Some(i) = self.next((high + low) / 2.0, last) else { continue };
+            let curve = self.pieces[i].curve;
+            let from = Point2::new(curve.x(high), high);
+            if (from.x - at.x).abs() > super::SAME_POINT {
+                // A level piece of the chain, on which the nose rides.
+                legs.push(Leg::Line { to: from });
+                last = None;
+            }
+            let to = Point2::new(curve.x(low), low);
+            let leg = curve.leg(to);
+            match legs.last_mut() {
+                Some(before) if last.is_some_and(|last| self.pieces[last].curve.continues(&curve)) => *before = leg,
+                _ => legs.push(leg),
+            }
+            last = Some(i);
+            at = to;
+        }
+        (start, legs)
+    }
+
+    /// Heights between which one piece holds the nose, downwards.
+    fn heights(&self, top: f64, bottom: f64) -> Vec<f64> {
+        let mut list = vec![top, bottom];
+        let mut take = |y: f64| {
+            if y > bottom && y < top {
+                list.push(y);
+            }
+        };
+        for (i, a) in self.pieces.iter().enumerate() {
+            take(a.high);
+            take(a.low);
+            for b in &self.pieces[i + 1..] {
+                let (high, low) = (a.high.min(b.high), a.low.max(b.low));
+                if high <= low {
+                    continue;
+                }
+                for y in a.curve.meets(&b.curve).into_iter().flatten() {
+                    if y > low && y < high {
+                        take(y);
+                    }
+                }
+            }
+        }
+        list.sort_by(|a, b| b.total_cmp(a));
+        list.dedup_by(|low, high| *high - *low < SAME_HEIGHT);
+        if let Some(last) = list.last_mut() {
+            *last = bottom;
+        }
+        list
+    }
+}
+
+impl Curve {
+    fn x(&self, y: f64) -> f64 {
+        match *self {
+            Curve::Line { at, slope } => at.x + slope * (y - at.y),
+            Curve::Circle { center, radius, half } => {
+                let up = y - center.y;
+                center.x + half * (radius * radius - up * up).max(0.0).sqrt()
+            }
+        }
+    }
+
+    /// Is `other` the same curve?
+    fn continues(&self, other: &Curve) -> bool {
+        match (*self, *other) {
+            (Curve::Line { slope: a, .. }, Curve::Line { at, slope: b }) => {
+                (a - b).abs() < SAME_CURVE && (self.x(at.y) - at.x).abs() < SAME_CURVE
+            }
+            (Curve::Circle { center: c, radius: r, half: a }, Curve::Circle { center: d, radius: s, half: b }) => {
+                a == b && (r - s).abs() < SAME_CURVE && distance(c, d) < SAME_CURVE
+            }
+            _ => false,
+        }
+    }
+
+    fn leg(&self, to: Point2) -> Leg {
+        match *self {
+            Curve::Line { .. } => Leg::Line { to },
+            // Downwards on the right half is clockwise.
+            Curve::Circle { center, half, .. } => Leg::Arc { to, center, ccw: half < 0.0 },
+        }
+    }
+
+    /// Heights at which two curves meet.
+    fn meets(&self, other: &Curve) -> [Option<f64>; 2] {
+        let unit = |slope: f64| direction(Vec2::new(slope, 1.0), 0.0).unwrap_or_default();
+        let heights = |pair: Option<[Point2; 2]>| match pair {
+            Some([a, b]) => [Some(a.y), Some(b.y)],
+            None => [None, None],
+        };
+        match (*self, *other) {
+            (Curve::Line { at: p, slope: a }, Curve::Line { at: q, slope: b }) => {
+                let u = unit(a);
+                [intersect::lines(p, u, q, unit(b), SAME_DIRECTION).map(|(s, _)| p.y + s * u.y), None]
+            }
+            (Curve::Line { at, slope }, Curve::Circle { center, radius, .. })
+            | (Curve::Circle { center, radius, .. }, Curve::Line { at, slope }) => {
+                heights(intersect::line_circle(at, unit(slope), center, radius, 0.0))
+            }
+            (Curve::Circle { center: a, radius: ra, .. }, Curve::Circle { center: b, radius: rb, .. }) => {
+                heights(intersect::circles(a, ra, b, rb, 0.0))
+            }
+        }
+    }
+}
+
+/// Does the element run towards +x and never rise? Arcs lie within a quarter.
+fn falls(element: &Element) -> bool {
+    let way = element.to() - element.from();
+    if way.x < -SAME_HEIGHT || way.y > SAME_HEIGHT {
+        return false;
+    }
+    match *element {
+        Element::Line { .. } => true,
+        // Within a quarter both coordinates run one way only; which quarter it is shows in the middle.
+        Element::Arc { from, center, sweep, .. } => {
+            let middle = element.middle() - from;
+            sweep.abs() <= core::f64::consts::FRAC_PI_2 + 1e-9
+                && middle.x >= -SAME_HEIGHT
+                && middle.y <= SAME_HEIGHT
+                && distance(from, center) > 0.0
+        }
+    }
+}
+
+/// The element in pieces between its leftmost, topmost, rightmost and lowest points.
+pub fn quarters(element: &Element) -> Vec<Element> {
+    let Element::Arc { from, to, center, sweep } = *element else { return vec![*element] };
+    let radius = distance(from, center);
+    let poles = [Vec2::x(), Vec2::y(), -Vec2::x(), -Vec2::y()];
+    let mut cuts: Vec<(f64, Point2)> = poles
+        .iter()
+        .filter_map(|pole| {
+            let start = from - center;
+            let turn = libm::atan2(cross(start, *pole), start.dot(pole));
+            let turn = if sweep > 0.0 { turn } else { -turn };
+            let turn = if turn <= 0.0 { turn + core::f64::consts::TAU } else { turn };
+            // A pole at an end cuts nothing off.
+            let near = 1e-9;
+            (turn > near && turn < sweep.abs() - near && turn < core::f64::consts::TAU - near)
+                .then_some((turn, center + *pole * radius))
+        })
+        .collect();
+    cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut list = Vec::with_capacity(cuts.len() + 1);
+    let (mut at, mut done) = (from, 0.0);
+    let sign = sweep.signum();
+    for (turn, p) in cuts {
+        list.push(Element::Arc { from: at, to: p, center, sweep: sign * (turn - done) });
+        (at, done) = (p, turn);
+    }
+    list.push(Element::Arc { from: at, to, center, sweep: sweep - sign * done });
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(a: (f64, f64), b: (f64, f64)) -> Element {
+        Element::Line { from: Point2::new(a.0, a.1), to: Point2::new(b.0, b.1) }
+    }
+
+    fn near(a: Point2, b: (f64, f64)) -> bool {
+        (a - Point2::new(b.0, b.1)).norm() < 1e-9
+    }
+
+    #[test]
+    fn a_vertical_wall_is_one_line() {
+        let wall = Wall::new(&[line((0.0, 0.0), (0.0, -5.0))], 0.2).unwrap();
+        let (start, legs) = wall.way(1.0, -5.0);
+        assert!(near(start, (0.2, 1.0)));
+        assert!(matches!(legs[..], [Leg::Line { to }] if near(to, (0.2, -5.0))), "{legs:?}");
+    }
+
+    #[test]
+    fn a_sharp_edge_is_rolled_over() {
+        // Rim, edge, vertical wall.
+        let wall = Wall::new(&[line((-3.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, -5.0))], 0.5).unwrap();
+        let (start, legs) = wall.way(1.0, -5.0);
+        assert!(near(start, (-2.5, 1.0)));
+        let ends: Vec<Point2> = legs.iter().map(Leg::to).collect();
+        assert!(near(*ends.last().unwrap(), (0.5, -5.0)));
+        assert!(ends.iter().any(|p| near(*p, (0.0, 0.0))), "{ends:?}");
+        let arc = legs.iter().find(|leg| matches!(leg, Leg::Arc { .. })).unwrap();
+        let Leg::Arc { to, center, ccw } = *arc else { unreachable!() };
+        assert!(near(to, (0.5, -0.5)) && near(center, (0.0, -0.5)) && !ccw);
+    }
+
+    #[test]
+    fn an_arc_narrower_than_the_nose_is_bridged() {
+        // A hollow of radius 0.3 at the foot of a wall; the nose of 0.5 touches the wall only.
+        let foot = Element::Arc {
+            from: Point2::new(0.0, -4.7),
+            to: Point2::new(0.3, -5.0),
+            center: Point2::new(0.3, -4.7),
+            sweep: core::f64::consts::FRAC_PI_2,
+        };
+        let wall = Wall::new(&[line((0.0, 0.0), (0.0, -4.7)), foot], 0.5).unwrap();
+        assert!((wall.touch(-5.0) - 0.5).abs() < 1e-12);
+        let large = Wall::new(&[line((0.0, 0.0), (0.0, -4.7)), foot], 0.1).unwrap();
+        // The nose of 0.1 follows: at the floor its centre is below the centre of the hollow.
+        assert!((large.touch(-5.0) - 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_slope_offsets_by_its_normal() {
+        let wall = Wall::new(&[line((0.0, 0.0), (5.0, -5.0))], 1.0).unwrap();
+        // Centre on the line x + y = √2, centre height y + 1.
+        assert!((wall.touch(-3.0) - (2f64.sqrt() + 2.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn rising_and_overhanging_chains_are_no_walls() {
+        assert_eq!(Wall::new(&[line((0.0, 0.0), (1.0, 1.0))], 0.1), Err(NoWall::Rises));
+        assert_eq!(Wall::new(&[line((0.0, 0.0), (-1.0, -1.0))], 0.1), Err(NoWall::Rises));
+        assert_eq!(Wall::new(&[], 0.1), Err(NoWall::Empty));
+        let gap = [line((0.0, 0.0), (1.0, -1.0)), line((2.0, -1.0), (3.0, -2.0))];
+        assert_eq!(Wall::new(&gap, 0.1), Err(NoWall::Gap));
+    }
+
+    #[test]
+    fn quarters_of_a_half_circle() {
+        let half = Element::Arc {
+            from: Point2::new(0.0, 0.0),
+            to: Point2::new(4.0, 0.0),
+            center: Point2::new(2.0, 0.0),
+            sweep: core::f64::consts::PI,
+        };
+        let parts = quarters(&half);
+        assert_eq!(parts.len(), 2);
+        assert!(near(parts[0].to(), (2.0, -2.0)) && near(parts[1].to(), (4.0, 0.0)));
+    }
+}

@@ -1,0 +1,54 @@
+//! What the arguments of all turning cycles share. Points are (Z, X) with X as a radius, in mm.
+
+use crate::geo::{Point2, Vec2};
+
+/// The direction into the material. It also says along which axis the cuts of a cycle run: X cycles cut
+/// along Z, Z cycles cut along X.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Towards {
+    /// From outside to the turning centre: external machining.
+    #[default]
+    MinusX,
+    /// From the turning centre outwards: internal machining.
+    PlusX,
+    /// Into the front face.
+    MinusZ,
+    /// Into the rear face.
+    PlusZ,
+}
+
+impl Towards {
+    /// The direction as (Z, X).
+    pub fn unit(self) -> Vec2 {
+        match self {
+            Towards::MinusX => Vec2::new(0.0, -1.0),
+            Towards::PlusX => Vec2::new(0.0, 1.0),
+            Towards::MinusZ => Vec2::new(-1.0, 0.0),
+            Towards::PlusZ => Vec2::new(1.0, 0.0),
+        }
+    }
+
+    /// Infeed along X, cuts along Z.
+    pub fn is_radial(self) -> bool {
+        matches!(self, Towards::MinusX | Towards::PlusX)
+    }
+
+    /// The coordinate of `p` on the infeed axis.
+    pub fn depth_coordinate(self, p: Point2) -> f64 {
+        if self.is_radial() { p.y } else { p.x }
+    }
+}
+
+/// What a cycle calls a length that must be positive and finite.
+pub(crate) fn is_positive(value: f64) -> bool {
+    value > 0.0 && value.is_finite()
+}
+
+/// What a cycle calls a length that may be zero.
+pub(crate) fn is_length(value: f64) -> bool {
+    value >= 0.0 && value.is_finite()
+}
+
+pub(crate) fn is_point(p: Point2) -> bool {
+    p.x.is_finite() && p.y.is_finite()
+}
