@@ -50,6 +50,11 @@ fn klartext() {
 }
 
 #[test]
+fn heidenhain_turning() {
+    check("heidenhain-turning");
+}
+
+#[test]
 fn errors() {
     check("errors");
 }
@@ -57,6 +62,8 @@ fn errors() {
 #[test]
 fn there_are_enough_cases() {
     assert!(cases("klartext").len() >= 120, "{} Klartext cases", cases("klartext").len());
+    let turning = cases("heidenhain-turning").len();
+    assert!(turning >= 70, "{turning} HEIDENHAIN turning cases");
 }
 
 #[test]

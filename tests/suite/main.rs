@@ -7,6 +7,7 @@ mod common;
 mod diagnostics;
 mod golden;
 mod hostile;
+mod hostile_turning;
 mod layering;
 mod oracle;
 mod props;

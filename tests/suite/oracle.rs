@@ -124,7 +124,7 @@ fn golden_outputs_mean_what_they_say() {
         return;
     }
     let mut failures = Vec::new();
-    for path in cases("klartext") {
+    for path in cases("klartext").into_iter().chain(cases("heidenhain-turning")) {
         let compiled = compile_case(&path);
         if compiled.has_errors() {
             continue;

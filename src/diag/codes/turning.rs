@@ -130,6 +130,10 @@ T2018 Error "turning-m-unknown" "M function of the machine"
 "M functions other than M0, M1, M3, M4, M5, M8, M9 and M30 belong to the machine builder. If the target has the same one, list it in \
 `[output] pass_m`; otherwise remove it."
 
+T2019 Error "turning-contour-reference" "contour reference is not found"
+"NS and NE name the first and last element of a contour by their block numbers. No block of a geometry section has the number. Block numbers \
+change when a program is renumbered: check the references."
+
 T2020 Error "turning-case-fall-through" "branch of SWITCH without BREAK"
 "A branch runs into the next CASE. Whether the control then goes on there or leaves the SWITCH no manual at hand says. End each branch with BREAK."
 

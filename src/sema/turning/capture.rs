@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::parser::turning::ast::Block;
 use crate::text::Loc;
 
-use super::contour::{Builder, Outline};
+use super::contour::Builder;
 use super::sections::Family;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -119,11 +119,5 @@ impl Run<'_> {
                 result
             }
         }
-    }
-
-    /// A cycle with all it needs.
-    fn cycle(&mut self, number: u16, name: &str, _w: &Words, _outline: Option<&Outline>) -> Outcome {
-        self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
-        Err(Reported)
     }
 }

@@ -13,6 +13,8 @@ use super::coordinates::Transition;
 use super::forms::{self, Recess};
 use super::undercuts::{self, Undercut};
 
+/// The largest contour a cycle takes.
+pub(super) const MOST_EDGES: usize = 1_000;
 /// Most elements of a contour.
 const MOST: usize = 10_000;
 /// How much an element may fall short of a cut, in mm.
@@ -216,8 +218,8 @@ pub(super) struct Outline {
 
 impl Outline {
     /// The elements from the block `first` to the block `last`, turned around where `last` stands before `first` or
-    /// is the same block.
-    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Vec<Element>, u32> {
+    /// is the same block. The number that is not found is the error.
+    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Vec<Edge>, u32> {
         let place = |number: u32| -> Result<(usize, usize), u32> {
             let belongs = |edge: &Edge| edge.number == Some(number);
             let from = self.edges.iter().position(belongs).ok_or(number)?;
@@ -228,12 +230,9 @@ impl Outline {
         let (last_from, last_to) = place(last.unwrap_or(first))?;
         let backwards = last == Some(first) || last_from < from;
         let range = from.min(last_from)..=to.max(last_to);
-        let elements = self.edges[range].iter().map(|edge| edge.element);
-        Ok(if backwards { elements.rev().map(reversed).collect() } else { elements.collect() })
-    }
-
-    pub fn elements(&self) -> Vec<Element> {
-        self.edges.iter().map(|edge| edge.element).collect()
+        let edges = self.edges[range].iter();
+        let turned = |edge: &Edge| Edge { element: reversed(edge.element), ..*edge };
+        Ok(if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() })
     }
 }
 

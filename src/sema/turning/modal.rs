@@ -167,6 +167,7 @@ impl Run<'_> {
                 );
             }
         }
+        self.st.side_fresh = side != self.st.side;
         self.st.side = side;
         Ok(())
     }
@@ -179,6 +180,14 @@ impl Run<'_> {
         let (number, edge) = self.tool_number(num, written)?;
         if self.st.tool.as_ref().is_some_and(|tool| tool.number == number && tool.edge == edge) {
             return Ok(());
+        }
+        if self.st.side != Side::None {
+            return self.fail_help(
+                codes::T2021,
+                num.span,
+                "the tool changes under nose radius compensation",
+                "program G40 with a straight move before the tool change",
+            );
         }
         let name = self.sections.tool_name(number, edge);
         let known = self.job.settings.tools.by_number(number, edge);

@@ -30,6 +30,7 @@ impl Run<'_> {
     #[inline]
     pub(super) fn straight(&mut self, w: &Words, rapid: bool) -> Outcome {
         let feed = if rapid { None } else { Some(self.cutting_feed()?) };
+        self.st.side_fresh = false;
         let (partial, transition) = self.partial(w, None)?;
         let open = partial.angle.is_some() || partial.z == Coord::Unknown || partial.x == Coord::Unknown;
         if open || !self.chain.is_empty() {
@@ -100,6 +101,14 @@ impl Run<'_> {
 
     /// G2, G3, G12, G13.
     pub(super) fn arc(&mut self, w: &Words, ccw: bool, absolute: bool) -> Outcome {
+        if self.st.side_fresh {
+            return self.fail_help(
+                codes::T2021,
+                self.block_span(),
+                "nose radius compensation begins or ends on an arc",
+                "program a straight move with G40, G41 or G42, or behind it",
+            );
+        }
         let feed = Some(self.cutting_feed()?);
         let (partial, transition) = self.partial(w, Some((ccw, absolute)))?;
         self.chained(partial, transition, feed, w)

@@ -51,6 +51,8 @@ pub(super) struct State {
     pub feed_mode: Option<FeedMode>,
     pub feed: Option<Feed>,
     pub side: Side,
+    /// The side changed, and nothing moved since.
+    pub side_fresh: bool,
     /// Number of the tool in the cutting position.
     pub tool: Option<ActiveTool>,
     pub speed_mode: Option<SpeedMode>,
@@ -109,6 +111,7 @@ impl State {
             feed_mode: None,
             feed: settings.control.feed.map(Feed::PerMinute),
             side: Side::None,
+            side_fresh: false,
             tool: None,
             speed_mode: None,
             speed: None,

@@ -1,0 +1,10 @@
+PROGRAMMKOPF
+#EINHEIT METRISCH
+[reference section 4: G12 X? Z? R15 goes over into an arc of radius 30]
+BEARBEITUNG
+N1 G95 F0.25
+N2 G0 X40 Z10
+N3 G1 Z0
+N4 G12 X? Z? R15
+N5 G13 X80 Z-40 R30
+ENDE

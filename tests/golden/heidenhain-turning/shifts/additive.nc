@@ -1,0 +1,9 @@
+%1.nc
+[G56 adds up: -10, -25]
+N1 G95 F0.25
+N2 G0 X50 Z2
+N3 G56 Z-10
+N4 G1 Z0
+N5 G56 Z-15
+N6 G1 Z0
+END
