@@ -84,6 +84,7 @@ impl Session {
     /// Reads all blocks, also those that never run, runs the program, and prints nothing.
     pub fn check(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) {
         (dialect.check_form)(&self.job(settings, files));
+        self.diags.begin_run();
         let mut nowhere = Nowhere;
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();

@@ -20,6 +20,13 @@ pub(super) enum Command {
     Check(Check),
     /// Print the resolved moves as JSON Lines, one move a line
     Trace(Trace),
+    /// Compile the programs of a folder and compare with the golden outputs beside them
+    ///
+    /// PART.H belongs to PART.golden.ngc. A difference is shown as text and as motion; version and source hash in the
+    /// head do not count.
+    Test(Test),
+    /// Show the configuration in force, or its JSON Schema
+    Config(Config),
     /// Explain a diagnostic code
     Explain {
         /// Code such as K2101, or its name
@@ -72,6 +79,31 @@ pub(super) struct Check {
 pub(super) struct Trace {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Test {
+    /// Folder with programs and golden outputs
+    #[arg(default_value = ".")]
+    pub dir: PathBuf,
+    /// Write the golden outputs anew, also those that do not exist yet
+    #[arg(long)]
+    pub update: bool,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+#[group(id = "what", required = true, multiple = false, args = ["show", "schema"])]
+pub(super) struct Config {
+    /// Show what holds for this program or folder, and where each value comes from
+    #[arg(long, value_name = "PATH")]
+    pub show: Option<PathBuf>,
+    /// Print the JSON Schema of partc.toml
+    #[arg(long)]
+    pub schema: bool,
     #[command(flatten)]
     pub common: Common,
 }

@@ -4,28 +4,62 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::machine::settings::{Compensation, Settings};
-use crate::machine::tree::{Node, Table, Value, overlay, parse};
-use crate::machine::{config, tools};
+use crate::machine::tree::{Node, Spot, Table, Value, overlay, parse};
+use crate::machine::{config, schema, show, tools};
 
-use super::Trouble;
-use super::args::Common;
+use super::args::{Common, Config, Format};
+use super::report::print;
+use super::{Exit, Trouble};
 
 /// Name of the configuration file.
 const NAME: &str = "partc.toml";
 /// Longest chain of `extend`.
 const MOST_EXTENDS: usize = 16;
 
-/// The settings that hold for `input`.
-pub(super) fn settings(input: &Path, common: &Common) -> Result<Settings, Trouble> {
+/// `partc config`
+pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
+    let Some(path) = &args.show else {
+        return print(format!("{:#}\n", schema::schema()).as_bytes());
+    };
+    if !path.exists() {
+        return Err(format!("{}: no such file or folder", path.display()));
+    }
+    // The folder of a program in it is the folder itself.
+    let input = if path.is_dir() { path.join(NAME) } else { path.clone() };
+    // What cannot be used is not in force.
+    settings(&input, &args.common)?;
+    let mut tree = tree_for(&input, &args.common)?;
+    for (section, key, value) in [
+        ("tools", "table", args.common.tools.as_ref().map(|path| path.to_string_lossy().into_owned())),
+        ("output", "target", args.common.target.clone()),
+        ("output", "compensation", args.common.compensation.clone()),
+    ] {
+        let Some(value) = value else { continue };
+        let spot = Spot { file: "command line".to_owned(), ..Spot::default() };
+        let node = Node { value: Value::Text(value), spot: spot.clone() };
+        let table = Value::Table(Table::from([(key.to_owned(), node)]));
+        overlay(&mut tree, Table::from([(section.to_owned(), Node { value: table, spot })]));
+    }
+    let text = match args.common.format {
+        Format::Json => format!("{}\n", show::json(&tree)),
+        Format::Human | Format::Concise => show::toml(&tree),
+    };
+    print(text.as_bytes())
+}
+
+/// The configuration file for `input`, with what it extends; empty where there is none.
+fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
     let file = match &common.config {
         Some(file) => Some(file.clone()),
         None if common.isolated => None,
         None => nearest(input),
     };
-    let mut tree = Table::new();
-    if let Some(file) = &file {
-        tree = load(file, 0)?;
-    }
+    file.map_or_else(|| Ok(Table::new()), |file| load(&file, 0))
+}
+
+/// The settings that hold for `input`.
+pub(super) fn settings(input: &Path, common: &Common) -> Result<Settings, Trouble> {
+    let tree = tree_for(input, common)?;
     let table = table_path(&tree, common);
     let mut settings = config::read(&tree)
         .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\npartc: "))?;

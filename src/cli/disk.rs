@@ -57,8 +57,11 @@ pub(super) fn open_main(path: &Path, stdin_name: Option<&Path>) -> io::Result<Op
     if path == Path::new("-") {
         let mut bytes = Vec::new();
         io::stdin().lock().read_to_end(&mut bytes)?;
-        let name = stdin_name.map_or_else(|| "stdin".to_owned(), file_name);
-        return Ok(Opened { name, identity: String::new(), text: Box::new(Memory::new(bytes)) });
+        let name = stdin_name.map_or_else(|| "stdin".to_owned(), |name| name.to_string_lossy().into_owned());
+        // The file of this name is the program, too, when it calls itself.
+        let identity = stdin_name.and_then(|name| fs::canonicalize(name).ok());
+        let identity = identity.map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
+        return Ok(Opened { name, identity, text: Box::new(Memory::new(bytes)) });
     }
     let identity = fs::canonicalize(path)?.to_string_lossy().into_owned();
     let meta = fs::metadata(path)?;
@@ -238,7 +241,15 @@ fn open_inside(path: &Path, root: &Path) -> Result<Opened, FileError> {
         return Err(FileError::Forbidden { why: "it is a link that leads out of the include roots".to_owned() });
     }
     let text = Box::new(OnDisk::open(&real).map_err(io)?);
-    Ok(Opened { name: file_name(path), identity: real.to_string_lossy().into_owned(), text })
+    Ok(Opened { name: shown(path), identity: real.to_string_lossy().into_owned(), text })
+}
+
+/// The path as an editor or CI job opens it from here: relative where it lies below the current folder.
+fn shown(path: &Path) -> String {
+    let here = std::env::current_dir().ok();
+    let below = here.as_deref().and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path);
+    let plain: PathBuf = below.components().filter(|part| *part != Component::CurDir).collect();
+    plain.to_string_lossy().into_owned()
 }
 
 fn like(folder: &Path, name: &str) -> Option<String> {

@@ -3,10 +3,12 @@
 mod args;
 mod config;
 mod disk;
+mod golden;
 mod output;
 mod report;
 mod run;
 
+use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
@@ -40,13 +42,13 @@ pub fn main() -> ExitCode {
         }
     };
     std::panic::set_hook(Box::new(|panic| {
-        eprintln!("partc: internal error: {panic}");
-        eprintln!("Nothing was written. Please report this with the program that caused it.");
+        say(&format!("partc: internal error: {panic}"));
+        say("Nothing was written. Please report this with the program that caused it.");
     }));
     let exit = match catch_unwind(AssertUnwindSafe(|| dispatch(&args))) {
         Ok(Ok(exit)) => exit,
         Ok(Err(trouble)) => {
-            eprintln!("partc: {trouble}");
+            say(&format!("partc: {trouble}"));
             Exit::Usage
         }
         Err(_) => Exit::Internal,
@@ -54,21 +56,29 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit as u8)
 }
 
+/// A line on stderr. Nobody listening there is no reason to stop.
+fn say(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
 fn dispatch(args: &Args) -> Result<Exit, Trouble> {
     match &args.command {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
         Command::Trace(trace) => run::trace(trace),
+        Command::Test(test) => golden::test(test),
+        Command::Config(show) => config::command(show),
         Command::Explain { code, format } => report::explain(code, *format),
         Command::Rules { format } => report::rules(*format),
         Command::Completions { shell } => {
-            clap_complete::generate(*shell, &mut args::command(), "partc", &mut std::io::stdout());
-            Ok(Exit::Clean)
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut args::command(), "partc", &mut script);
+            report::print(&script)
         }
         Command::Man => {
-            let page = clap_mangen::Man::new(args::command());
-            page.render(&mut std::io::stdout()).map_err(|error| format!("stdout: {error}"))?;
-            Ok(Exit::Clean)
+            let mut page = Vec::new();
+            clap_mangen::Man::new(args::command()).render(&mut page).map_err(|error| error.to_string())?;
+            report::print(&page)
         }
     }
 }

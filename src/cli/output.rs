@@ -9,8 +9,12 @@ use crate::emit::Output;
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
 const IN_MEMORY: usize = 8 << 20;
-/// First line of every output but for the frame.
+/// How every output begins, behind the frame of the target.
 const MARK: &[u8] = b"(partc ";
+/// How every source map begins.
+pub(super) const MAP_MARK: &str = "{\"version\":1,\"output\":";
+/// Names tried for an older output that is set aside.
+const STALE_NAMES: u32 = 1000;
 /// Work shorter than this shows no progress.
 const QUIET: Duration = Duration::from_secs(1);
 
@@ -209,7 +213,7 @@ impl<O> Progress<O> {
 
     pub(super) fn into_inner(self) -> O {
         if self.shown.is_some() {
-            eprint!("\r\x1b[K");
+            let _ = write!(io::stderr(), "\r\x1b[K");
         }
         self.inner
     }
@@ -222,7 +226,7 @@ impl<O: Output> Output for Progress<O> {
         let due = self.shown.map_or(now - self.start > QUIET, |shown| now - shown > QUIET / 4);
         if self.terminal && due {
             self.shown = Some(now);
-            eprint!("\r{} MB written", self.bytes / 1_000_000);
+            let _ = write!(io::stderr(), "\r{} MB written", self.bytes / 1_000_000);
         }
         self.inner.append(bytes)
     }
@@ -232,22 +236,59 @@ impl<O: Output> Output for Progress<O> {
     }
 }
 
-/// Is `path` an output of partc, or empty?
-pub(super) fn is_ours(path: &Path) -> bool {
+impl Write for Destination {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.append(bytes).map(|()| bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// What partc writes, and knows again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Made {
+    Program,
+    Map,
+}
+
+/// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
+pub(super) fn is_foreign(path: &Path, made: Made) -> bool {
+    path.is_file() && head_of(path).is_none_or(|head| !head.is_empty() && !begins(&head, made))
+}
+
+fn head_of(path: &Path) -> Option<Vec<u8>> {
     let mut head = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(64).read_to_end(&mut head));
-    read.is_ok() && (head.is_empty() || head.windows(MARK.len()).any(|window| window == MARK))
+    File::open(path).and_then(|file| file.take(64).read_to_end(&mut head)).ok().map(|_| head)
+}
+
+fn begins(head: &[u8], made: Made) -> bool {
+    match made {
+        // The frame is a short line of its own.
+        Made::Program => head.splitn(3, |b| *b == b'\n').take(2).any(|line| line.starts_with(MARK)),
+        Made::Map => head.starts_with(MAP_MARK.as_bytes()),
+    }
 }
 
 /// An older output must not look like the result of a program that now has errors.
 pub(super) fn set_aside(path: &Path) -> io::Result<Option<PathBuf>> {
     let regular = fs::symlink_metadata(path).is_ok_and(|meta| meta.is_file() && meta.len() > 0);
-    if !regular || !is_ours(path) {
+    if !regular || is_foreign(path, Made::Program) {
         return Ok(None);
     }
-    let mut name = path.as_os_str().to_owned();
-    name.push(".stale");
-    let stale = PathBuf::from(name);
-    fs::rename(path, &stale)?;
-    Ok(Some(stale))
+    for attempt in 0..STALE_NAMES {
+        let mut name = path.as_os_str().to_owned();
+        name.push(".stale");
+        if attempt > 0 {
+            name.push(format!(".{attempt}"));
+        }
+        let stale = PathBuf::from(name);
+        let ours = head_of(&stale).is_some_and(|head| begins(&head, Made::Program));
+        if stale.symlink_metadata().is_err() || ours {
+            fs::rename(path, &stale)?;
+            return Ok(Some(stale));
+        }
+    }
+    Err(io::Error::other("no name is left to set the older output aside"))
 }

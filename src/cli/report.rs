@@ -11,7 +11,7 @@ use crate::driver::Session;
 use crate::machine::tree::did_you_mean;
 
 use super::args::{Color, Common, Format};
-use super::{Exit, Trouble};
+use super::{Exit, Trouble, say};
 
 /// Collects and prints the findings of a command.
 pub(super) struct Reporter {
@@ -21,6 +21,8 @@ pub(super) struct Reporter {
     json: JsonReport,
     errors: u32,
     warnings: u32,
+    /// What is no finding in a program, such as a file that cannot be read.
+    troubles: Vec<Trouble>,
 }
 
 impl Reporter {
@@ -38,46 +40,73 @@ impl Reporter {
             json: JsonReport::default(),
             errors: 0,
             warnings: 0,
+            troubles: Vec::new(),
         }
     }
 
     /// Prints what a session found. Returns whether there were errors.
     pub(super) fn session(&mut self, session: Session) -> bool {
         let Session { sources, diags, trail } = session;
-        let (errors, warnings) = (diags.errors(), diags.warnings());
-        let list = diags.into_sorted();
+        let (errors, warnings, dropped) = (diags.errors(), diags.warnings(), diags.dropped());
+        let mut list = diags.into_sorted();
+        if self.quiet {
+            list.retain(|found| found.code.severity == Severity::Error);
+        }
         self.errors += errors;
         self.warnings += warnings;
-        let shown = list.iter().filter(|found| !self.quiet || found.code.severity == Severity::Error);
-        let stderr = io::stderr();
-        let mut out = stderr.lock();
-        match self.format {
-            Format::Json => self.json.add(&list, errors, warnings, &sources, &trail),
-            Format::Concise => {
-                for found in shown {
-                    let _ = writeln!(out, "{}", concise(found, &sources, &trail));
-                }
-            }
-            Format::Human => {
-                for found in shown {
-                    let _ = writeln!(out, "{}", self.style.render(found, &sources, &trail));
-                }
-            }
+        if self.format == Format::Json {
+            self.json.add(&list, [errors, warnings, dropped], &sources, &trail);
+            return errors > 0;
+        }
+        let mut out = io::stderr().lock();
+        for found in &list {
+            let text = match self.format {
+                Format::Human => self.style.render(found, &sources, &trail),
+                _ => concise(found, &sources, &trail),
+            };
+            let _ = writeln!(out, "{text}");
+        }
+        if dropped > 0 && (errors > 0 || !self.quiet) {
+            let name = sources.name(crate::text::FileId(0));
+            let _ = writeln!(out, "{name}: {} not shown", counted(dropped, "more finding is", "more findings are"));
         }
         errors > 0
     }
 
+    /// Prints trouble that is no finding; the command goes on with what is left.
+    pub(super) fn trouble(&mut self, trouble: Trouble) {
+        // One configuration may be at fault for many programs.
+        if !self.troubles.contains(&trouble) {
+            say(&format!("partc: {trouble}"));
+            self.troubles.push(trouble);
+        }
+    }
+
+    /// What was no finding.
+    pub(super) fn troubles(&self) -> &[Trouble] {
+        &self.troubles
+    }
+
     /// Prints the end of the report.
     pub(super) fn finish(self) -> Result<Exit, Trouble> {
-        let exit = if self.errors > 0 { Exit::Errors } else { Exit::Clean };
+        let exit = match (self.troubles.is_empty(), self.errors) {
+            (false, _) => Exit::Usage,
+            (true, 0) => Exit::Clean,
+            (true, _) => Exit::Errors,
+        };
         if self.format == Format::Json {
-            let text = self.json.finish();
-            writeln!(io::stdout().lock(), "{text}").map_err(|error| format!("stdout: {error}"))?;
+            print(format!("{}\n", self.json.finish(&self.troubles)).as_bytes())?;
         } else if self.errors + self.warnings > 0 && !self.quiet {
-            eprintln!("{} errors, {} warnings", self.errors, self.warnings);
+            let errors = counted(self.errors, "error", "errors");
+            say(&format!("{errors}, {}", counted(self.warnings, "warning", "warnings")));
         }
         Ok(exit)
     }
+}
+
+/// A number with its word: `1 error`, `2 errors`.
+pub(super) fn counted(n: u32, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }
 
 /// `partc explain CODE`
@@ -93,7 +122,7 @@ pub(super) fn explain(code: &str, format: Format) -> Result<Exit, Trouble> {
     } else {
         format!("{} {} ({})\n{}\n\n{}\n", found.id, found.name, found.severity.word(), found.title, found.explain)
     };
-    print(&text)
+    print(text.as_bytes())
 }
 
 /// `partc rules`
@@ -107,7 +136,7 @@ pub(super) fn rules(format: Format) -> Result<Exit, Trouble> {
             .map(|code| format!("{} {:7} {:width$}  {}\n", code.id, code.severity.word(), code.name, code.title))
             .collect()
     };
-    print(&text)
+    print(text.as_bytes())
 }
 
 fn object(code: &codes::Code) -> serde_json::Value {
@@ -120,9 +149,10 @@ fn object(code: &codes::Code) -> serde_json::Value {
     })
 }
 
-fn print(text: &str) -> Result<Exit, Trouble> {
-    match io::stdout().lock().write_all(text.as_bytes()) {
-        // `partc rules | head` is no trouble.
+/// Writes to standard output. `partc rules | head` is no trouble.
+pub(super) fn print(bytes: &[u8]) -> Result<Exit, Trouble> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("stdout: {error}")),
         _ => Ok(Exit::Clean),
     }

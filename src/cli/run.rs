@@ -1,5 +1,6 @@
 //! The commands that work on programs.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -8,29 +9,29 @@ use serde_json::json;
 
 use crate::dialect::{self, Dialect};
 use crate::driver::Session;
-use crate::emit::{LineMap, Output, targets};
+use crate::emit::{LineMap, targets};
 use crate::ir::Origin;
 use crate::machine::Settings;
 use crate::text::{FileId, Span};
 
 use super::args::{Check, Common, Compile, Format, Trace};
 use super::disk::{IncludeRoots, file_name, open_main, walk};
-use super::output::{Destination, Pending, Progress, is_ours, set_aside};
+use super::output::{Destination, MAP_MARK, Made, Progress, is_foreign, set_aside};
 use super::report::Reporter;
-use super::{Exit, Trouble, config};
+use super::{Exit, Trouble, config, say};
 
 /// A program with everything that is needed to run it.
-struct Loaded {
-    session: Session,
-    dialect: &'static Dialect,
-    settings: Settings,
-    files: IncludeRoots,
+pub(super) struct Loaded {
+    pub session: Session,
+    pub dialect: &'static Dialect,
+    pub settings: Settings,
+    pub files: IncludeRoots,
 }
 
 /// Bytes looked at to tell the dialect.
 const HEAD: u32 = 64 * 1024;
 
-fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
+pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
     let settings =
         config::settings(common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path), common)?;
@@ -44,8 +45,8 @@ fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     } else {
         dialect::find(&common.dialect).ok_or_else(|| format!("no dialect `{}`", common.dialect))?
     };
-    let base = match path.parent() {
-        _ if path == Path::new("-") => PathBuf::from("."),
+    let place = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
+    let base = match place.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
         _ => PathBuf::from("."),
     };
@@ -65,17 +66,68 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
         Some(output) => output == Path::new("-"),
         None => input == Path::new("-") && args.out_dir.is_none(),
     };
-    if args.common.format == Format::Json && args.inputs.iter().any(|input| to_stdout(input)) {
-        return Err("the program and the JSON findings cannot both go to standard output; use -o FILE".to_owned());
+    let streams = [
+        (args.inputs.iter().any(|input| to_stdout(input)), "the program"),
+        (args.map.as_deref() == Some(Path::new("-")), "the source map"),
+        (args.common.format == Format::Json, "the JSON findings"),
+    ];
+    let streams: Vec<&str> = streams.iter().filter(|(used, _)| *used).map(|(_, what)| *what).collect();
+    if streams.len() > 1 {
+        return Err(format!("{} cannot all go to standard output; name a file", streams.join(" and ")));
     }
+    different_outputs(args)?;
     if let Some(folder) = &args.out_dir {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
     let mut reporter = Reporter::new(&args.common);
     for input in &args.inputs {
-        compile_one(input, args, &mut reporter)?;
+        // One program that cannot be read does not stop the others.
+        if let Err(trouble) = compile_one(input, args, &mut reporter) {
+            reporter.trouble(trouble);
+        }
     }
     reporter.finish()
+}
+
+/// Each input needs an output of its own.
+fn different_outputs(args: &Compile) -> Result<(), Trouble> {
+    if args.inputs.len() < 2 {
+        return Ok(());
+    }
+    let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+    for input in &args.inputs {
+        // A configuration that cannot be read is reported with its program.
+        let Ok(settings) = config::settings(input, &args.common) else { continue };
+        let Some(traits) = targets::find(&settings.output.target) else { continue };
+        let output = output_path(input, args, traits.extension);
+        if let Some(first) = taken.insert(real(&output), input) {
+            let (first, second) = (first.display(), input.display());
+            return Err(format!("{first} and {second} would both be written to {}", output.display()));
+        }
+    }
+    Ok(())
+}
+
+/// The one path of a file that may not exist yet.
+fn real(path: &Path) -> PathBuf {
+    if let Ok(path) = fs::canonicalize(path) {
+        return path;
+    }
+    let folder = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf()).join(file_name(path))
+}
+
+/// Refuses to write over an input, or over a file of somebody else.
+fn may_write(path: &Path, made: Made, args: &Compile) -> Result<(), Trouble> {
+    let shown = path.display();
+    if args.inputs.iter().any(|input| same_file(input, path)) {
+        let what = if made == Made::Map { "source map" } else { "output" };
+        return Err(format!("{shown}: the {what} would replace the input"));
+    }
+    if is_foreign(path, made) && !args.force {
+        return Err(format!("{shown}: not written by partc; use --force to replace it, or another name"));
+    }
+    Ok(())
 }
 
 fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<(), Trouble> {
@@ -85,18 +137,20 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
     let target = output_path(input, args, traits.extension);
     let shown = target.display().to_string();
     let trouble = |error: io::Error| format!("{shown}: {error}");
-    if same_file(input, &target) {
-        return Err(format!("{shown}: the output would replace the input"));
+    may_write(&target, Made::Program, args)?;
+    if let Some(path) = &args.map {
+        if real(path) == real(&target) && path != Path::new("-") {
+            return Err(format!("{}: output and source map need different files", path.display()));
+        }
+        may_write(path, Made::Map, args)?;
     }
-    let foreign = target.is_file() && args.output.is_none() && !is_ours(&target);
-    if foreign && !args.force {
-        return Err(format!("{shown}: not written by partc; use --force to replace it, or -o for another name"));
-    }
+    let map_trouble = |error: io::Error| {
+        let path = args.map.as_deref().unwrap_or(Path::new("-"));
+        format!("{}: {error}", path.display())
+    };
     let mut out = Progress::new(Destination::open(&target).map_err(trouble)?);
     let mut map = match &args.map {
-        Some(path) => {
-            Some(SourceMap::create(path, &target, &session).map_err(|error| format!("{}: {error}", path.display()))?)
-        }
+        Some(path) => Some(SourceMap::create(path, &target, &session).map_err(map_trouble)?),
         None => None,
     };
     let line_map = map.as_mut().map(|map| map as &mut dyn LineMap);
@@ -106,14 +160,14 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
     let map = map.map(SourceMap::finish);
     if !failed {
         result.map_err(trouble)?;
-        if let (Some(map), Some(path)) = (map, &args.map) {
-            map.and_then(Pending::commit).map_err(|error| format!("{}: {error}", path.display()))?;
+        if let Some(map) = map {
+            map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
         }
         out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
     } else {
         drop(out);
         if let Some(stale) = set_aside(&target).map_err(trouble)? {
-            eprintln!("partc: the older {shown} was renamed to {}", stale.display());
+            say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
         }
     }
     reporter.session(session);
@@ -155,22 +209,27 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common);
     let takes = |path: &Path| is_program(path);
     for path in &args.paths {
-        let inputs = if path == Path::new("-") {
-            vec![path.clone()]
-        } else {
-            walk(path, &takes).map_err(|error| format!("{}: {error}", path.display()))?
-        };
-        for input in inputs {
-            let Loaded { session, dialect, settings, files } = load(&input, &args.common)?;
-            session.check(dialect, &settings, &files);
-            reporter.session(session);
+        let inputs = if path == Path::new("-") { Ok(vec![path.clone()]) } else { walk(path, &takes) };
+        match inputs {
+            Ok(inputs) => inputs.iter().for_each(|input| check_one(input, &args.common, &mut reporter)),
+            Err(error) => reporter.trouble(format!("{}: {error}", path.display())),
         }
     }
     reporter.finish()
 }
 
+fn check_one(input: &Path, common: &Common, reporter: &mut Reporter) {
+    match load(input, common) {
+        Ok(Loaded { session, dialect, settings, files }) => {
+            session.check(dialect, &settings, &files);
+            reporter.session(session);
+        }
+        Err(trouble) => reporter.trouble(trouble),
+    }
+}
+
 /// A file whose extension or content some dialect knows.
-fn is_program(path: &Path) -> bool {
+pub(super) fn is_program(path: &Path) -> bool {
     let Ok(main) = open_main(path, None) else { return false };
     let name = main.name.clone();
     let session = Session::new(main);
@@ -187,7 +246,7 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common);
     // Moves of a program with errors are not shown: they end where nobody knows.
     let mut held = Destination::open(Path::new("-")).map_err(|error| format!("stdout: {error}"))?;
-    let mut writer = BufWriter::new(Appender(&mut held));
+    let mut writer = BufWriter::new(&mut held);
     let result = session.trace(dialect, &settings, &files, &mut writer).and_then(|()| writer.flush());
     drop(writer);
     if !session.diags.has_errors() {
@@ -197,22 +256,9 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     reporter.finish()
 }
 
-/// An output as a writer.
-struct Appender<'a>(&'a mut Destination);
-
-impl Write for Appender<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.append(bytes).map(|()| bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
 /// The source map: a JSON document with one object for each output line that a block caused.
 struct SourceMap<'a> {
-    out: BufWriter<Pending>,
+    out: BufWriter<Destination>,
     session: &'a Session,
     first: bool,
     error: Option<io::Error>,
@@ -220,9 +266,9 @@ struct SourceMap<'a> {
 
 impl<'a> SourceMap<'a> {
     fn create(path: &Path, output: &Path, session: &'a Session) -> io::Result<SourceMap<'a>> {
-        let mut out = BufWriter::new(Pending::create(path)?);
+        let mut out = BufWriter::new(Destination::open(path)?);
         let output = json!(file_name(output));
-        write!(out, "{{\"version\":1,\"output\":{output},\"lines\":[")?;
+        write!(out, "{MAP_MARK}{output},\"lines\":[")?;
         Ok(SourceMap { out, session, first: true, error: None })
     }
 
@@ -241,7 +287,7 @@ impl<'a> SourceMap<'a> {
         write!(self.out, "{comma}{line}")
     }
 
-    fn finish(mut self) -> io::Result<Pending> {
+    fn finish(mut self) -> io::Result<Destination> {
         if let Some(error) = self.error {
             return Err(error);
         }

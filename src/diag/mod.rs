@@ -95,6 +95,8 @@ impl Diagnostic {
 
 /// Findings kept of one run; more are only counted.
 const KEPT: usize = 500;
+/// Places remembered of findings, kept or not, so that none is counted twice.
+const PLACES: usize = 1 << 17;
 
 /// Collects the findings of one run. Shared by all stages, so it is used through `&`.
 #[derive(Debug, Default)]
@@ -105,9 +107,13 @@ pub struct Diags {
 #[derive(Debug, Default)]
 struct Inner {
     list: Vec<Diagnostic>,
-    seen: FxHashMap<(&'static str, Loc), usize>,
+    /// Index in `list`; `None` for those that are only counted.
+    seen: FxHashMap<(&'static str, Loc), Option<usize>>,
     once: Vec<&'static str>,
     counts: [u32; 3],
+    dropped: u32,
+    /// The first so many were found in the form of the program; true for those that its run met, too.
+    form: Vec<bool>,
 }
 
 impl Diags {
@@ -115,18 +121,42 @@ impl Diags {
     pub fn push(&self, found: Diagnostic) {
         let inner = &mut *self.inner.borrow_mut();
         let key = (found.code.id, found.label.loc);
-        if let Some(&at) = inner.seen.get(&key) {
-            inner.list[at].times = inner.list[at].times.saturating_add(1);
+        if let Some(&known) = inner.seen.get(&key) {
+            let Some(at) = known else { return };
+            match inner.form.get_mut(at) {
+                // The first run of a block whose form was looked at before; now the way to it is known.
+                Some(met) if !*met => {
+                    *met = true;
+                    inner.list[at].call = found.call;
+                }
+                _ => inner.list[at].times = inner.list[at].times.saturating_add(1),
+            }
             return;
         }
         let severity = found.code.severity;
         // Notes and warnings leave room for what stops the output.
         let room = if severity == Severity::Error { KEPT } else { KEPT / 2 };
         inner.counts[severity as usize] += 1;
-        if inner.list.len() < room {
-            inner.seen.insert(key, inner.list.len());
-            inner.list.push(found);
+        let kept = inner.list.len() < room;
+        if inner.seen.len() < PLACES {
+            inner.seen.insert(key, kept.then_some(inner.list.len()));
         }
+        if kept {
+            inner.list.push(found);
+        } else {
+            inner.dropped += 1;
+        }
+    }
+
+    /// What was found so far came from the form of the program; now it runs, and passes the same blocks again.
+    pub fn begin_run(&self) {
+        let inner = &mut *self.inner.borrow_mut();
+        inner.form = vec![false; inner.list.len()];
+    }
+
+    /// Findings that were counted and not kept.
+    pub fn dropped(&self) -> u32 {
+        self.inner.borrow().dropped
     }
 
     /// Takes a finding unless one of the same code was taken by this call before: for notes that hold

@@ -39,27 +39,37 @@ pub struct JsonReport {
     files: u32,
     errors: u32,
     warnings: u32,
+    not_shown: u32,
 }
 
 impl JsonReport {
-    /// Adds the findings of one main program.
-    pub fn add(&mut self, list: &[Diagnostic], errors: u32, warnings: u32, sources: &Sources, trail: &Trail) {
+    /// Adds the findings of one main program; how many errors and warnings there were, and how many findings
+    /// `list` lacks.
+    pub fn add(&mut self, list: &[Diagnostic], counts: [u32; 3], sources: &Sources, trail: &Trail) {
+        let [errors, warnings, not_shown] = counts;
         self.files += 1;
         self.errors += errors;
         self.warnings += warnings;
+        self.not_shown += not_shown;
         self.diagnostics.extend(list.iter().map(|found| object(found, sources, trail)));
     }
 
-    /// The document, in one line.
-    pub fn finish(self) -> String {
-        json!({
+    /// The document, in one line. `troubles` are no findings: files that could not be read.
+    pub fn finish(self, troubles: &[String]) -> String {
+        let mut report = json!({
             "version": 1,
             "diagnostics": self.diagnostics,
             "files": self.files,
             "errors": self.errors,
             "warnings": self.warnings,
-        })
-        .to_string()
+        });
+        if self.not_shown > 0 {
+            report["not_shown"] = json!(self.not_shown);
+        }
+        if !troubles.is_empty() {
+            report["troubles"] = json!(troubles);
+        }
+        report.to_string()
     }
 }
 
@@ -124,7 +134,12 @@ pub mod terminal {
             if self.0.render_report(&mut text, &shown).is_err() {
                 text = concise(found, sources, trail);
             }
-            text
+            let mut trimmed = String::with_capacity(text.len());
+            for line in text.lines() {
+                trimmed.push_str(line.trim_end());
+                trimmed.push('\n');
+            }
+            trimmed
         }
     }
 
@@ -134,6 +149,8 @@ pub mod terminal {
         name: String,
         text: String,
         number: usize,
+        /// 1-based column of the finding, for the line above the excerpt.
+        column: usize,
     }
 
     impl miette::SourceCode for Excerpt {
@@ -149,7 +166,7 @@ pub mod terminal {
                 self.text.as_bytes(),
                 whole,
                 self.number.saturating_sub(1),
-                0,
+                self.column.saturating_sub(1),
                 1,
             )))
         }
@@ -214,8 +231,9 @@ pub mod terminal {
         let (start, end) = line.marked;
         let span = LabeledSpan::new(label, start, end.saturating_sub(start).max(1));
         // A blank more, so that a mark at the end of the line has something under it.
-        let text = format!("{} ", line.text);
-        (Excerpt { name: sources.name(loc.file), text, number: line.number as usize }, span)
+        let text = if start < line.text.len() { line.text } else { format!("{} ", line.text) };
+        let (number, column) = (line.number as usize, line.column as usize);
+        (Excerpt { name: sources.name(loc.file), text, number, column }, span)
     }
 
     impl std::fmt::Display for Shown {

@@ -5,9 +5,11 @@
 
 pub mod arc;
 pub mod comment;
+mod compensation;
 pub mod line;
 pub mod number;
 pub mod printer;
+pub mod reread;
 pub mod targets;
 pub mod trace;
 

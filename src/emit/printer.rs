@@ -4,13 +4,15 @@ use std::io;
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Plane, Point2, turned};
-use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings};
+use crate::text::Loc;
 
 use super::arc::{self, Printed};
+use super::compensation::{Before, Compensation};
 use super::line::Text;
 use super::number::Places;
 use super::targets::Traits;
@@ -47,10 +49,11 @@ pub struct Printer<'a> {
     /// Constant cutting speed is on.
     constant_cut: bool,
     plane: Plane,
-    side: Side,
+    compensation: Compensation,
     /// Lead of the thread that is being printed.
     thread_lead: Option<i64>,
-    cutter: CutterData,
+    /// The limit of lines is passed: what follows is not printed.
+    full: bool,
     error: Option<io::Error>,
     ended: bool,
 }
@@ -91,9 +94,9 @@ impl<'a> Printer<'a> {
             per_revolution: false,
             constant_cut: false,
             plane: if lathe { Plane::Zx } else { Plane::Xy },
-            side: Side::None,
+            compensation: Compensation::default(),
             thread_lead: None,
-            cutter: CutterData::default(),
+            full: false,
             error: None,
             ended: false,
         };
@@ -151,6 +154,10 @@ impl<'a> Printer<'a> {
     fn plain(&mut self, text: &[u8]) {
         self.text.raw(text).end_line();
         self.lines += 1;
+        if self.lines > self.most_lines {
+            let start = Loc { line: 1, ..Loc::default() };
+            self.too_many(&Origin { loc: start, ..Origin::default() });
+        }
     }
 
     /// Ends the line under construction.
@@ -163,9 +170,6 @@ impl<'a> Printer<'a> {
         if self.text.bytes().len() >= CHUNK {
             self.write_out();
         }
-        if self.lines == self.most_lines {
-            self.too_many(origin);
-        }
     }
 
     #[inline]
@@ -175,12 +179,18 @@ impl<'a> Printer<'a> {
         if let Some(map) = &mut self.map {
             map.line(self.lines, origin);
         }
+        if self.lines > self.most_lines {
+            self.too_many(origin);
+        }
     }
 
     #[cold]
     fn too_many(&mut self, origin: &Origin) {
-        let message = format!("the output has more than {} lines", self.most_lines);
-        self.report(codes::P4002, origin, &message);
+        if !std::mem::replace(&mut self.full, true) {
+            let message = format!("the output has more than {} lines, head and end included", self.most_lines);
+            let found = Diagnostic::new(codes::P4002, origin.loc, message).called(origin.call);
+            self.diags.push(found.help("look for a loop that does not end, or raise `[limits] output_blocks`"));
+        }
     }
 
     /// A line that is too long gives its feed word to a line in front of it.
@@ -208,8 +218,18 @@ impl<'a> Printer<'a> {
     // Moves.
 
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
-        if mv.side != self.side {
-            self.switch_side(mv, origin);
+        if !self.compensation.is_idle(mv.side) {
+            let in_plane = self.changes_plane(mv);
+            match self.compensation.before(mv, origin, self.plane, self.traits.compensation_planes, in_plane) {
+                Before::Nothing => {}
+                Before::Switch => self.switch_side(mv, origin),
+                Before::Refuse(found) => {
+                    if let Some(found) = found {
+                        self.diags.push(*found);
+                    }
+                    return;
+                }
+            }
         }
         match &mv.path {
             Path::Rapid => self.straight(b"G0", mv, origin),
@@ -219,28 +239,45 @@ impl<'a> Printer<'a> {
         }
     }
 
+    /// Does an axis of the working plane get another number?
+    fn changes_plane(&self, mv: &Move) -> bool {
+        let (first, second, _) = mv.plane.axes();
+        matches!(mv.path, Path::Arc(_))
+            || [first, second].iter().map(|i| Axis::ALL[*i]).filter(|axis| mv.axes.contains(*axis)).any(|axis| {
+                let units = mv.end.get(axis).and_then(|value| self.places.units(value));
+                !self.known.contains(axis) || units != Some(self.at[axis.index()])
+            })
+    }
+
     fn switch_side(&mut self, mv: &Move, origin: &Origin) {
+        if mv.side == Side::None {
+            return self.end_compensation(origin);
+        }
         self.select_plane(mv.plane, origin);
-        let word: &[u8] = match (mv.side, self.cutter.radius) {
-            (Side::None, _) => b"G40",
+        let cutter = self.compensation.cutter;
+        let word: &[u8] = match (mv.side, cutter.radius) {
             (Side::Left, None) => b"G41",
             (Side::Left, Some(_)) => b"G41.1",
-            (Side::Right, None) => b"G42",
-            (Side::Right, Some(_)) => b"G42.1",
+            (_, None) => b"G42",
+            (_, Some(_)) => b"G42.1",
         };
         self.text.word(word);
-        match (mv.side, self.cutter.radius) {
-            (Side::None, _) => {}
-            (_, None) => {
-                self.text.whole(b'D', u64::from(self.cutter.number));
+        match cutter.radius {
+            None => {
+                self.text.whole(b'D', u64::from(cutter.number));
             }
-            (_, Some(radius)) => {
+            Some(radius) => {
                 let units = self.places.units(2.0 * radius).unwrap_or(0);
                 self.text.number(b'D', units, self.places);
             }
         }
         self.end_line(origin);
-        self.side = mv.side;
+        self.compensation.switched(mv.side);
+    }
+
+    fn end_compensation(&mut self, origin: &Origin) {
+        self.words(b"G40", origin);
+        self.compensation.switched(Side::None);
     }
 
     fn select_plane(&mut self, plane: Plane, origin: &Origin) {
@@ -284,6 +321,7 @@ impl<'a> Printer<'a> {
             self.text.number(b'F', units, self.places);
         }
         self.end_line(origin);
+        self.compensation.straight();
         if mv.machine {
             self.known = self.known.without(changed);
             return;
@@ -462,6 +500,9 @@ impl<'a> Printer<'a> {
     // Functions.
 
     fn print_function(&mut self, function: &Function, origin: &Origin) {
+        if self.compensation.ends_before(function, self.plane, origin) {
+            self.end_compensation(origin);
+        }
         match function {
             Function::ToolChange { number } => {
                 self.text.whole(b'T', u64::from(*number)).word(b"M6");
@@ -477,7 +518,7 @@ impl<'a> Printer<'a> {
                 self.text.whole(b'T', u64::from(*number));
                 self.end_line(origin);
             }
-            Function::Cutter(cutter) => self.cutter = *cutter,
+            Function::Cutter(cutter) => self.compensation.cutter = *cutter,
             Function::Spindle(spindle) => self.spindle(*spindle, None, origin),
             Function::SpindleOf { number, spindle } => self.spindle(*spindle, Some(*number), origin),
             Function::Coolant(coolant) => {
@@ -514,9 +555,8 @@ impl<'a> Printer<'a> {
             Function::Plane(plane) => self.select_plane(*plane, origin),
             Function::Comment(text) => self.comment(text, origin),
             Function::End { rewind } => {
-                if self.side != Side::None {
-                    self.side = Side::None;
-                    self.words(b"G40", origin);
+                if self.compensation.side != Side::None {
+                    self.end_compensation(origin);
                 }
                 self.words(if *rewind { b"M30" } else { b"M2" }, origin);
                 self.ended = true;
@@ -570,13 +610,13 @@ impl<'a> Printer<'a> {
 
 impl Sink for Printer<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
-        if self.lines < self.most_lines {
+        if !self.full {
             self.print_move(mv, origin);
         }
     }
 
     fn function(&mut self, function: &Function, origin: &Origin) {
-        if self.lines < self.most_lines {
+        if !self.full {
             self.print_function(function, origin);
         }
     }

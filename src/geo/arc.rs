@@ -4,6 +4,36 @@ use core::f64::consts::TAU;
 
 use super::{Point2, Vec2, cross, distance, left, length};
 
+/// Start and end of an arc that differ by no more than this in each axis, in mm, are one point: half the
+/// last digit (0.0001 mm) to which programs are written. One of the two may be exact and the other rounded.
+pub const ONE_POINT: f64 = 5e-5;
+/// Up to this difference, in mm, a program of few decimal places may mean a full circle as well as an arc
+/// that is next to nothing.
+pub const NEARLY_ONE_POINT: f64 = 5e-4;
+
+/// Do start and end of an arc that can be a full circle make one?
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Closing {
+    /// They are one point: a full circle.
+    Closed,
+    /// Too far apart for rounding, too near for an arc anybody programs.
+    Unclear,
+    Open,
+}
+
+/// How an arc closes whose ends differ by `gap`. A gap that is no number is open, which later checks refuse.
+pub fn closing(gap: Vec2) -> Closing {
+    let most = gap.x.abs().max(gap.y.abs());
+    // A hair of room for what the subtraction loses.
+    if most <= ONE_POINT + 1e-9 {
+        Closing::Closed
+    } else if most <= NEARLY_ONE_POINT + 1e-9 {
+        Closing::Unclear
+    } else {
+        Closing::Open
+    }
+}
+
 /// Signed sweep in rad of the arc `from` → `to` about `center`: in `(0, 2π]` counter-clockwise, in
 /// `[-2π, 0)` clockwise. Equal directions give a whole turn.
 pub fn sweep(from: Point2, to: Point2, center: Point2, ccw: bool) -> f64 {
@@ -125,6 +155,17 @@ mod tests {
         assert!(y(20.0, false) < 40.0 && y(20.0, true) > 40.0);
         assert!(y(-20.0, false) > 40.0 && y(-20.0, true) < 40.0);
         assert!(center_by_radius(a, b, 14.9, true, 1e-6, 0.01).is_none());
+    }
+
+    #[test]
+    fn ends_within_rounding_are_one_point() {
+        let at = |x, y| closing(Vec2::new(x, y));
+        assert_eq!(at(0.0, 0.0), Closing::Closed);
+        assert_eq!(at(17.320_508_08 - 17.3205, 0.0), Closing::Closed);
+        assert_eq!(at(-5e-5, 5e-5), Closing::Closed);
+        assert_eq!(at(0.0, 1e-4), Closing::Unclear);
+        assert_eq!(at(-5e-4, 0.0), Closing::Unclear);
+        assert_eq!(at(6e-4, 0.0), Closing::Open);
     }
 
     proptest! {

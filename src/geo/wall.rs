@@ -13,8 +13,15 @@
 
 use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, direction, distance, intersect, left};
 
-/// Heights closer than this are one, mm. Far below what is printed, far above what arithmetic loses.
+/// An element may rise or lean over by this, mm: what arithmetic loses.
 const SAME_HEIGHT: f64 = 1e-7;
+
+/// Legs shorter than this are left out, mm. It must be small: where the way is level, heights that differ by
+/// 1e-7 lie 1e-3 apart.
+const SHORTEST_LEG: f64 = 2e-7;
+
+/// Arcs with a shorter chord are lines, mm.
+const SHORTEST_ARC: f64 = 2.0 * super::SAME_POINT;
 
 /// Curves closer than this are one, mm.
 const SAME_CURVE: f64 = 1e-9;
@@ -175,13 +182,18 @@ impl Wall {
             let Some(i) = self.next((high + low) / 2.0, last) else { continue };
             let curve = self.pieces[i].curve;
             let from = Point2::new(curve.x(high), high);
-            if (from.x - at.x).abs() > super::SAME_POINT {
+            if distance(from, at) > super::SAME_POINT {
                 // A level piece of the chain, on which the nose rides.
                 legs.push(Leg::Line { to: from });
+                at = from;
                 last = None;
             }
             let to = Point2::new(curve.x(low), low);
-            let leg = curve.leg(to);
+            if distance(to, at) <= SHORTEST_LEG {
+                continue;
+            }
+            // So short an arc may not be told from a full circle.
+            let leg = if distance(to, at) > SHORTEST_ARC { curve.leg(to) } else { Leg::Line { to } };
             match legs.last_mut() {
                 Some(before) if last.is_some_and(|last| self.pieces[last].curve.continues(&curve)) => *before = leg,
                 _ => legs.push(leg),
@@ -216,10 +228,7 @@ impl Wall {
             }
         }
         list.sort_by(|a, b| b.total_cmp(a));
-        list.dedup_by(|low, high| *high - *low < SAME_HEIGHT);
-        if let Some(last) = list.last_mut() {
-            *last = bottom;
-        }
+        list.dedup();
         list
     }
 }

@@ -1,11 +1,12 @@
 //! Pass 2: every arc gets its centre and sweep.
 //!
-//! A full circle is decided here, in exact arithmetic; nobody derives it from rounded numbers later.
+//! A full circle is decided here, on the exact numbers (see [`arc::ONE_POINT`]); nobody derives it from
+//! rounded ones later.
 
 use core::f64::consts::TAU;
 
 use crate::diag::{Diagnostic, Diags, codes};
-use crate::geo::arc::{self, TangentArc};
+use crate::geo::arc::{self, Closing, TangentArc};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Origin;
 use crate::ir::contour::{self, ArcShape};
@@ -140,7 +141,7 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
         }
         ArcShape::Radius { radius, ccw, tol } => {
             let d = distance(from, to);
-            if d <= SAME_POINT {
+            if arc::closing(to - from) == Closing::Closed {
                 return refuse(
                     step,
                     codes::G3003,
@@ -236,10 +237,19 @@ fn by_center(
     if r1 <= SAME_POINT || r2 <= SAME_POINT {
         return Err(Some(Box::new(at(codes::G3014, step.origin, "the centre of the arc lies on its start or end"))));
     }
-    if distance(from, to) <= SAME_POINT {
-        step.mv.end.set_in_plane(plane, from);
-        step.mv.path = Path::Arc(Arc { plane, from, center, sweep: if ccw { TAU } else { -TAU } });
-        return Ok(Extra::None);
+    match arc::closing(to - from) {
+        Closing::Closed => {
+            step.mv.end.set_in_plane(plane, from);
+            step.mv.path = Path::Arc(Arc { plane, from, center, sweep: if ccw { TAU } else { -TAU } });
+            return Ok(Extra::None);
+        }
+        Closing::Unclear => {
+            let gap = distance(from, to);
+            let found = at(codes::G3023, step.origin, format!("start and end of the arc are {gap:.5} mm apart"))
+                .help("for a full circle, program the start point again as the end point");
+            return Err(Some(Box::new(found)));
+        }
+        Closing::Open => {}
     }
     let off = (r2 - r1).abs();
     if off > tol + 1e-9 {

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::settings::*;
-use super::tools::{Tool, ToolKey};
+use super::tools::{Corner, Tool, ToolKey};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
 
 /// What may stand behind a key.
@@ -27,6 +27,21 @@ pub struct Key {
     pub name: &'static str,
     pub kind: Kind,
     pub doc: &'static str,
+    /// TOML text of the value that holds without the key; empty where none does.
+    pub default: &'static str,
+}
+
+impl Key {
+    /// The same key with the value that holds without it.
+    const fn or(self, default: &'static str) -> Key {
+        Key { default, ..self }
+    }
+
+    /// The default as a node of the tree.
+    pub fn default_node(&self) -> Option<Node> {
+        let tree = super::tree::parse(&format!("x = {}", self.default), "default").ok()?;
+        tree.into_values().next()
+    }
 }
 
 /// One table of the configuration. A section without keys takes any name.
@@ -40,7 +55,7 @@ pub struct Section {
 }
 
 const fn key(name: &'static str, kind: Kind, doc: &'static str) -> Key {
-    Key { name, kind, doc }
+    Key { name, kind, doc, default: "" }
 }
 
 const GENERATIONS: &[&str] = &["tnc426", "itnc530", "tnc640", "tnc7"];
@@ -60,6 +75,11 @@ const TOOL_KEYS: &[Key] = &[
     key("corner_radius", Kind::Number, "corner radius in mm"),
     key("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
     key("width", Kind::Number, "cutting width of recessing tools in mm"),
+    key(
+        "reference",
+        Kind::Choice(&["minus", "plus", "middle"]),
+        "programmed corner of a recessing tool: the one towards -Z (axial tools: -X), the other one, or the middle",
+    ),
 ];
 
 /// All of `partc.toml`.
@@ -69,17 +89,19 @@ pub const SECTIONS: &[Section] = &[
         doc: "the machine the program was written for",
         entry: &[],
         keys: &[
-            key("kind", Kind::Choice(&["mill", "lathe"]), "lathe: turning technology on, power-on plane G18"),
+            key("kind", Kind::Choice(&["mill", "lathe"]), "lathe: turning technology on, power-on plane G18")
+                .or(r#""mill""#),
             key(
                 "geometry_axes",
                 Kind::Texts,
                 "names of the first, second and third geometry axis (MD 20050, MD 20080)",
-            ),
-            key("diameter_axis", Kind::Text, "axis programmed in diameters (MD 20100); empty for none"),
+            )
+            .or(r#"["X", "Y", "Z"]"#),
+            key("diameter_axis", Kind::Text, "axis programmed in diameters (MD 20100); empty for none").or(r#""""#),
             key("md20100", Kind::Text, "same as diameter_axis"),
-            key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)"),
+            key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)").or("true"),
             key("limits", Kind::Free, "smallest and largest printed coordinate of an axis: X = [-10.0, 800.0]"),
-            key("kinematics", Kind::Choice(&["3axis"]), "kinematics of the machine"),
+            key("kinematics", Kind::Choice(&["3axis"]), "kinematics of the machine").or(r#""3axis""#),
         ],
     },
     Section {
@@ -87,29 +109,40 @@ pub const SECTIONS: &[Section] = &[
         doc: "the control the program was written for",
         entry: &[],
         keys: &[
-            key("klartext", Kind::Choice(GENERATIONS), "HEIDENHAIN milling control"),
+            key("klartext", Kind::Choice(GENERATIONS), "HEIDENHAIN milling control").or(r#""itnc530""#),
             key("sinumerik", Kind::Choice(SINUMERIKS), "SINUMERIK control"),
             key("heidenhain_turning", Kind::Choice(TURNINGS), "HEIDENHAIN turning control"),
-            key("skip_blocks", Kind::Wholes, "skip levels that are switched on; a block with such a / is left out"),
+            key("skip_blocks", Kind::Wholes, "skip levels that are switched on; a block with such a / is left out")
+                .or("[]"),
             key("unit", Kind::Choice(&["mm", "inch"]), "unit of a Klartext file without BEGIN PGM"),
             key("feed", Kind::Number, "feed in mm/min at the start, and for F AUTO without a TOOL CALL"),
             key("rapid_feed", Kind::Number, "feed in mm/min of arcs programmed at rapid traverse"),
-            key("cc_missing", Kind::Choice(&["position", "previous"]), "missing coordinate of a CC block"),
+            key("cc_missing", Kind::Choice(&["position", "previous"]), "missing coordinate of a CC block")
+                .or(r#""position""#),
             key(
                 "polar_missing",
                 Kind::Choice(&["position", "programmed"]),
                 "missing PR or PA after a block that is not polar",
-            ),
+            )
+            .or(r#""position""#),
             key(
                 "shift_axes",
                 Kind::Choice(&["original", "transformed"]),
                 "axes of a datum shift under rotation, mirror or scaling",
+<<<<<<< HEAD
             ),
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree"),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)"),
             key("turning_arc_q", Kind::Choice(&["near", "far"]), "solution that Q0 of an arc names in turning programs"),
             key("recess_depth", Kind::Choice(&["diameter", "radius"]), "what an incremental I of a recess (G22) counts"),
+            key("clearance", Kind::Number, "clearance of turning cycles in mm where the program sets none; 1 if missing"),
             key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
+=======
+            )
+            .or(r#""original""#),
+            key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree").or(r#""refuse""#),
+            key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
+>>>>>>> main
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
         ],
     },
@@ -132,13 +165,14 @@ pub const SECTIONS: &[Section] = &[
         doc: "what is printed",
         entry: &[],
         keys: &[
-            key("target", Kind::Choice(&["linuxcnc"]), "control that runs the output"),
-            key("decimals", Kind::Whole, "decimal places of lengths, 3 to 6"),
-            key("compensation", Kind::Choice(&["resolve", "control"]), "tool-centre path, or contour with G41/G42"),
-            key("diameter", Kind::Flag, "print diameters (lathe)"),
-            key("comments", Kind::Flag, "keep comments of the source"),
-            key("pass_m", Kind::Wholes, "M functions that are printed as they stand"),
-            key("tool_length", Kind::Choice(&["off", "G43"]), "G43 H behind a tool change"),
+            key("target", Kind::Choice(&["linuxcnc"]), "control that runs the output").or(r#""linuxcnc""#),
+            key("decimals", Kind::Whole, "decimal places of lengths, 3 to 6").or("4"),
+            key("compensation", Kind::Choice(&["resolve", "control"]), "tool-centre path, or contour with G41/G42")
+                .or(r#""resolve""#),
+            key("diameter", Kind::Flag, "print diameters (lathe)").or("false"),
+            key("comments", Kind::Flag, "keep comments of the source").or("true"),
+            key("pass_m", Kind::Wholes, "M functions that are printed as they stand").or("[]"),
+            key("tool_length", Kind::Choice(&["off", "G43"]), "G43 H behind a tool change").or(r#""off""#),
         ],
     },
     Section {
@@ -146,9 +180,9 @@ pub const SECTIONS: &[Section] = &[
         doc: "limits of a run",
         entry: &[],
         keys: &[
-            key("steps", Kind::Whole, "blocks that may be executed"),
-            key("output_blocks", Kind::Whole, "lines that may be printed"),
-            key("call_depth", Kind::Whole, "nesting of calls"),
+            key("steps", Kind::Whole, "blocks that may be executed").or("10_000_000"),
+            key("output_blocks", Kind::Whole, "lines that may be printed").or("50_000_000"),
+            key("call_depth", Kind::Whole, "nesting of calls").or("64"),
         ],
     },
 ];
@@ -318,6 +352,10 @@ impl Reader {
                 let radius = text(node) == "radius";
                 control.turning.recess_depth = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
             }
+            "clearance" => {
+                let clearance = number(node).filter(|mm| *mm > 0.0).ok_or_else(|| node.fail("a clearance is above 0"))?;
+                control.turning.clearance = Some(clearance);
+            }
             "tool_change_point" => control.turning.change_point = Some(change_point(node)?),
             "retract_max" => control.retract_max = number(node),
             _ => return Err(node.fail(format!("`{name}` has no place in [control]"))),
@@ -377,6 +415,13 @@ impl Reader {
                 "length" => tool.length = number(node),
                 "corner_radius" => tool.corner_radius = number(node),
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
+                "reference" => {
+                    tool.reference = match text(node) {
+                        "plus" => Corner::Plus,
+                        "middle" => Corner::Middle,
+                        _ => Corner::Minus,
+                    }
+                }
                 _ => tool.width = number(node),
             }
         }

@@ -4,7 +4,9 @@
 
 pub mod axis;
 pub mod config;
+pub mod schema;
 pub mod settings;
+pub mod show;
 pub mod tools;
 pub mod tree;
 

@@ -136,6 +136,8 @@ pub enum RecessDepth {
 pub struct Turning {
     pub arc_choice: ArcChoice,
     pub recess_depth: RecessDepth,
+    /// Clearance of cycles in mm where the program sets none.
+    pub clearance: Option<f64>,
     /// Machine coordinates of the tool change point: X as a diameter, Z, in mm.
     pub change_point: Option<(f64, f64)>,
 }

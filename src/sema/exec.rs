@@ -92,6 +92,8 @@ pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) ->
         OpenError::Utf16 => Diagnostic::new(codes::P0001, from, format!("`{name}` is a UTF-16 file"))
             .help("save it as UTF-8 or Windows-1252"),
         OpenError::TooLarge => Diagnostic::new(codes::P0002, from, format!("`{name}` is over 4 GiB")),
+        OpenError::Empty => Diagnostic::new(codes::P0004, from, format!("`{name}` is empty"))
+            .help("check whether the file was transferred completely"),
         OpenError::Io(error) => Diagnostic::new(codes::P0105, from, format!("`{name}` cannot be read: {error}")),
     };
     job.diags.push(found);

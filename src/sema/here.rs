@@ -27,8 +27,9 @@ impl Here {
     pub fn loc(&self, job: &Job<'_>, span: Span) -> Loc {
         let mut line = self.line;
         if self.lines > 1 {
+            let feed = job.sources.line_end(self.file);
             let before = job.sources.bytes(self.file, Span::at(self.at, span.start));
-            line += before.iter().filter(|b| **b == b'\n').count() as u32;
+            line += before.iter().filter(|b| **b == feed).count() as u32;
         }
         Loc { file: self.file, line, span: span.shifted(self.at) }
     }

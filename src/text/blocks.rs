@@ -11,7 +11,7 @@ use xxhash_rust::xxh3::Xxh3;
 use super::sources::{FileId, Sources};
 
 /// Bytes read at a time.
-const CHUNK: usize = 256 * 1024;
+pub(super) const CHUNK: usize = 256 * 1024;
 /// Longest logical block; a longer one is reported and left out.
 pub const MAX_BLOCK: usize = 1 << 20;
 
@@ -90,6 +90,15 @@ pub enum OpenError {
     Utf16,
     /// Over 4 GiB.
     TooLarge,
+    /// Nothing but blanks.
+    Empty,
+}
+
+/// The byte that ends the lines of a file which begins so: a file without a single line feed but with
+/// carriage returns ends its lines with those.
+pub(super) fn line_end(head: &[u8]) -> u8 {
+    let returns = memchr::memchr(b'\n', head).is_none() && memchr::memchr(b'\r', head).is_some();
+    if returns { b'\r' } else { b'\n' }
 }
 
 impl Cursor {
@@ -124,10 +133,11 @@ impl Cursor {
             cursor.pos = 3;
             cursor.first = 3;
         }
-        // A file without a single line feed but with carriage returns ends its lines with those.
-        if memchr::memchr(b'\n', head).is_none() && memchr::memchr(b'\r', head).is_some() {
-            cursor.line_end = b'\r';
+        if head.iter().all(u8::is_ascii_whitespace) && head.len() as u64 == sources.size(file) {
+            return Err(OpenError::Empty);
         }
+        cursor.line_end = line_end(head);
+        sources.read_by(file, rules);
         Ok(cursor)
     }
 
@@ -321,7 +331,6 @@ mod tests {
         );
         assert_eq!(blocks(b"A\rB\r"), [("A".into(), 0, 1), ("B".into(), 2, 2)]);
         assert_eq!(blocks(b";a\rb\nC\n"), [(";a\rb".into(), 0, 1), ("C".into(), 5, 2)]);
-        assert_eq!(blocks(b""), []);
         assert_eq!(blocks(b"A ~"), [("A ~".into(), 0, 1)]);
     }
 

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::fmt;
 
+use super::blocks::{self, SplitRules};
 use super::decode;
 use super::files::{Opened, ReadAt};
 use super::{Loc, Span};
@@ -18,6 +19,8 @@ pub const MAX_FILES: usize = 1000;
 const SHOWN: usize = 512;
 /// Bytes searched backwards for the start of a line.
 const BACK: u32 = 1 << 21;
+/// Lines searched backwards for the start of a block.
+const BACK_LINES: usize = 1000;
 
 /// The files of one run.
 #[derive(Default)]
@@ -29,6 +32,9 @@ struct File {
     name: String,
     identity: String,
     text: Box<dyn ReadAt>,
+    /// How its lines join, once somebody has read it as a program.
+    rules: Option<SplitRules>,
+    line_end: Option<u8>,
 }
 
 impl fmt::Debug for Sources {
@@ -65,7 +71,8 @@ impl Sources {
             return None;
         }
         let id = u16::try_from(files.len()).ok().map(FileId);
-        files.push(File { name: opened.name, identity: opened.identity, text: opened.text });
+        let Opened { name, identity, text } = opened;
+        files.push(File { name, identity, text, rules: None, line_end: None });
         id
     }
 
@@ -117,11 +124,32 @@ impl Sources {
         buf
     }
 
+    /// The lines of this file join by `rules`.
+    pub fn read_by(&self, id: FileId, rules: SplitRules) {
+        if let Some(file) = self.files.borrow_mut().get_mut(id.0 as usize) {
+            file.rules = Some(rules);
+        }
+    }
+
+    /// The byte that ends the lines of a file.
+    pub fn line_end(&self, id: FileId) -> u8 {
+        let known = self.files.borrow().get(id.0 as usize).and_then(|file| file.line_end);
+        known.unwrap_or_else(|| {
+            let head = self.bytes(id, Span { start: 0, end: blocks::CHUNK as u32 });
+            let line_end = blocks::line_end(&head);
+            if let Some(file) = self.files.borrow_mut().get_mut(id.0 as usize) {
+                file.line_end = Some(line_end);
+            }
+            line_end
+        })
+    }
+
     /// The physical line on which `loc.span` starts.
     ///
     /// `loc.line` is the line of the block's start; a block of several lines is followed to the span.
     pub fn line(&self, loc: Loc) -> Line {
         let at = loc.span.start;
+        let feed = self.line_end(loc.file);
         let line_start = self.line_start(loc.file, at);
         let size = u32::try_from(self.size(loc.file)).unwrap_or(u32::MAX);
         let want = loc.span.end.max(at).saturating_add(SHOWN as u32).min(size);
@@ -129,12 +157,12 @@ impl Sources {
         let mark = (at - line_start) as usize;
         let line_end = text[mark.min(text.len())..]
             .iter()
-            .position(|b| *b == b'\n')
+            .position(|b| *b == feed)
             .map_or(text.len(), |i| i + mark.min(text.len()));
         let whole = trim_end(&text[..line_end]);
         let end = ((loc.span.end.max(at) - line_start) as usize).min(text.len());
-        let inner_breaks = text[mark.min(end)..end].iter().filter(|b| **b == b'\n').count() as u32;
-        let last_line_start = text[..end].iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
+        let inner_breaks = text[mark.min(end)..end].iter().filter(|b| **b == feed).count() as u32;
+        let last_line_start = text[..end].iter().rposition(|b| *b == feed).map_or(0, |i| i + 1);
         let clipped_end = end.min(whole.len()).max(mark.min(whole.len()));
         let (shown, shift) = cut(whole, mark.min(whole.len()));
         let head = decode::readable(&whole[shift..mark.min(whole.len()).max(shift)]).len();
@@ -153,11 +181,12 @@ impl Sources {
 
     /// Start of the physical line that holds the byte `at`.
     fn line_start(&self, file: FileId, at: u32) -> u32 {
+        let feed = self.line_end(file);
         let mut back = 256;
         loop {
             let from = at.saturating_sub(back);
             let before = self.bytes(file, Span { start: from, end: at });
-            match before.iter().rposition(|b| *b == b'\n') {
+            match before.iter().rposition(|b| *b == feed) {
                 Some(i) => return from + i as u32 + 1,
                 None if from == 0 || back >= BACK => return from,
                 None => back *= 16,
@@ -165,9 +194,36 @@ impl Sources {
         }
     }
 
+    /// Start of the block that the physical line at `line` belongs to.
+    fn block_start(&self, file: FileId, line: u32) -> u32 {
+        let rules = self.files.borrow().get(file.0 as usize).and_then(|file| file.rules);
+        let Some(rules) = rules else { return line };
+        // Back to a line behind one that cannot go on, then forward again: only that way it is known which
+        // lines are continuations.
+        let mut lines: Vec<(u32, Vec<u8>)> = Vec::new();
+        let mut start = line;
+        while start > 0 && lines.len() < BACK_LINES {
+            let before = self.line_start(file, start - 1);
+            let text = self.bytes(file, Span { start: before, end: start - 1 });
+            if !text.contains(&rules.mark) {
+                break;
+            }
+            lines.push((before, text));
+            start = before;
+        }
+        let mut first = start;
+        for (at, text) in lines.iter().rev() {
+            if !(rules.continues)(text, first < *at) {
+                first = at + text.len() as u32 + 1;
+            }
+        }
+        first
+    }
+
     /// Block number at the start of the block that `loc` lies in, as written (`14`, `N40`).
     pub fn block_number(&self, loc: Loc) -> Option<String> {
-        let line = self.line(loc);
+        let start = self.block_start(loc.file, self.line_start(loc.file, loc.span.start));
+        let line = self.line(loc.with_span(Span::at(start, 0)));
         let text = line.text.trim_start_matches(|c: char| c.is_whitespace() || c == '/');
         let digits = text.strip_prefix(['N', 'n']).unwrap_or(text);
         let n = digits.bytes().take_while(u8::is_ascii_digit).count();
@@ -193,6 +249,33 @@ fn cut(line: &[u8], mark: usize) -> (&[u8], usize) {
 mod tests {
     use super::*;
     use crate::text::Memory;
+
+    #[test]
+    fn lines_that_end_in_carriage_returns() {
+        let sources = one("1 L X+1\r2 L Y+2 R5\r3 L Z+3\r");
+        let loc = Loc { file: FileId(0), line: 2, span: Span { start: 16, end: 18 } };
+        let line = sources.line(loc);
+        assert_eq!((line.text.as_str(), line.column, line.end_column, line.end_line), ("2 L Y+2 R5", 9, 11, 2));
+        assert_eq!(sources.block_number(loc).as_deref(), Some("2"));
+    }
+
+    #[test]
+    fn a_continuation_line_belongs_to_the_block_it_continues() {
+        let text = "1 L ~\n X+1\n2 L ~\n Y+2 ~\n Z+3\n L X+1 ; ~\n4 L\n";
+        let sources = one(text);
+        let continues = |line: &[u8], _: bool| line.ends_with(b"~") && !line.contains(&b';');
+        let number = |word: &str| {
+            let start = text.find(word).unwrap() as u32;
+            sources.block_number(Loc { file: FileId(0), line: 1, span: Span::at(start, 1) })
+        };
+        // Nobody has read the file as a program: lines are blocks.
+        assert_eq!(number("Y+2"), None);
+        sources.read_by(FileId(0), SplitRules { mark: b'~', continues });
+        for (word, block) in [("X+1\n", "1"), ("Y+2", "2"), ("Z+3", "2"), ("4 L", "4")] {
+            assert_eq!(number(word).as_deref(), Some(block), "{word}");
+        }
+        assert_eq!(number("X+1 ;"), None);
+    }
 
     fn one(text: &str) -> Sources {
         let sources = Sources::default();

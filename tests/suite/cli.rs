@@ -12,29 +12,30 @@ use partc::diag::codes;
 use serde_json::{Value, json};
 
 /// A program without findings.
-const PART: &str =
+pub(super) const PART: &str =
     "0 BEGIN PGM PART MM\n1 L X+10 Y+5 Z+2 R0 FMAX M3\n2 L Z-5 F150\n3 L Z+50 FMAX M30\n4 END PGM PART MM\n";
 /// A program with an error in its second line.
-const WRONG: &str = "0 BEGIN PGM WRONG MM\n1 L X+10 Y+5 R5 F300\n2 END PGM WRONG MM\n";
+pub(super) const WRONG: &str = "0 BEGIN PGM WRONG MM\n1 L X+10 Y+5 R5 F300\n2 END PGM WRONG MM\n";
 /// A program with a warning in its third line.
-const WARNED: &str = "0 BEGIN PGM WARNED MM\n1 L X+10 Y+0 R0 F300\n2 CC X+0\n3 C X+0 Y+10 DR+\n4 END PGM WARNED MM\n";
+pub(super) const WARNED: &str =
+    "0 BEGIN PGM WARNED MM\n1 L X+10 Y+0 R0 F300\n2 CC X+0\n3 C X+0 Y+10 DR+\n4 END PGM WARNED MM\n";
 /// A program that calls another one.
 const CALLER: &str =
     "0 BEGIN PGM CALLER MM\n1 L X+10 Y+5 Z+2 R0 FMAX\n2 CALL PGM {}\n3 L Z+50 FMAX M30\n4 END PGM CALLER MM\n";
-const HOLE: &str = "0 BEGIN PGM HOLE MM\n1 L Z-5 F150\n2 L Z+2 FMAX\n3 END PGM HOLE MM\n";
+pub(super) const HOLE: &str = "0 BEGIN PGM HOLE MM\n1 L Z-5 F150\n2 L Z+2 FMAX\n3 END PGM HOLE MM\n";
 /// A program that needs the radius of tool 5.
 const RADIUS: &str =
     "0 BEGIN PGM RADIUS MM\n1 TOOL CALL 5 Z S2000\n2 L X+0 Y+0 R0 F300\n3 X+50 R+ F200\n4 END PGM RADIUS MM\n";
 
-fn caller(name: &str) -> String {
+pub(super) fn caller(name: &str) -> String {
     CALLER.replace("{}", name)
 }
 
 /// A folder of one test.
-struct Folder(PathBuf);
+pub(super) struct Folder(pub(super) PathBuf);
 
 impl Folder {
-    fn new(test: &str) -> Folder {
+    pub(super) fn new(test: &str) -> Folder {
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(test);
         let _ = fs::remove_dir_all(&path);
         fs::create_dir_all(&path).expect("a folder for the test");
@@ -42,29 +43,29 @@ impl Folder {
     }
 
     /// Writes files: name and content.
-    fn with(self, files: &[(&str, &str)]) -> Folder {
+    pub(super) fn with(self, files: &[(&str, &str)]) -> Folder {
         for (name, text) in files {
             self.write(name, text);
         }
         self
     }
 
-    fn write(&self, name: &str, text: &str) {
+    pub(super) fn write(&self, name: &str, text: &str) {
         let path = self.0.join(name);
         fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
         fs::write(path, text).expect("a file");
     }
 
-    fn read(&self, name: &str) -> String {
+    pub(super) fn read(&self, name: &str) -> String {
         fs::read_to_string(self.0.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    fn has(&self, name: &str) -> bool {
+    pub(super) fn has(&self, name: &str) -> bool {
         self.0.join(name).symlink_metadata().is_ok()
     }
 
     /// Names of everything in the folder and below.
-    fn names(&self) -> BTreeSet<String> {
+    pub(super) fn names(&self) -> BTreeSet<String> {
         let mut found = BTreeSet::new();
         let mut folders = vec![self.0.clone()];
         while let Some(folder) = folders.pop() {
@@ -79,12 +80,12 @@ impl Folder {
         found
     }
 
-    fn run(&self, args: &[&str]) -> Ran {
+    pub(super) fn run(&self, args: &[&str]) -> Ran {
         self.run_with(args, "")
     }
 
     /// Runs partc in the folder, with this on standard input.
-    fn run_with(&self, args: &[&str], input: &str) -> Ran {
+    pub(super) fn run_with(&self, args: &[&str], input: &str) -> Ran {
         let mut child = Command::new(env!("CARGO_BIN_EXE_partc"))
             .args(args)
             .current_dir(&self.0)
@@ -109,40 +110,40 @@ impl Folder {
 
 /// What a run came to.
 #[derive(Debug)]
-struct Ran {
+pub(super) struct Ran {
     args: String,
-    code: Option<i32>,
-    out: String,
-    err: String,
+    pub(super) code: Option<i32>,
+    pub(super) out: String,
+    pub(super) err: String,
 }
 
 impl Ran {
     #[track_caller]
-    fn exits(self, code: i32) -> Ran {
+    pub(super) fn exits(self, code: i32) -> Ran {
         assert_eq!(self.code, Some(code), "partc {}\n{}\n{}", self.args, self.out, self.err);
         self
     }
 
     #[track_caller]
-    fn says(self, text: &str) -> Ran {
+    pub(super) fn says(self, text: &str) -> Ran {
         assert!(self.err.contains(text), "partc {}: `{text}` is missing in:\n{}", self.args, self.err);
         self
     }
 
     #[track_caller]
-    fn quietly(self) -> Ran {
+    pub(super) fn quietly(self) -> Ran {
         assert!(self.err.is_empty(), "partc {}:\n{}", self.args, self.err);
         self
     }
 
     #[track_caller]
-    fn json(&self) -> Value {
+    pub(super) fn json(&self) -> Value {
         assert_eq!(self.out.lines().count(), 1, "one document in one line:\n{}", self.out);
         serde_json::from_str(&self.out).unwrap_or_else(|error| panic!("{error}:\n{}", self.out))
     }
 
     /// Codes in the findings of `--format concise`.
-    fn codes(&self) -> Vec<&str> {
+    pub(super) fn codes(&self) -> Vec<&str> {
         self.err
             .lines()
             .filter_map(|line| Some(line.split_once('[')?.1.split_once(']')?.0))
@@ -151,7 +152,7 @@ impl Ran {
     }
 }
 
-fn set(names: &[&str]) -> BTreeSet<String> {
+pub(super) fn set(names: &[&str]) -> BTreeSet<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
@@ -292,7 +293,7 @@ fn an_error_leaves_no_output_and_sets_an_older_one_aside() {
 #[test]
 fn an_error_does_not_touch_a_file_of_somebody_else() {
     let folder = Folder::new("stale_foreign").with(&[("WRONG.H", WRONG), ("mine.ngc", "G0 X1\n")]);
-    folder.run(&["compile", "WRONG.H", "-o", "mine.ngc"]).exits(1);
+    folder.run(&["compile", "WRONG.H", "-o", "mine.ngc", "--force"]).exits(1);
     assert_eq!(folder.names(), set(&["WRONG.H", "mine.ngc"]));
     assert_eq!(folder.read("mine.ngc"), "G0 X1\n");
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
 mod cli;
+mod cli_files;
 mod common;
 mod diagnostics;
 mod golden;

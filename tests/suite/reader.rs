@@ -1,14 +1,14 @@
 //! A small reader of our own output, written without the printer: the same moves as the interpreter gives.
 
-use super::rs274::Move;
+use super::rs274::{AXES, Move};
 
 /// Position in units of 0.0001, so that nothing is rounded twice.
-type Units = [i64; 3];
+type Units = [i64; AXES];
 
 /// Reads a program. Fails on any word that a plain program does not have.
 pub fn read(program: &str) -> Result<Vec<Move>, String> {
     let mut moves = Vec::new();
-    let mut at: Units = [0; 3];
+    let mut at: Units = [0; AXES];
     let mut plane = [0, 1, 2];
     for line in program.lines() {
         if line.is_empty() || line == "%" || line.starts_with('(') {
@@ -16,7 +16,7 @@ pub fn read(program: &str) -> Result<Vec<Move>, String> {
         }
         let mut motion = None;
         let mut to = at;
-        let mut offset: Units = [0; 3];
+        let mut offset = [0; 3];
         let mut turns = 1;
         let mut ends = 0;
         for word in line.split(' ') {
@@ -26,10 +26,10 @@ pub fn read(program: &str) -> Result<Vec<Move>, String> {
                 ("G", "17") => plane = [0, 1, 2],
                 ("G", "18") => plane = [2, 0, 1],
                 ("G", "19") => plane = [1, 2, 0],
-                ("G", _) | ("T" | "S" | "F" | "M" | "A" | "B" | "C" | "U" | "V" | "W" | "D" | "H" | "R", _) => {}
+                ("G", _) | ("T" | "S" | "F" | "M" | "U" | "V" | "W" | "D" | "H" | "R", _) => {}
                 ("P", _) => turns = value.parse::<f64>().map_err(|e| format!("{word}: {e}"))? as i32,
-                ("X" | "Y" | "Z", _) => {
-                    to["XYZ".find(letter).expect("one of three")] = units(value)?;
+                ("X" | "Y" | "Z" | "A" | "B" | "C", _) => {
+                    to["XYZABC".find(letter).expect("one of six")] = units(value)?;
                     ends += 1;
                 }
                 ("I" | "J" | "K", _) => offset["IJK".find(letter).expect("one of three")] = units(value)?,
@@ -37,7 +37,7 @@ pub fn read(program: &str) -> Result<Vec<Move>, String> {
             }
         }
         let mm = |u: i64| u as f64 * 1e-4;
-        let point = |u: Units| [mm(u[0]), mm(u[1]), mm(u[2])];
+        let point = |u: Units| u.map(mm);
         match motion {
             Some(0) if ends > 0 => moves.push(Move::Rapid(point(to))),
             Some(1) if ends > 0 => moves.push(Move::Feed(point(to))),
@@ -58,6 +58,7 @@ pub fn read(program: &str) -> Result<Vec<Move>, String> {
                     center: [mm(center[0]), mm(center[1])],
                     turns: if n == 3 { turns } else { -turns },
                     third: mm(to[c]),
+                    rotary: [mm(to[3]), mm(to[4]), mm(to[5])],
                 });
             }
             _ => {}

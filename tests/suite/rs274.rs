@@ -4,11 +4,14 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
+/// X Y Z A B C; the stand-alone interpreter has no U V W.
+pub const AXES: usize = 6;
+
 /// A canonical call that moves: end, and centre with turns for an arc.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Move {
-    Rapid([f64; 3]),
-    Feed([f64; 3]),
+    Rapid([f64; AXES]),
+    Feed([f64; AXES]),
     /// First and second axis of the plane: end and centre; signed turns; end of the third axis.
     Arc {
         plane: [usize; 3],
@@ -16,19 +19,22 @@ pub enum Move {
         center: [f64; 2],
         turns: i32,
         third: f64,
+        /// A B C.
+        rotary: [f64; 3],
     },
 }
 
 impl Move {
     /// Where it ends, given where it starts.
-    pub fn end(&self, from: [f64; 3]) -> [f64; 3] {
+    pub fn end(&self, from: [f64; AXES]) -> [f64; AXES] {
         match self {
             Move::Rapid(end) | Move::Feed(end) => *end,
-            Move::Arc { plane, end, third, .. } => {
+            Move::Arc { plane, end, third, rotary, .. } => {
                 let mut to = from;
                 to[plane[0]] = end[0];
                 to[plane[1]] = end[1];
                 to[plane[2]] = *third;
+                to[3..].copy_from_slice(rotary);
                 to
             }
         }
@@ -48,8 +54,18 @@ pub fn available() -> bool {
     found
 }
 
-/// Interprets `program`; the moves, or what the interpreter complains about.
+/// Interprets `program` with tools of radius 0; the moves, or what the interpreter complains about.
 pub fn interpret(program: &str, name: &str) -> Result<Vec<Move>, String> {
+    interpret_with(program, name, "0")
+}
+
+/// Does the interpreter take `program` with tools that have a radius? With it more is forbidden between G41
+/// and G40, and outside corners get arcs, which nobody meant; so the moves are not looked at.
+pub fn accepts(program: &str, name: &str) -> Result<(), String> {
+    interpret_with(program, name, "0.000002").map(drop)
+}
+
+fn interpret_with(program: &str, name: &str, diameter: &str) -> Result<Vec<Move>, String> {
     let dir = scratch(name);
     let write = |file: &str, text: &str| {
         let path = dir.join(file);
@@ -58,7 +74,7 @@ pub fn interpret(program: &str, name: &str) -> Result<Vec<Move>, String> {
     };
     let mut table = String::new();
     for number in tools(program) {
-        table += &format!("T{number} P{number} D0 Z0 ;\n");
+        table += &format!("T{number} P{number} D{diameter} Z0 ;\n");
     }
     let table = write("t.tbl", &table);
     let ini = write(
@@ -93,6 +109,11 @@ pub fn interpret(program: &str, name: &str) -> Result<Vec<Move>, String> {
     moves(&String::from_utf8_lossy(&out.stdout))
 }
 
+/// The end of a straight move.
+fn straight_end(numbers: &[f64]) -> Result<[f64; AXES], String> {
+    numbers.get(..AXES).and_then(|end| end.try_into().ok()).ok_or_else(|| format!("six numbers in {numbers:?}"))
+}
+
 fn scratch(name: &str) -> PathBuf {
     let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("rs274-{name}"));
     fs::create_dir_all(&dir).expect("a writable target folder");
@@ -114,7 +135,7 @@ fn tools(program: &str) -> Vec<u32> {
 
 fn moves(canonical: &str) -> Result<Vec<Move>, String> {
     let mut plane = [0, 1, 2];
-    let mut at = [0.0; 3];
+    let mut at = [0.0; AXES];
     let mut list = Vec::new();
     for line in canonical.lines() {
         let Some(open) = line.find('(') else { continue };
@@ -129,8 +150,9 @@ fn moves(canonical: &str) -> Result<Vec<Move>, String> {
                     _ => [0, 1, 2],
                 }
             }
-            "STRAIGHT_TRAVERSE" => list.push(Move::Rapid([numbers[0], numbers[1], numbers[2]])),
-            "STRAIGHT_FEED" => list.push(Move::Feed([numbers[0], numbers[1], numbers[2]])),
+            "STRAIGHT_TRAVERSE" => list.push(Move::Rapid(straight_end(&numbers)?)),
+            "STRAIGHT_FEED" => list.push(Move::Feed(straight_end(&numbers)?)),
+            "ARC_FEED" if numbers.len() < 9 => return Err(format!("{line}: nine numbers are expected")),
             "ARC_FEED" => {
                 let arc = Move::Arc {
                     plane,
@@ -138,6 +160,7 @@ fn moves(canonical: &str) -> Result<Vec<Move>, String> {
                     center: [numbers[2], numbers[3]],
                     turns: numbers[4] as i32,
                     third: numbers[5],
+                    rotary: [numbers[6], numbers[7], numbers[8]],
                 };
                 let radius = |p: [f64; 2]| (p[0] - numbers[2]).hypot(p[1] - numbers[3]);
                 let off = (radius([at[plane[0]], at[plane[1]]]) - radius([numbers[0], numbers[1]])).abs();

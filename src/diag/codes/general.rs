@@ -13,6 +13,10 @@ parts from a short one with `CALL PGM`."
 P0003 Error "block-too-long" "block is over 1 MiB"
 "No control accepts a block of this length; the file is damaged or is no part program. The block is left out, so no output is written."
 
+P0004 Error "empty-file" "file holds no block"
+"The file is empty, or holds nothing but blanks. No control runs that, and most often a transfer broke off or the editor did not save. \
+Nothing is written, since a program without moves would look like one that was compiled."
+
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
 Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\

@@ -92,6 +92,12 @@ moves most, and check the end point."
 G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
 "Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
 
+G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
+"Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
+difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \
+whole turn, so nothing is written. Program the start point again as the end point for a full circle (a circle by angle has no such doubt), \
+or leave the arc out."
+
 G3040 Error "cycle-too-many-cuts" "cycle makes too many cuts"
 "The infeed is so small against the depth that the cycle would run without end in sight. Most often a decimal point is lost. \
 Program a larger infeed."

@@ -29,4 +29,10 @@ O9001 Error "word-unknown-to-target" "the target has no word for this"
 O9002 Error "spindle-speed-negative" "spindle speed is negative"
 "The sense of rotation comes from M3 or M4, the speed is positive. Look where the S word or its parameter is set."
 
+O9003 Error "compensation-by-target" "not possible under the target's radius compensation"
+"With `[output] compensation = \"control\"` the target offsets the contour between G41 or G42 and G40. Meanwhile it takes no block in \
+machine coordinates, no change of plane or side, no arc outside the working plane, and no contour that goes on behind a tool change or \
+work offset; and it compensates in some planes only. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
+or let partc compute the tool path with `compensation = \"resolve\"`."
+
 }

@@ -147,6 +147,10 @@ T2023 Warning "turning-tool-data" "tool data of the program is not used"
 "A line of the turret section holds data of a simple tool. partc takes tool data from partc.toml: add the tool there where a cycle or the \
 compensation needs it."
 
+T2024 Error "turning-tool-data-missing" "cycle needs data of the tool"
+"Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. The program does not hold them: \
+add them to `[tools]` in partc.toml."
+
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
 `B0` a corner; a line by angle is fixed by one coordinate or by the next element."

@@ -1,5 +1,7 @@
 //! LinuxCNC (RS274/NGC). Arcs by offset from the start, whole turns by `P`, comments in brackets.
 
+use crate::geo::Plane;
+
 use super::Traits;
 
 pub(super) const TRAITS: Traits = Traits {
@@ -12,4 +14,5 @@ pub(super) const TRAITS: Traits = Traits {
     line_length: 80,
     arc_tolerance: 1.5,
     turns_in_one_block: true,
+    compensation_planes: &[Plane::Xy, Plane::Zx],
 };

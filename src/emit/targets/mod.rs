@@ -2,6 +2,8 @@
 
 mod linuxcnc;
 
+use crate::geo::Plane;
+
 /// What a target looks like.
 #[derive(Debug)]
 pub struct Traits {
@@ -23,6 +25,8 @@ pub struct Traits {
     pub arc_tolerance: f64,
     /// Several turns in one block by a `P` word; otherwise one block a turn.
     pub turns_in_one_block: bool,
+    /// Working planes in which the target compensates the tool radius.
+    pub compensation_planes: &'static [Plane],
 }
 
 /// All targets.

@@ -2,6 +2,7 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod recess;
 pub mod thread;
 pub mod turning;
 
@@ -9,11 +10,13 @@ use crate::geo::Plane;
 
 use super::Pos;
 
+pub use recess::RecessTurning;
 pub use thread::Thread;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
+    RecessTurning(RecessTurning),
     Thread(Thread),
 }
 
@@ -22,6 +25,7 @@ impl Cycle {
     pub fn leaves(&self, at: &Pos) -> Pos {
         let mut end = *at;
         match self {
+            Cycle::RecessTurning(recess) => recess.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
         }
         end

@@ -1,6 +1,7 @@
 //! What the arguments of all turning cycles share. Points are (Z, X) with X as a radius, in mm.
 
 use crate::geo::{Point2, Vec2};
+use crate::machine::Axis;
 
 /// The direction into the material. It also says along which axis the cuts of a cycle run: X cycles cut
 /// along Z, Z cycles cut along X.
@@ -31,6 +32,11 @@ impl Towards {
     /// Infeed along X, cuts along Z.
     pub fn is_radial(self) -> bool {
         matches!(self, Towards::MinusX | Towards::PlusX)
+    }
+
+    /// The infeed axis and the cutting axis.
+    pub fn axes(self) -> (Axis, Axis) {
+        if self.is_radial() { (Axis::X, Axis::Z) } else { (Axis::Z, Axis::X) }
     }
 
     /// The coordinate of `p` on the infeed axis.

@@ -1,8 +1,10 @@
 //! Cycles become moves: one file per family.
 
 pub mod infeed;
+pub mod recess;
 pub mod thread;
 pub mod track;
+pub mod valley;
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
@@ -32,6 +34,7 @@ pub fn expand(
         return Err(report(Failure::new(codes::G3043, message, "position X and Z in front of the cycle"), origin));
     };
     match cycle {
+        Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
         Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
     }
     .map_err(|failure| report(failure, origin))

@@ -3,6 +3,7 @@
 //! Source: reference sections 2.2 and 2.8.
 
 use crate::diag::{Diagnostic, codes};
+use crate::geo::arc::{self, Closing};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
 use crate::ir::contour::{ArcShape, EndPoint, Path, Polar};
 use crate::machine::{Axis, AxisSet, CcMissing, CpSign, PolarMissing};
@@ -155,7 +156,7 @@ impl Run<'_> {
                     .help("program more than one turn with IPA"),
                 );
             }
-            absolute_sweep(from, angle, ccw, radius)
+            self.absolute_sweep(from, angle, ccw, radius)?
         };
         let mut end = self.absolute(w)?;
         end.set_in_plane(pole.plane, angle::rotated(start, pole.at, Deg(sweep)));
@@ -278,17 +279,21 @@ impl Run<'_> {
         self.st.pole = Some(PoleState { at: Point2::new(x, y), plane, set: self.loc(span), system: self.st.system });
         Ok(())
     }
-}
 
-/// Sweep from `from` to the direction `to`, at most one turn; a turn if there is nothing to go.
-fn absolute_sweep(from: Deg, to: f64, ccw: bool, radius: f64) -> f64 {
-    let ahead = Deg(to - from.0).normal().0;
-    let nothing = Deg::from_radians(SAME_POINT / radius.max(SAME_POINT)).0.min(1e-3);
-    let ahead = if ahead < nothing || ahead > 360.0 - nothing { 0.0 } else { ahead };
-    match (ccw, ahead == 0.0) {
-        (true, true) => 360.0,
-        (true, false) => ahead,
-        (false, true) => -360.0,
-        (false, false) => ahead - 360.0,
+    /// Sweep from `from` to the direction `to`, at most one turn; a turn if there is nothing to go.
+    fn absolute_sweep(&mut self, from: Deg, to: f64, ccw: bool, radius: f64) -> Outcome<f64> {
+        let ahead = Deg(to - from.0).normal().0;
+        let away = ahead.min(360.0 - ahead);
+        let gap = away.to_radians() * radius;
+        match arc::closing(Vec2::new(gap, 0.0)) {
+            Closing::Closed => Ok(if ccw { 360.0 } else { -360.0 }),
+            Closing::Unclear => self.fail_help(
+                codes::G3023,
+                self.block_span(),
+                format!("CP starts {gap:.5} mm beside its end"),
+                "for a full circle, program IPA+360 or IPA-360",
+            ),
+            Closing::Open => Ok(if ccw { ahead } else { ahead - 360.0 }),
+        }
     }
 }

@@ -302,7 +302,7 @@ impl Run<'_> {
             }
             _ => "remove the word, or put it into a block where it belongs",
         };
-        let block = if head.is_empty() { "this block".to_owned() } else { format!("a {head} block") };
+        let block = if head.is_empty() { "this block".to_owned() } else { format!("this {head} block") };
         self.fail_help(codes::K1005, word.span, format!("`{text}` has no place in {block}"), help)
     }
 

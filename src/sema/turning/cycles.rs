@@ -12,6 +12,7 @@ impl Run<'_> {
     pub(super) fn cycle(&mut self, number: u16, name: &str, w: &Words, outline: Option<&Outline>) -> Outcome {
         match number {
             31 => self.thread_cycle(w, outline),
+            869 => self.recess_turning(w, outline),
             _ => {
                 self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
                 Err(Reported)

@@ -17,6 +17,7 @@ mod machining;
 mod modal;
 mod moves;
 mod mwords;
+mod recess_turning;
 mod sections;
 mod shifts;
 mod state;

@@ -1,0 +1,233 @@
+//! `partc test`: compiles the programs of a folder and compares with the outputs kept beside them.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+use similar::TextDiff;
+
+use crate::emit::reread::Change;
+use crate::emit::{Output as _, targets};
+
+use super::args::{Format, Test};
+use super::disk::walk;
+
+use super::output::{Destination, Made, is_foreign};
+use super::report::{Reporter, counted, print};
+use super::run::{Loaded, is_program, load};
+use super::{Exit, Trouble};
+
+/// Lines of the head that name the version of partc and the hash of the source, not the path.
+const HEAD: [&str; 2] = ["(partc ", "(source "];
+/// Most lines shown of a difference.
+const MOST_LINES: usize = 60;
+
+/// What came of one program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Result {
+    Same,
+    Differs,
+    /// The program has errors.
+    Errors,
+    /// There is nothing to compare with.
+    NoGolden,
+    /// A kept output whose program is gone.
+    NoProgram,
+    Written,
+}
+
+impl Result {
+    fn word(self) -> &'static str {
+        match self {
+            Result::Same => "same",
+            Result::Differs => "differs",
+            Result::Errors => "errors",
+            Result::NoGolden => "no-golden",
+            Result::NoProgram => "no-program",
+            Result::Written => "written",
+        }
+    }
+
+    fn fails(self) -> bool {
+        matches!(self, Result::Differs | Result::Errors | Result::NoProgram)
+    }
+}
+
+/// `partc test`
+pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
+    let walked = |takes: &dyn Fn(&Path) -> bool| {
+        walk(&args.dir, takes).map_err(|error| format!("{}: {error}", args.dir.display()))
+    };
+    if !args.dir.is_dir() {
+        return Err(format!("{}: is no folder", args.dir.display()));
+    }
+    let programs = walked(&|path| !is_golden(path) && !is_output(path) && is_program(path))?;
+    let mut left = walked(&is_golden)?;
+    let mut run = Run { args, cases: Vec::new(), reporter: Reporter::new(&args.common), taken: BTreeMap::new() };
+    for program in &programs {
+        match run.one(program) {
+            Ok(golden) => left.retain(|path| *path != golden),
+            Err(trouble) => run.reporter.trouble(trouble),
+        }
+    }
+    for golden in left {
+        run.show(&golden, Result::NoProgram, None)?;
+    }
+    run.finish()
+}
+
+/// Outputs that lie about are neither programs nor golden.
+fn is_output(path: &Path) -> bool {
+    path.metadata().is_ok_and(|meta| meta.len() > 0) && !is_foreign(path, Made::Program)
+}
+
+fn is_golden(path: &Path) -> bool {
+    targets::ALL.iter().any(|traits| path.to_string_lossy().ends_with(&format!(".golden.{}", traits.extension)))
+}
+
+struct Run<'a> {
+    args: &'a Test,
+    cases: Vec<(PathBuf, Result, Option<Value>)>,
+    reporter: Reporter,
+    /// Golden outputs, and the program each belongs to.
+    taken: BTreeMap<PathBuf, PathBuf>,
+}
+
+impl Run<'_> {
+    /// Compiles and compares one program; its golden output.
+    fn one(&mut self, program: &Path) -> std::result::Result<PathBuf, Trouble> {
+        let Loaded { session, dialect, settings, files } = load(program, &self.args.common)?;
+        let traits =
+            targets::find(&settings.output.target).ok_or_else(|| format!("no target `{}`", settings.output.target))?;
+        let golden = program.with_extension(format!("golden.{}", traits.extension));
+        let shown = golden.display().to_string();
+        if let Some(other) = self.taken.insert(golden.clone(), program.to_path_buf()) {
+            return Err(format!("{} and {} have the same golden output {shown}", other.display(), program.display()));
+        }
+        let before = match fs::read_to_string(&golden) {
+            Ok(text) => Some(text),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
+            Err(error) => return Err(format!("{shown}: {error}")),
+        };
+        if before.is_none() && !self.args.update {
+            self.show(program, Result::NoGolden, None)?;
+            return Ok(golden);
+        }
+        let mut now = Vec::new();
+        session.compile(dialect, &settings, &files, &mut now, None).map_err(|error| format!("{shown}: {error}"))?;
+        let now = String::from_utf8(now).map_err(|error| format!("{shown}: {error}"))?;
+        if session.diags.has_errors() {
+            self.reporter.session(session);
+            // A program called by others need not compile on its own.
+            let result = if before.is_some() { Result::Errors } else { Result::NoGolden };
+            self.show(program, result, None)?;
+            return Ok(golden);
+        }
+        if self.args.update && before.as_deref() != Some(now.as_str()) {
+            write(&golden, &now).map_err(|error| format!("{shown}: {error}"))?;
+            self.show(program, Result::Written, None)?;
+            return Ok(golden);
+        }
+        let before = before.unwrap_or_default();
+        if body(&before) == body(&now) {
+            self.show(program, Result::Same, None)?;
+        } else {
+            self.show(program, Result::Differs, Some((&shown, &before, &now)))?;
+        }
+        Ok(golden)
+    }
+
+    /// Prints a result, with what differs.
+    fn show(
+        &mut self,
+        path: &Path,
+        result: Result,
+        difference: Option<(&str, &str, &str)>,
+    ) -> std::result::Result<(), Trouble> {
+        let change = difference.map(|(_, before, now)| Change::between(before, now));
+        let json = change.as_ref().map(Change::json);
+        self.cases.push((path.to_path_buf(), result, json));
+        if self.args.common.format == Format::Json || (self.args.common.quiet && !result.fails()) {
+            return Ok(());
+        }
+        let mut text = format!("{:10} {}\n", result.word(), path.display());
+        if let (Some((golden, before, now)), Some(change)) = (difference, change)
+            && self.args.common.format == Format::Human
+        {
+            text += &text_difference(golden, before, now);
+            text += &change.text();
+        }
+        print(text.as_bytes()).map(drop)
+    }
+
+    fn finish(self) -> std::result::Result<Exit, Trouble> {
+        let count = |result| self.cases.iter().filter(|case| case.1 == result).count() as u32;
+        let failed = self.cases.iter().filter(|case| case.1.fails()).count() as u32;
+        let (same, written) = (count(Result::Same), count(Result::Written));
+        let nothing = failed + same + written == 0;
+        if self.args.common.format == Format::Json {
+            let cases: Vec<Value> = self
+                .cases
+                .iter()
+                .map(|(path, result, motion)| {
+                    json!({ "file": path.to_string_lossy(), "result": result.word(), "motion": motion })
+                })
+                .collect();
+            let report =
+                json!({ "version": 1, "cases": cases, "failed": failed, "troubles": self.reporter.troubles() });
+            print(format!("{report}\n").as_bytes())?;
+        } else if !self.args.common.quiet {
+            let mut parts = vec![format!("{same} same")];
+            for (n, what) in [
+                (count(Result::Differs), "different"),
+                (count(Result::Errors), "with errors"),
+                (count(Result::NoProgram), "without a program"),
+                (count(Result::NoGolden), "without a golden output"),
+                (written, "written"),
+            ] {
+                if n > 0 {
+                    parts.push(format!("{n} {what}"));
+                }
+            }
+            let all = counted(self.cases.len() as u32, "case", "cases");
+            print(format!("{all}: {}\n", parts.join(", ")).as_bytes())?;
+        }
+        if !self.reporter.troubles().is_empty() {
+            return Ok(Exit::Usage);
+        }
+        if nothing {
+            let dir = self.args.dir.display();
+            return Err(format!("{dir}: no golden output to compare with; `partc test --update` writes them"));
+        }
+        Ok(if failed > 0 { Exit::Errors } else { Exit::Clean })
+    }
+}
+
+fn write(path: &Path, text: &str) -> std::io::Result<()> {
+    let mut out = Destination::open(path)?;
+    out.append(text.as_bytes())?;
+    out.commit()
+}
+
+/// The lines that matter: neither the version nor the hash in the head, whatever the line ends.
+fn body(program: &str) -> Vec<&str> {
+    program.lines().filter(|line| !HEAD.iter().any(|head| line.starts_with(head))).collect()
+}
+
+/// The lines that differ, with two lines around them.
+fn text_difference(golden: &str, before: &str, now: &str) -> String {
+    let lines = |program: &str| body(program).iter().map(|line| format!("{line}\n")).collect::<String>();
+    let (before, now) = (lines(before), lines(now));
+    let difference = TextDiff::configure()
+        // Programs of a million lines that differ everywhere are not worth minutes.
+        .timeout(std::time::Duration::from_secs(2))
+        .diff_lines(&before, &now);
+    let text = difference.unified_diff().context_radius(2).header(golden, "now").to_string();
+    let mut shown: String = text.lines().take(MOST_LINES).map(|line| format!("{line}\n")).collect();
+    let more = text.lines().count().saturating_sub(MOST_LINES);
+    if more > 0 {
+        shown += &format!("... {more} more lines\n");
+    }
+    shown
+}

@@ -1,0 +1,136 @@
+//! Radius compensation by the target itself: what it allows while it compensates.
+//!
+//! RS274 controls accept few things between G41 and G40. What must not stand there either ends the
+//! compensation first, or is refused: a contour that starts anew at its offset is another contour.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Plane;
+use crate::ir::function::CutterData;
+use crate::ir::motion::{Move, Path};
+use crate::ir::{Function, Origin, Side};
+
+/// What has to happen in front of a move.
+#[derive(Debug)]
+pub(super) enum Before {
+    Nothing,
+    /// G40, G41 or G42 for the side of the move.
+    Switch,
+    /// The move is not printed: reported just now, or with an earlier block of the same contour.
+    Refuse(Option<Box<Diagnostic>>),
+}
+
+/// State of the target's compensation.
+#[derive(Debug, Default)]
+pub(super) struct Compensation {
+    /// Side that is printed.
+    pub side: Side,
+    pub cutter: CutterData,
+    /// The function that ended it; the contour cannot go on behind it.
+    ended_by: Option<Origin>,
+    /// G40 was printed, and no straight move since.
+    leaving: bool,
+    /// Something on this contour was refused.
+    refused: bool,
+}
+
+impl Compensation {
+    /// Is there nothing to look at for a move on `side`?
+    #[inline]
+    pub fn is_idle(&self, side: Side) -> bool {
+        side == Side::None && self.side == Side::None && !self.leaving && !self.refused && self.ended_by.is_none()
+    }
+
+    /// What `mv` needs. `selected` is the plane in force, `planes` those the target compensates in, and
+    /// `in_plane` tells whether the move changes an axis of its working plane.
+    #[cold]
+    pub fn before(&mut self, mv: &Move, origin: &Origin, selected: Plane, planes: &[Plane], in_plane: bool) -> Before {
+        if mv.side == Side::None {
+            self.refused = false;
+            self.ended_by = None;
+        } else if self.refused {
+            return Before::Refuse(None);
+        }
+        if let Some((message, help)) = self.obstacle(mv, selected, planes) {
+            self.refused = true;
+            let mut found = Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call);
+            if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
+                found = found.also(by.loc, "this block ends the compensation");
+            }
+            return Before::Refuse(Some(Box::new(found)));
+        }
+        // Compensation begins with the first move in its plane; one of the tool axis comes before.
+        let waits = self.side == Side::None && !in_plane;
+        if mv.side == self.side || waits { Before::Nothing } else { Before::Switch }
+    }
+
+    /// What is wrong with `mv`, and what to do.
+    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane]) -> Option<(&'static str, &'static str)> {
+        let on = self.side != Side::None;
+        let resolve = "end the compensation before this block, or set `[output] compensation = \"resolve\"`";
+        if mv.side == Side::None {
+            let arc = self.leaving || on;
+            return (arc && matches!(mv.path, Path::Arc(_))).then_some((
+                "the target needs a straight move to end its radius compensation, and this block is an arc",
+                "put a straight block without compensation in front of the arc",
+            ));
+        }
+        if self.ended_by.is_some() {
+            return Some((
+                "radius compensation cannot go on behind a tool change, work offset or plane change",
+                "end the compensation before that block and start it again behind it",
+            ));
+        }
+        if !planes.contains(&mv.plane) {
+            return Some((
+                "the target does not compensate the tool radius in this working plane",
+                "set `[output] compensation = \"resolve\"`, or take another target",
+            ));
+        }
+        if on && mv.side != self.side {
+            return Some((
+                "the side of the radius compensation changes while it is on",
+                "end the compensation before the side changes or the mirror begins",
+            ));
+        }
+        if on && mv.plane != selected {
+            return Some(("the working plane changes under radius compensation", resolve));
+        }
+        if mv.machine {
+            return Some(("a block in machine coordinates cannot run under the target's radius compensation", resolve));
+        }
+        match &mv.path {
+            Path::Thread { .. } => Some(("a thread cannot be cut under the target's radius compensation", resolve)),
+            Path::Arc(arc) if arc.plane != mv.plane => {
+                Some(("an arc outside the working plane cannot run under the target's radius compensation", resolve))
+            }
+            _ => None,
+        }
+    }
+
+    /// The compensation was switched to `side`.
+    pub fn switched(&mut self, side: Side) {
+        self.leaving = side == Side::None;
+        self.side = side;
+    }
+
+    /// A straight move was printed.
+    #[inline]
+    pub fn straight(&mut self) {
+        self.leaving = false;
+    }
+
+    /// Must G40 stand in front of `function`?
+    pub fn ends_before(&mut self, function: &Function, selected: Plane, origin: &Origin) -> bool {
+        let ends = match function {
+            Function::ToolChange { .. } | Function::WorkOffset(_) => true,
+            Function::Plane(plane) => *plane != selected,
+            Function::Cutter(cutter) => *cutter != self.cutter,
+            _ => false,
+        };
+        let ends = ends && self.side != Side::None;
+        if ends {
+            self.ended_by = Some(*origin);
+        }
+        ends
+    }
+}

@@ -1,0 +1,271 @@
+//! Recess turning: the groove is roughed level by level, plunging at a wall and turning to the other one;
+//! what the levels leave at the walls is cut off, then the contour is finished.
+//!
+//! ```text
+//!   blank ═══╗ ▼1                        ╔═══
+//!            ║ └───────────────────────► ║     turn; the next plunge is at the other wall
+//!            ║  ◄──────────────────────┘ ║     from the second level on every turn ends a little earlier
+//!            ║  └────────────────────►   ║     at walls where a plunge follows
+//!            ╚═══════════════════════════╝
+//! ```
+
+use crate::diag::codes;
+use crate::geo::wall::Leg;
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::Feed;
+use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
+
+use super::infeed;
+use super::track::{Failure, Strokes, Track, View};
+use super::valley::{NoValley, Slot, Valley, seen};
+
+/// Most levels of one groove.
+const MOST_LEVELS: u64 = 100_000;
+
+/// Share of the effective cutting width that a turned cut may leave standing at a wall.
+const OFFSET_SHARE: f64 = 0.8;
+
+/// Sends the strokes of `recess`; the tool stands at `from`.
+///
+/// # Errors
+/// G3040 too many levels, G3041 bad arguments, G3044 no groove, G3045 the tool does not fit, G3046 the blank.
+pub fn expand<'a>(recess: &RecessTurning, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
+    recess.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the recess data"))?;
+    let groove = Groove::of(recess)?;
+    let mut cutter = Cutter {
+        track: Track::new(groove.view, from, out),
+        shift: groove.shift,
+        clear: groove.view.height(recess.clear()),
+    };
+    let start = cutter.track.at();
+    // Whoever stands higher than the clear height comes down above the groove.
+    cutter.track.rapid(Point2::new(start.x, start.y.max(cutter.clear)));
+    if recess.operation != Operation::Finish {
+        groove.rough(&mut cutter);
+    }
+    if recess.operation != Operation::Rough {
+        groove.finish(&mut cutter);
+    }
+    match recess.end {
+        RecessEnd::Start => {
+            let height = start.y.max(cutter.clear);
+            cutter.track.rapid(Point2::new(cutter.track.at().x, height));
+            cutter.track.rapid(Point2::new(start.x, height));
+            cutter.track.rapid(start);
+        }
+        RecessEnd::Front => cutter.track.rapid(Point2::new(groove.start.x, cutter.clear)),
+        RecessEnd::Lift => {}
+    }
+    Ok(())
+}
+
+/// The groove in its view, rough and finished.
+struct Groove<'r> {
+    recess: &'r RecessTurning,
+    view: View,
+    /// First point of the contour.
+    start: Point2,
+    /// From the edge of the tool towards -x to its programmed point.
+    shift: f64,
+    blank: f64,
+    rough: Slot,
+    finished: Slot,
+    levels: u64,
+    /// How much a turned cut ends earlier than the last one at the same wall.
+    offset: f64,
+}
+
+impl<'r> Groove<'r> {
+    fn of(recess: &'r RecessTurning) -> Result<Groove<'r>, Failure> {
+        let (first, last) = match (recess.contour.first(), recess.contour.last()) {
+            (Some(first), Some(last)) => (first.from(), last.to()),
+            _ => (Point2::origin(), Point2::origin()),
+        };
+        let along = if recess.into.is_radial() { last.x - first.x } else { last.y - first.y };
+        let view = View::new(recess.into, along);
+        let contour: Vec<Element> = recess.contour.iter().map(|element| seen(&view, element)).collect();
+        let valley = Valley::new(&contour).map_err(no_groove)?;
+
+        let tool = &recess.tool;
+        let oversize = if recess.into.is_radial() { recess.oversize } else { recess.oversize.yx() };
+        let slot = |oversize| valley.slot(tool.width, tool.nose, oversize);
+        let (Some(rough), Some(finished)) = (slot(oversize), slot(Vec2::zeros())) else {
+            let message = format!(
+                "the tool of {} mm width does not reach the floor of the recess between its walls and their oversize",
+                tool.width
+            );
+            return Err(Failure::new(codes::G3045, message, "take a narrower tool or a smaller oversize"));
+        };
+
+        let blank = view.height(recess.blank);
+        let depth = blank - rough.floor;
+        if depth <= 0.0 {
+            let message = "the blank does not reach above the floor of the recess";
+            return Err(Failure::new(codes::G3046, message, "check the height of the blank and the contour"));
+        }
+        let levels = infeed::steps(depth, recess.most).max(1);
+        if levels > MOST_LEVELS {
+            let message = format!("the infeed makes {levels} levels of this recess, more than {MOST_LEVELS}");
+            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+        }
+        let turns_per_wall = (levels / 2).max(1) as f64;
+        let room = (rough.end(rough.floor) - rough.begin(rough.floor)) / 2.0;
+        let most = (OFFSET_SHARE * (tool.width - 2.0 * tool.nose)).min(room);
+        let offset = recess.offset_width.min(most / turns_per_wall);
+        let shift = if along < 0.0 { tool.edge + tool.width } else { -tool.edge };
+        let start = view.point(first);
+        Ok(Groove { recess, view, start, shift, blank, rough, finished, levels, offset })
+    }
+
+    /// Height of level `k`, counted from 1.
+    fn level(&self, k: u64) -> f64 {
+        if k >= self.levels {
+            self.rough.floor
+        } else {
+            self.blank - (self.blank - self.rough.floor) * (k as f64 / self.levels as f64)
+        }
+    }
+
+    fn rough(&self, cutter: &mut Cutter<'_>) {
+        let left = match self.recess.passes {
+            Passes::BothWays => self.both_ways(cutter),
+            Passes::OneWay => self.one_way(cutter),
+        };
+        // What stands at a wall: what the offset width left, and the steps on a wall that is not upright.
+        let upright =
+            |at: fn(&Slot, f64) -> f64| (at(&self.rough, self.blank) - at(&self.rough, self.rough.floor)).abs() < 1e-9;
+        let feed = self.recess.feeds.plunge;
+        if left[0] > 0.0 || !upright(Slot::begin) {
+            cutter.down(self.rough.down_first(cutter.clear), feed);
+            cutter.lift();
+        }
+        if left[1] > 0.0 || !upright(Slot::end) {
+            cutter.down(self.rough.down_second(cutter.clear), feed);
+            cutter.lift();
+        }
+    }
+
+    /// Returns what stands at both walls.
+    fn both_ways(&self, cutter: &mut Cutter<'_>) -> [f64; 2] {
+        let feeds = self.recess.feeds;
+        let mut left = [0.0, 0.0];
+        for k in 1..=self.levels {
+            let y = self.level(k);
+            let place = |wall: usize, left: [f64; 2]| {
+                if wall == 0 { self.rough.begin(y) + left[0] } else { self.rough.end(y) - left[1] }
+            };
+            let here = usize::from(k % 2 == 0);
+            let there = 1 - here;
+            let x = place(here, left);
+            if k == 1 {
+                cutter.above(x);
+            } else {
+                // Walls that come closer: back over what is cut already.
+                cutter.line(Point2::new(x, cutter.height()), feeds.turn);
+            }
+            cutter.line(Point2::new(x, y), feeds.plunge);
+            if k > 1 {
+                left[there] += self.offset;
+            }
+            cutter.line(Point2::new(place(there, left), y), feeds.turn);
+        }
+        cutter.lift();
+        left
+    }
+
+    fn one_way(&self, cutter: &mut Cutter<'_>) -> [f64; 2] {
+        let feeds = self.recess.feeds;
+        for k in 1..=self.levels {
+            let y = self.level(k);
+            let x = self.rough.begin(y);
+            cutter.above(x);
+            if k > 1 {
+                cutter.rapid_down(self.level(k - 1) + self.recess.clearance);
+            }
+            cutter.line(Point2::new(x, y), feeds.plunge);
+            cutter.line(Point2::new(self.rough.end(y), y), feeds.turn);
+            cutter.lift();
+        }
+        [0.0, 0.0]
+    }
+
+    /// Down the first wall and along the floor to where the stock of the second wall begins; down the second
+    /// wall and back to that place.
+    fn finish(&self, cutter: &mut Cutter<'_>) {
+        let feed = self.recess.feeds.finish;
+        let turned = self.finished.floor + self.recess.compensation;
+        let meet = self.rough.end(self.rough.floor).max(self.finished.begin(self.finished.floor));
+        for way in [self.finished.down_first(cutter.clear), self.finished.down_second(cutter.clear)] {
+            let foot = cutter.down(way, feed);
+            if foot != meet {
+                cutter.line(Point2::new(foot, turned), feed);
+                cutter.line(Point2::new(meet, turned), feed);
+            }
+            cutter.lift();
+        }
+    }
+}
+
+fn no_groove(why: NoValley) -> Failure {
+    let message = match why {
+        NoValley::Waves => "the contour is not one recess: it has to fall to its floor and rise again, only once",
+        NoValley::Leans => "a wall of the recess leans over, so that the tool cannot reach behind it",
+        NoValley::Open => "the contour begins or ends at the floor of the recess: one of its walls is missing",
+    };
+    Failure::new(codes::G3044, message, "describe one recess from rim to rim, seen from the tool")
+}
+
+/// Moves the tool by its edge towards -x.
+struct Cutter<'t> {
+    track: Track<'t>,
+    shift: f64,
+    clear: f64,
+}
+
+impl Cutter<'_> {
+    fn place(&self, p: Point2) -> Point2 {
+        Point2::new(p.x + self.shift, p.y)
+    }
+
+    fn height(&self) -> f64 {
+        self.track.at().y
+    }
+
+    /// To the clear height above `x`.
+    fn above(&mut self, x: f64) {
+        let height = self.height().max(self.clear);
+        self.track.rapid(self.place(Point2::new(x, height)));
+        self.track.rapid(self.place(Point2::new(x, self.clear)));
+    }
+
+    fn rapid_down(&mut self, y: f64) {
+        let at = self.track.at();
+        self.track.rapid(Point2::new(at.x, y.min(at.y)));
+    }
+
+    fn lift(&mut self) {
+        self.track.rapid(Point2::new(self.track.at().x, self.clear));
+    }
+
+    fn line(&mut self, to: Point2, feed: Feed) {
+        let to = self.place(to);
+        self.track.line(to, feed);
+    }
+
+    /// Along a wall; returns the position at its foot.
+    fn down(&mut self, (start, legs): (Point2, Vec<Leg>), feed: Feed) -> f64 {
+        self.above(start.x);
+        let mut foot = start.x;
+        for leg in legs {
+            match leg {
+                Leg::Line { to } => self.track.line(self.place(to), feed),
+                Leg::Arc { to, center, ccw } => self.track.arc(self.place(to), self.place(center), ccw, feed),
+            }
+            foot = leg.to().x;
+        }
+        foot
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,207 @@
+//! A groove as a recessing tool sees it: between two walls that fall to one floor.
+
+use crate::geo::wall::{Leg, NoWall, Wall, quarters};
+use crate::geo::{Element, Point2, Vec2};
+
+use super::track::View;
+
+/// Heights closer than this belong to the floor, mm: half a unit of the fourth decimal is far more.
+const LEVEL: f64 = 1e-6;
+
+/// The contour in its view, cut at its floor. Both walls fall towards +x; the second is seen in a mirror.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Valley {
+    first: Vec<Element>,
+    second: Vec<Element>,
+    floor: f64,
+}
+
+/// Why a contour is no groove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoValley {
+    /// It has more than one floor, or rises before it falls.
+    Waves,
+    /// A wall leans over.
+    Leans,
+    /// It begins or ends at its floor.
+    Open,
+}
+
+/// An element of the part in the view.
+pub fn seen(view: &View, element: &Element) -> Element {
+    match *element {
+        Element::Line { from, to } => Element::Line { from: view.point(from), to: view.point(to) },
+        Element::Arc { from, to, center, sweep } => Element::Arc {
+            from: view.point(from),
+            to: view.point(to),
+            center: view.point(center),
+            sweep: if view.mirrors() { -sweep } else { sweep },
+        },
+    }
+}
+
+/// The same element run through backwards and seen in a mirror, so that it falls where it rose.
+fn mirrored(element: &Element) -> Element {
+    let mirror = |p: Point2| Point2::new(-p.x, p.y);
+    match *element {
+        Element::Line { from, to } => Element::Line { from: mirror(to), to: mirror(from) },
+        Element::Arc { from, to, center, sweep } => {
+            Element::Arc { from: mirror(to), to: mirror(from), center: mirror(center), sweep }
+        }
+    }
+}
+
+fn shifted(element: &Element, by: Vec2) -> Element {
+    match *element {
+        Element::Line { from, to } => Element::Line { from: from + by, to: to + by },
+        Element::Arc { from, to, center, sweep } => {
+            Element::Arc { from: from + by, to: to + by, center: center + by, sweep }
+        }
+    }
+}
+
+impl Valley {
+    /// Cuts `contour`, given in the view, at its floor.
+    ///
+    /// # Errors
+    /// See [`NoValley`].
+    pub fn new(contour: &[Element]) -> Result<Valley, NoValley> {
+        let pieces: Vec<Element> = contour.iter().flat_map(quarters).collect();
+        let floor = pieces.iter().map(|p| p.from().y.min(p.to().y)).fold(f64::INFINITY, f64::min);
+        let low = |p: Point2| p.y <= floor + LEVEL;
+        let (Some(start), Some(end)) = (pieces.first(), pieces.last()) else { return Err(NoValley::Open) };
+        if low(start.from()) || low(end.to()) {
+            return Err(NoValley::Open);
+        }
+        let falls = pieces.iter().position(|p| low(p.to())).map_or(pieces.len(), |i| i + 1);
+        let rises = pieces.iter().rposition(|p| low(p.from())).unwrap_or(0);
+        let between = pieces.get(falls..rises).unwrap_or_default();
+        if !between.iter().all(|p| matches!(p, Element::Line { .. }) && low(p.from()) && low(p.to())) {
+            return Err(NoValley::Waves);
+        }
+        let first = pieces[..falls.min(pieces.len())].to_vec();
+        let second = pieces[rises..].iter().rev().map(mirrored).collect();
+        let valley = Valley { first, second, floor };
+        // A nose of no radius tells whether the walls are walls.
+        for chain in [&valley.first, &valley.second] {
+            Wall::new(chain, 0.0).map_err(|why| match why {
+                NoWall::Rises if chain.iter().any(|e| e.to().y > e.from().y + LEVEL) => NoValley::Waves,
+                NoWall::Rises => NoValley::Leans,
+                NoWall::Gap | NoWall::Empty => NoValley::Open,
+            })?;
+        }
+        Ok(valley)
+    }
+
+    /// The groove for a tool of `width` with noses of radius `nose`, `oversize` being left on both walls (x)
+    /// and on the floor (y). `None` if the tool does not fit between the walls down to the floor.
+    pub fn slot(&self, width: f64, nose: f64, oversize: Vec2) -> Option<Slot> {
+        let wall = |chain: &[Element]| {
+            let moved: Vec<Element> = chain.iter().map(|e| shifted(e, oversize)).collect();
+            Wall::new(&moved, nose).ok()
+        };
+        let slot = Slot {
+            first: wall(&self.first)?,
+            second: wall(&self.second)?,
+            floor: self.floor + oversize.y,
+            width,
+            nose,
+        };
+        let room = slot.raw_end(slot.floor) - slot.begin(slot.floor);
+        (room >= -LEVEL).then_some(slot)
+    }
+}
+
+/// Where a recessing tool may be. Positions are those of its edge towards -x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slot {
+    first: Wall,
+    second: Wall,
+    pub floor: f64,
+    width: f64,
+    nose: f64,
+}
+
+impl Slot {
+    /// Nearest position to the first wall with the cutting edge at height `y`.
+    pub fn begin(&self, y: f64) -> f64 {
+        self.first.touch(y) - self.nose
+    }
+
+    /// Nearest position to the second wall.
+    pub fn end(&self, y: f64) -> f64 {
+        // Where the tool just fits, rounding must not turn its way around.
+        self.raw_end(y).max(self.begin(y))
+    }
+
+    fn raw_end(&self, y: f64) -> f64 {
+        -(self.second.touch(y) - self.nose) - self.width
+    }
+
+    /// The way down the first wall from `top` to the floor.
+    pub fn down_first(&self, top: f64) -> (Point2, Vec<Leg>) {
+        let place = |p: Point2| Point2::new(p.x - self.nose, p.y);
+        let (start, legs) = self.first.way(top, self.floor);
+        (place(start), legs.iter().map(|leg| moved(leg, place, false)).collect())
+    }
+
+    /// The way down the second wall.
+    pub fn down_second(&self, top: f64) -> (Point2, Vec<Leg>) {
+        let place = |p: Point2| Point2::new(-(p.x - self.nose) - self.width, p.y);
+        let (start, legs) = self.second.way(top, self.floor);
+        (place(start), legs.iter().map(|leg| moved(leg, place, true)).collect())
+    }
+}
+
+fn moved(leg: &Leg, place: impl Fn(Point2) -> Point2, mirror: bool) -> Leg {
+    match *leg {
+        Leg::Line { to } => Leg::Line { to: place(to) },
+        Leg::Arc { to, center, ccw } => Leg::Arc { to: place(to), center: place(center), ccw: ccw != mirror },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(points: &[(f64, f64)]) -> Vec<Element> {
+        let point = |p: (f64, f64)| Point2::new(p.0, p.1);
+        points.windows(2).map(|pair| Element::Line { from: point(pair[0]), to: point(pair[1]) }).collect()
+    }
+
+    fn why(points: &[(f64, f64)]) -> NoValley {
+        Valley::new(&lines(points)).expect_err("no groove")
+    }
+
+    #[test]
+    fn contours_that_are_no_grooves() {
+        assert_eq!(why(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (6.0, 0.0), (8.0, 5.0)]), NoValley::Waves);
+        assert_eq!(why(&[(0.0, 5.0), (1.0, 6.0), (1.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoValley::Waves);
+        assert_eq!(why(&[(0.0, 5.0), (-1.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoValley::Leans);
+        assert_eq!(why(&[(0.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoValley::Open);
+    }
+
+    #[test]
+    fn a_tool_that_is_too_wide_has_no_slot() {
+        let valley = Valley::new(&lines(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 5.0)])).expect("a groove");
+        assert!(valley.slot(4.0, 0.2, Vec2::zeros()).is_some());
+        assert!(valley.slot(4.0, 0.2, Vec2::new(0.1, 0.0)).is_none());
+        let vee = Valley::new(&lines(&[(0.0, 5.0), (3.0, 0.0), (6.0, 5.0)])).expect("a groove");
+        assert!(vee.slot(1.0, 0.2, Vec2::zeros()).is_none());
+    }
+
+    #[test]
+    fn a_round_groove_is_cut_at_its_lowest_point() {
+        let half = Element::Arc {
+            from: Point2::new(0.0, 0.0),
+            to: Point2::new(10.0, 0.0),
+            center: Point2::new(5.0, 0.0),
+            sweep: core::f64::consts::PI,
+        };
+        let valley = Valley::new(&[half]).expect("a groove");
+        assert!((valley.floor + 5.0).abs() < 1e-12);
+        // A full-radius tool reaches the floor, a flat one does not.
+        assert!(valley.slot(2.0, 1.0, Vec2::zeros()).is_some());
+        assert!(valley.slot(2.0, 0.2, Vec2::zeros()).is_none());
+    }
+}
