@@ -43,6 +43,14 @@ impl Run<'_> {
         if !waits {
             return self.cycle(number, name, w, None);
         }
+        if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
+            return self.fail_help(
+                codes::T1006,
+                m.span,
+                format!("M{} stands in the block of a cycle whose contour follows", m.number),
+                "put it in front of the cycle or behind its G80",
+            );
+        }
         self.capture = Some(Box::new(Capture {
             number,
             name,
@@ -92,7 +100,7 @@ impl Run<'_> {
 
     /// G80
     fn end_of_contour(&mut self, mut capture: Capture, w: &Words) -> Outcome {
-        if w.present() != 0 || !w.m().is_empty() {
+        if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
             return self.fail(codes::T1003, self.block_span(), "G80 stands alone in its block");
         }
         if let Some((addr, num)) = w.longs().first() {

@@ -149,7 +149,7 @@ impl Builder {
             element_with_recesses(piece, line, transition, &mut rough)?;
             if let Some((made, mark)) = undercut {
                 for (element, transition) in made.elements {
-                    rough.push(Part { element, transition, mark: Mark { transition, ..mark }, form: true });
+                    rough.push(Part { element, transition, mark, corner_of: mark.number, form: true });
                 }
                 skip_start = Some(made.joins);
             }
@@ -178,14 +178,14 @@ fn element_with_recesses(
             return Err(Flaw::new(codes::T3004, mark.loc, message));
         }
         let element = Element::Line { from, to: made.from };
-        out.push(Part { element, transition: made.edges.0, mark: piece.mark, form: false });
+        out.push(Part { element, transition: made.edges.0, mark: piece.mark, corner_of: mark.number, form: false });
         for (element, transition) in made.elements {
-            out.push(Part { element, transition, mark, form: true });
+            out.push(Part { element, transition, mark, corner_of: mark.number, form: true });
         }
         from = made.to;
     }
     let element = if from == line.from { line.element() } else { Element::Line { from, to: line.to } };
-    out.push(Part { element, transition, mark: piece.mark, form: false });
+    out.push(Part { element, transition, mark: piece.mark, corner_of: piece.mark.number, form: false });
     Ok(())
 }
 
@@ -195,6 +195,8 @@ struct Part {
     element: Element,
     transition: Transition,
     mark: Mark,
+    /// Block to which the chamfer or rounding at its end belongs.
+    corner_of: Option<u32>,
     form: bool,
 }
 
@@ -224,7 +226,9 @@ impl Outline {
             let belongs = |edge: &Edge| edge.number == Some(number);
             let from = self.edges.iter().position(belongs).ok_or(number)?;
             let to = self.edges.iter().rposition(belongs).ok_or(number)?;
-            Ok((from, to))
+            // A number that stands twice names no element.
+            let once = self.edges[from..=to].iter().all(|edge| belongs(edge) || edge.form || edge.corner);
+            if once { Ok((from, to)) } else { Err(number) }
         };
         let (from, to) = place(first)?;
         let (last_from, last_to) = place(last.unwrap_or(first))?;
@@ -276,7 +280,7 @@ fn cut_corners(parts: Vec<Part>) -> Result<Outline, Flaw> {
             edges.push(edge(before, false));
         }
         if distance(made.leave, made.join) > SAME_POINT {
-            edges.push(edge(between_cuts(&made), true));
+            edges.push(Edge { number: part.corner_of, ..edge(between_cuts(&made), true) });
         }
         cut_from = Some(made.join);
     }

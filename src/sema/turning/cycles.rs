@@ -52,12 +52,24 @@ impl Run<'_> {
             return self.fail(codes::T1007, first.span, "NS and NE are block numbers");
         };
         let mut missing = ns;
+        let mut found = Vec::new();
         for described in &self.geometry.contours {
             match described.outline.between(ns, last.map(|_| ne)) {
-                Ok(edges) => return Ok(edges),
+                Ok(edges) => found.push(edges),
                 Err(number) if number != ns => missing = number,
                 Err(_) => {}
             }
+        }
+        if found.len() > 1 {
+            return self.fail_help(
+                codes::T2019,
+                first.span,
+                format!("the block number {ns} stands in two contours"),
+                "number the blocks of the geometry sections so that each number stands once",
+            );
+        }
+        if let Some(edges) = found.pop() {
+            return Ok(edges);
         }
         if self.geometry.contours.iter().any(|described| described.broken) {
             return Err(Reported);
@@ -66,7 +78,7 @@ impl Run<'_> {
             codes::T2019,
             first.span,
             format!("no element of a contour has the block number {missing}"),
-            "NS and NE name blocks of the sections FINISHED PART, BLANK or AUXILIARY CONTOUR",
+            "NS and NE name blocks of the geometry sections; each number may stand there once",
         )
     }
 }

@@ -157,8 +157,11 @@ impl Run<'_> {
         if let Some(m) = w.m().first() {
             return self.fail(codes::T1003, m.span, "an M function has no place in a contour");
         }
+        if let Some((addr, span)) = w.texts().first() {
+            return self.fail(codes::T1003, *span, format!("{addr} has no place in a contour"));
+        }
         for (addr, num) in w.longs() {
-            if !longs.contains(&addr.to_string().as_str()) {
+            if num.unknown || !longs.contains(&addr.to_string().as_str()) {
                 return self.fail(codes::T1003, num.span, format!("{addr} is not supported in a contour"));
             }
         }

@@ -42,7 +42,9 @@ impl Run<'_> {
         if end.known().is_empty() {
             return self.fail(codes::T1005, self.block_span(), "the block names no end point");
         }
-        let from = self.st.at();
+        let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
+        // A corner needs the direction of its first element, so its start.
+        let from = if corner { Some(self.stand()?) } else { self.st.at() };
         let path = if rapid { Path::Rapid } else { Path::Line };
         let (side, coords) = (self.st.side, Coords::Frame);
         self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords });
@@ -54,7 +56,7 @@ impl Run<'_> {
             (Some(from), Some(to)) => self.follow(Solved { from, to, arc: None }, transition),
             _ => self.st.last = None,
         }
-        if matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_)) {
+        if corner {
             let corner_feed = self.corner_feed(w)?;
             let origin = self.here.origin;
             self.send_corner(transition, corner_feed, &origin);

@@ -142,6 +142,11 @@ impl Run<'_> {
                 "hand over values with LA to LF, LH and I, and put functions into blocks of their own",
             );
         }
+        let singles = [w.get(b'V'), w.get(b'Q'), w.get(b'I')].into_iter().flatten();
+        let open = singles.chain(w.longs().iter().map(|(_, num)| *num)).find(|num| num.unknown || num.incremental);
+        if let Some(num) = open {
+            return self.fail(codes::T1003, num.span, "a call takes plain numbers");
+        }
         let mut give = |addr: Addr, value: f64| {
             locals.insert(VarRef { kind: VarKind::Argument, number: addr.0 }, Some(value));
         };

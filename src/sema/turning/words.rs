@@ -10,6 +10,8 @@ use super::{Outcome, Run};
 /// Most G or M functions in a block.
 const MOST: usize = 12;
 const LETTERS: usize = 26;
+/// Largest number that is taken.
+const LARGEST: f64 = 1e8;
 
 /// A set of single letters.
 pub(super) type Letters = u32;
@@ -155,6 +157,9 @@ impl Run<'_> {
             Value::Formula(formula) => (self.formula(block, formula)?, false),
             Value::Text(span) => return self.gather_text(word, span, words),
         };
+        if !(value.abs() <= LARGEST) {
+            return self.fail(codes::T1007, word.span, "the number is too large for any control");
+        }
         let Some(letter) = word.address.addr.letter() else {
             return self.gather_long(word, value, unknown, words);
         };
