@@ -129,20 +129,24 @@ pub const SECTIONS: &[Section] = &[
                 "shift_axes",
                 Kind::Choice(&["original", "transformed"]),
                 "axes of a datum shift under rotation, mirror or scaling",
-<<<<<<< HEAD
-            ),
-            key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree"),
-            key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)"),
-            key("turning_arc_q", Kind::Choice(&["near", "far"]), "solution that Q0 of an arc names in turning programs"),
-            key("recess_depth", Kind::Choice(&["diameter", "radius"]), "what an incremental I of a recess (G22) counts"),
-            key("clearance", Kind::Number, "clearance of turning cycles in mm where the program sets none; 1 if missing"),
-            key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
-=======
             )
             .or(r#""original""#),
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree").or(r#""refuse""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
->>>>>>> main
+            key(
+                "turning_arc_q",
+                Kind::Choice(&["near", "far"]),
+                "solution that Q0 of an arc names in turning programs",
+            )
+            .or(r#""near""#),
+            key(
+                "recess_depth",
+                Kind::Choice(&["diameter", "radius"]),
+                "what an incremental I of a recess (G22) counts",
+            )
+            .or(r#""diameter""#),
+            key("clearance", Kind::Number, "clearance of turning cycles in mm where the program sets none").or("1.0"),
+            key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
         ],
     },
@@ -353,7 +357,8 @@ impl Reader {
                 control.turning.recess_depth = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
             }
             "clearance" => {
-                let clearance = number(node).filter(|mm| *mm > 0.0).ok_or_else(|| node.fail("a clearance is above 0"))?;
+                let clearance =
+                    number(node).filter(|mm| *mm > 0.0).ok_or_else(|| node.fail("a clearance is above 0"))?;
                 control.turning.clearance = Some(clearance);
             }
             "tool_change_point" => control.turning.change_point = Some(change_point(node)?),

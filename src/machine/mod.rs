@@ -11,8 +11,8 @@ pub mod tools;
 pub mod tree;
 
 pub use axis::{Axis, AxisSet};
-pub use settings::{ArcChoice, RecessDepth, 
-    CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings, PolarMissing,
-    Settings, ShiftAxes, Unit,
+pub use settings::{
+    ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings,
+    PolarMissing, RecessDepth, Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};

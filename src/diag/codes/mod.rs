@@ -50,11 +50,17 @@ use codes;
 
 /// Every code, in order of its id.
 pub fn all() -> Vec<&'static Code> {
-    let mut list: Vec<_> =
-        [general::GENERAL, klartext::KLARTEXT, geometry::GEOMETRY, output::OUTPUT, sinumerik::SINUMERIK, turning::TURNING]
-            .iter()
-            .flat_map(|table| table.iter().copied())
-            .collect();
+    let mut list: Vec<_> = [
+        general::GENERAL,
+        klartext::KLARTEXT,
+        geometry::GEOMETRY,
+        output::OUTPUT,
+        sinumerik::SINUMERIK,
+        turning::TURNING,
+    ]
+    .iter()
+    .flat_map(|table| table.iter().copied())
+    .collect();
     list.sort_by_key(|code| code.id);
     list
 }

@@ -2,8 +2,8 @@
 
 use crate::text::Span;
 
-pub use crate::lexer::turning::{Addr, Address, VarKind, VarRef};
 pub use super::sections::Section;
+pub use crate::lexer::turning::{Addr, Address, VarKind, VarRef};
 
 /// One block. Reused from block to block, so that reading plain blocks allocates nothing.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -101,7 +101,10 @@ pub struct Word {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
     /// A literal; `whole` if written with digits only.
-    Number { value: f64, whole: bool },
+    Number {
+        value: f64,
+        whole: bool,
+    },
     /// `?`: to be found from the neighbouring elements.
     Unknown,
     Formula(Formula),

@@ -229,7 +229,9 @@ fn line(
 
 /// A line whose end is cut by the next element.
 fn ray(e: &Partial, second: Option<&Partial>, third: Option<&Partial>, at: Point2, u: Vec2) -> Result<Solved> {
-    let Some(next) = second else { return Err(Fault::Open("its end is not given, and no element follows that cuts it")) };
+    let Some(next) = second else {
+        return Err(Fault::Open("its end is not given, and no element follows that cuts it"));
+    };
     if let Some((q, w)) = backward_line(next) {
         let Some((s, _)) = intersect::lines(at, u, q, w, SAME_DIRECTION) else {
             return Err(Fault::Impossible("it is parallel to the next line"));
@@ -396,7 +398,9 @@ fn arc_end(
     center: Point2,
     radius: f64,
 ) -> Result<Point2> {
-    let Some(next) = second else { return Err(Fault::Open("its end is not given, and no element follows that fixes it")) };
+    let Some(next) = second else {
+        return Err(Fault::Open("its end is not given, and no element follows that fixes it"));
+    };
     if let Some((q, w)) = backward_line(next) {
         // A tangential line misses the circle by what the drawing rounds.
         let tol = if e.tangential { AGREES } else { SAME_POINT };
@@ -420,15 +424,7 @@ fn arc_end(
     }
 }
 
-fn on_circle_near(
-    p: Point2,
-    u: Vec2,
-    center: Point2,
-    radius: f64,
-    at: Point2,
-    far: bool,
-    tol: f64,
-) -> Result<Point2> {
+fn on_circle_near(p: Point2, u: Vec2, center: Point2, radius: f64, at: Point2, far: bool, tol: f64) -> Result<Point2> {
     let Some([a, b]) = intersect::line_circle(p, u, center, radius, tol) else {
         return Err(Fault::Impossible("it does not meet the next line"));
     };

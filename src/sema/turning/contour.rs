@@ -5,7 +5,7 @@
 
 use crate::diag::{Code, codes};
 use crate::geo::corner::{self, NoCut};
-use crate::geo::{Element, Point2, Vec2, arc, distance, SAME_POINT};
+use crate::geo::{Element, Point2, SAME_POINT, Vec2, arc, distance};
 use crate::text::Loc;
 
 use super::chain::{Chain, Fault, Partial, Solved};
@@ -158,12 +158,7 @@ impl Builder {
     }
 }
 
-fn element_with_recesses(
-    piece: &Piece,
-    line: Solved,
-    transition: Transition,
-    out: &mut Vec<Part>,
-) -> Result<(), Flaw> {
+fn element_with_recesses(piece: &Piece, line: Solved, transition: Transition, out: &mut Vec<Part>) -> Result<(), Flaw> {
     let mut recesses: Vec<_> = Vec::new();
     for (recess, mark) in &piece.recesses {
         let made = forms::build(recess, &line).map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;

@@ -93,5 +93,10 @@ fn made(corners: [Point2; 4], near: Transition, far: Transition, base: f64) -> R
     }
     let round = if base > 0.0 { Transition::Rounding(base) } else { Transition::Sharp };
     let line = |from, to| Element::Line { from, to };
-    Ok(Made { from: a, to: d, edges: (near, far), elements: vec![(line(a, b), round), (line(b, c), round), (line(c, d), far)] })
+    Ok(Made {
+        from: a,
+        to: d,
+        edges: (near, far),
+        elements: vec![(line(a, b), round), (line(b, c), round), (line(c, d), far)],
+    })
 }

@@ -7,7 +7,10 @@ use super::words::{Letters, letters};
 pub(super) enum Kind {
     Rapid,
     Line,
-    Arc { ccw: bool, absolute: bool },
+    Arc {
+        ccw: bool,
+        absolute: bool,
+    },
     MachineRapid,
     ChangePoint,
     Dwell,

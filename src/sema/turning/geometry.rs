@@ -251,7 +251,9 @@ impl Run<'_> {
         self.checked(settled)?;
         match builder.pieces.last_mut() {
             Some(piece) => Ok(piece),
-            None => self.fail(codes::T3004, self.block_span(), format!("{what} stands behind an element of the contour")),
+            None => {
+                self.fail(codes::T3004, self.block_span(), format!("{what} stands behind an element of the contour"))
+            }
         }
     }
 
@@ -308,7 +310,13 @@ impl Run<'_> {
         let at = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::At(x), Coord::Missing) => Along::X(x),
             (Coord::Missing, Coord::At(z)) => Along::Z(z),
-            _ => return self.fail(codes::T1005, span, "the middle of the recess is missing: X in a face, Z in a cylinder"),
+            _ => {
+                return self.fail(
+                    codes::T1005,
+                    span,
+                    "the middle of the recess is missing: X in a face, Z in a cylinder",
+                );
+            }
         };
         let mm = self.st.mm();
         let width = self.needed(w, b'K', "the width of the recess", span)?;
@@ -322,7 +330,9 @@ impl Run<'_> {
                 let down = line.from.y - u.value * mm * 0.5;
                 if line.to.x > line.from.x { down } else { -down }
             }
-            (None, Some(u)) => return self.fail(codes::T3004, u.span, "U needs a line parallel to Z before the recess"),
+            (None, Some(u)) => {
+                return self.fail(codes::T3004, u.span, "U needs a line parallel to Z before the recess");
+            }
             _ => return self.fail(codes::T1005, span, "the recess needs either its depth I or its floor U"),
         };
         let edge = |letter: u8| w.value(letter).map_or(Transition::Sharp, |b| transition_of(b * mm));
@@ -350,7 +360,8 @@ impl Run<'_> {
         let mm = self.st.mm();
         let size = |letter: u8, default: f64| w.value(letter).map_or(default, |v| v * mm);
         let angle = |letter: u8, default: f64| w.value(letter).unwrap_or(default);
-        let needed = |letter: u8, what: &str| self.needed(w, letter, what, span).and_then(|num| self.above_zero(num, what));
+        let needed =
+            |letter: u8, what: &str| self.needed(w, letter, what, span).and_then(|num| self.above_zero(num, what));
         let [depth, width, radius, face] = undercuts::din_509(diameter, false);
         Ok(match form as i32 {
             4 if form == 4.0 => Undercut::U {

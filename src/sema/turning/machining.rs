@@ -175,7 +175,9 @@ impl Run<'_> {
             }
         }
         match w.texts().first() {
-            Some((addr, span)) => self.fail(codes::T1003, *span, format!("no function of the block takes a text at {addr}")),
+            Some((addr, span)) => {
+                self.fail(codes::T1003, *span, format!("no function of the block takes a text at {addr}"))
+            }
             None => Ok(()),
         }
     }

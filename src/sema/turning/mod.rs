@@ -368,10 +368,9 @@ impl Run<'_> {
 /// Does executing the block need more of its text than the spans of its words?
 fn needs_text(block: &Block) -> bool {
     use crate::parser::turning::ast::Value;
-    let worded =
-        |word: &crate::parser::turning::ast::Word| {
-            matches!(word.value, Value::Text(_)) || word.address.addr.letter() == Some(b'T')
-        };
+    let worded = |word: &crate::parser::turning::ast::Word| {
+        matches!(word.value, Value::Text(_)) || word.address.addr.letter() == Some(b'T')
+    };
     block.comment.is_some()
         || match block.stmt {
             Stmt::Words => block.words.iter().any(worded),

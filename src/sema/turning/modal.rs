@@ -25,7 +25,8 @@ impl Run<'_> {
                 // A feed of the other kind is no feed any more.
                 let same = matches!(
                     (mode, self.st.feed),
-                    (FeedMode::PerMinute, Some(Feed::PerMinute(_))) | (FeedMode::PerRevolution, Some(Feed::PerRevolution(_)))
+                    (FeedMode::PerMinute, Some(Feed::PerMinute(_)))
+                        | (FeedMode::PerRevolution, Some(Feed::PerRevolution(_)))
                 );
                 if !same {
                     self.st.feed = None;
@@ -225,7 +226,8 @@ impl Run<'_> {
         };
         let read = |text: &[u8]| std::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
         let whole_digits = !whole.is_empty() && whole.iter().all(u8::is_ascii_digit);
-        let number = if whole_digits { read(whole) } else { Some(num.value).filter(|n| n.fract() == 0.0).map(|n| n as u32) };
+        let number =
+            if whole_digits { read(whole) } else { Some(num.value).filter(|n| n.fract() == 0.0).map(|n| n as u32) };
         let Some(number) = number.filter(|_| (0.0..=99_999.0).contains(&num.value)) else {
             return unclear("is no tool", "write the position in the turret: T3");
         };

@@ -3,7 +3,7 @@
 //! Source: reference sections 4 and 5.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Plane, Point2, Vec2, distance, SAME_POINT};
+use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Thread};
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
@@ -342,11 +342,10 @@ impl Run<'_> {
 pub(super) fn fault_of(fault: Fault, origin: &Origin) -> Diagnostic {
     let (code, why, help) = match fault {
         Fault::Open(why) => (codes::T3001, why, "give its end point, its angle or its centre"),
-        Fault::Impossible(why) => (codes::T3002, why, "check the end points, angles and radii of this and the next block"),
+        Fault::Impossible(why) => {
+            (codes::T3002, why, "check the end points, angles and radii of this and the next block")
+        }
         Fault::Contradiction(why) => (codes::T3006, why, "leave out one of the values, or correct it"),
     };
-    Diagnostic::new(code, origin.loc, format!("the element is not determined: {why}"))
-        .help(help)
-        .called(origin.call)
+    Diagnostic::new(code, origin.loc, format!("the element is not determined: {why}")).help(help).called(origin.call)
 }
-

@@ -5,11 +5,11 @@
 use crate::diag::codes;
 use crate::geo::{Element, Vec2};
 use crate::ir::Feed;
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTool, RecessTurning};
 use crate::ir::cycle::turning::Towards;
-use crate::ir::cycle::Cycle;
-use crate::machine::tools::Corner;
 use crate::machine::Tool;
+use crate::machine::tools::Corner;
 
 use super::contour::Outline;
 use super::geometry::Blank;
@@ -124,8 +124,12 @@ impl Run<'_> {
             Some((Oversize::Paraxial { x, z }, _)) if x >= 0.0 && z >= 0.0 => Ok(Vec2::new(z, x / 2.0)),
             Some((_, loc)) => {
                 self.report(
-                    crate::diag::Diagnostic::new(codes::T9007, loc, "recess turning takes no equidistant or negative oversize")
-                        .help("program I and K in G869, or G57"),
+                    crate::diag::Diagnostic::new(
+                        codes::T9007,
+                        loc,
+                        "recess turning takes no equidistant or negative oversize",
+                    )
+                    .help("program I and K in G869, or G57"),
                 );
                 Err(super::Reported)
             }
@@ -136,7 +140,12 @@ impl Run<'_> {
     fn recess_tool(&self) -> Outcome<(RecessTool, bool)> {
         let span = self.block_span();
         let Some(active) = &self.st.tool else {
-            return self.fail_help(codes::T2024, span, "no tool is in the cutting position", "program T in front of the cycle");
+            return self.fail_help(
+                codes::T2024,
+                span,
+                "no tool is in the cutting position",
+                "program T in front of the cycle",
+            );
         };
         let tools = &self.job.settings.tools;
         let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);

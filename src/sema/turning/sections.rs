@@ -364,7 +364,11 @@ impl Run<'_> {
                 _ => break Loc { file, line: text.line, span: block.span.shifted(text.at) },
             }
         };
-        self.report(Diagnostic::new(codes::T1011, found, "this stands behind the end of the program and is not part of it"));
+        self.report(Diagnostic::new(
+            codes::T1011,
+            found,
+            "this stands behind the end of the program and is not part of it",
+        ));
     }
 
     /// The file ends without END or RETURN.
@@ -374,7 +378,8 @@ impl Run<'_> {
         if called || self.sections.framed || self.sections.passing {
             let program = self.program();
             let place = program.cursor.place();
-            let loc = Loc { file: program.file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at, 0) };
+            let loc =
+                Loc { file: program.file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at, 0) };
             let what = if called || self.sections.passing { "RETURN" } else { "END" };
             self.report(
                 Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))

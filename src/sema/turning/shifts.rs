@@ -49,7 +49,8 @@ impl Run<'_> {
                         );
                     }
                     shift.base = Some(z);
-                    let message = format!("coordinates count from the workpiece zero of G59, {z} mm in front of the chuck");
+                    let message =
+                        format!("coordinates count from the workpiece zero of G59, {z} mm in front of the chuck");
                     let found = Diagnostic::new(codes::T2015, self.here.origin.loc, message);
                     self.job.diags.push_once(found.help("set the work offset of the target there"));
                 }

@@ -44,7 +44,9 @@ pub(super) struct Level {
 pub(super) enum LevelKind {
     Main,
     /// A section of the caller's file.
-    Local { at: u32 },
+    Local {
+        at: u32,
+    },
     /// A file of its own.
     External,
 }
@@ -196,7 +198,8 @@ impl Run<'_> {
     fn enter(&mut self, kind: LevelKind, program: usize, to: Place, locals: Locals, name: &str) -> Outcome {
         let site = self.here.origin.loc;
         let runs = |level: &Level| {
-            level.program == program && (level.kind == kind || (kind == LevelKind::External && level.kind == LevelKind::Main))
+            level.program == program
+                && (level.kind == kind || (kind == LevelKind::External && level.kind == LevelKind::Main))
         };
         if self.levels.iter().any(runs) {
             self.error(codes::T2012, format!("`{name}` calls itself"));
@@ -219,17 +222,7 @@ impl Run<'_> {
         let call = self.job.trail.enter(self.level().call, site);
         let number = self.budget_number();
         let part = std::mem::replace(&mut self.sections.part, Part::Machining);
-        self.levels.push(Level {
-            kind,
-            program,
-            back,
-            call,
-            locals,
-            nests: Vec::new(),
-            number,
-            begun: false,
-            part,
-        });
+        self.levels.push(Level { kind, program, back, call, locals, nests: Vec::new(), number, begun: false, part });
         self.budget.jump(site);
         self.seek(to)
     }

@@ -36,7 +36,12 @@ impl Run<'_> {
         for letter in [b'O', b'J'] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
                 let message = format!("{}{} of a thread is not supported", letter as char, num.value);
-                return self.fail_help(codes::T9007, num.span, message, "leave the word out, and write the contour as it is to be cut");
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    message,
+                    "leave the word out, and write the contour as it is to be cut",
+                );
             }
         }
         let (start, parts) = self.thread_line(w, outline, at, lead)?;
@@ -75,7 +80,11 @@ impl Run<'_> {
         let taper = w.get(b'R');
         if x.is_none() && z.is_none() {
             if let Some(num) = taper.filter(|num| num.value != 0.0) {
-                return self.fail(codes::T1003, num.span, "R has no meaning beside a contour, which says where the thread leads");
+                return self.fail(
+                    codes::T1003,
+                    num.span,
+                    "R has no meaning beside a contour, which says where the thread leads",
+                );
             }
             return self.thread_contour(w, outline, lead);
         }
@@ -103,7 +112,12 @@ impl Run<'_> {
         Ok((Point2::new(at.x, x - rise), vec![ThreadPart { end: Point2::new(z, x), lead }]))
     }
 
-    fn thread_contour(&mut self, w: &Words, outline: Option<&Outline>, lead: f64) -> Outcome<(Point2, Vec<ThreadPart>)> {
+    fn thread_contour(
+        &mut self,
+        w: &Words,
+        outline: Option<&Outline>,
+        lead: f64,
+    ) -> Outcome<(Point2, Vec<ThreadPart>)> {
         let edges = self.contour_of(w, outline)?;
         // The thread lies on the basic elements; chamfers and undercuts are not cut.
         let elements: Vec<Element> =
@@ -127,7 +141,10 @@ impl Run<'_> {
                     "cut it with G33 blocks",
                 );
             }
-            let gap = parts.last().map(|part: &ThreadPart| part.end).is_some_and(|end| crate::geo::distance(end, from) > 1e-6);
+            let gap = parts
+                .last()
+                .map(|part: &ThreadPart| part.end)
+                .is_some_and(|end| crate::geo::distance(end, from) > 1e-6);
             if gap {
                 return self.fail(codes::T3003, span, "a chamfer, rounding or undercut interrupts the thread");
             }
@@ -201,7 +218,11 @@ impl Run<'_> {
         let angle = match w.get(b'A') {
             Some(num) if num.value > 0.0 && num.value < LARGEST_ANGLE => Deg(num.value),
             Some(num) => {
-                return self.fail(codes::T1007, num.span, format!("A{} does not lie between 0 and 60 degrees", num.value));
+                return self.fail(
+                    codes::T1007,
+                    num.span,
+                    format!("A{} does not lie between 0 and 60 degrees", num.value),
+                );
             }
             None if self.sections.family() == Family::DinPlus => Deg(30.0),
             // Half a pitch at depth 0.

@@ -207,7 +207,9 @@ impl Run<'_> {
     fn twice(&self, word: &Word, first: Span) -> Outcome {
         let message = format!("{} stands twice in the block", word.address.addr);
         let found = crate::diag::Diagnostic::new(codes::T1002, self.loc(word.span), message);
-        self.report(found.also(self.loc(first), "the first one").help("put the second function into a block of its own"));
+        self.report(
+            found.also(self.loc(first), "the first one").help("put the second function into a block of its own"),
+        );
         Err(super::Reported)
     }
 }
