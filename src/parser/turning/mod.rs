@@ -20,8 +20,8 @@ use crate::text::{Span, SplitRules};
 use ast::{Block, Stmt};
 use build::Build;
 
-/// A block is a line: nothing joins two of them.
-pub const SPLIT: SplitRules = SplitRules { mark: b'\n', continues: |_, _| false };
+/// A block is a line: nothing joins two of them, so the mark is a byte that no program has.
+pub const SPLIT: SplitRules = SplitRules { mark: 0, continues: |_, _| false };
 
 /// Reads one block into `block`; what is wrong with it goes to `problems`.
 pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {

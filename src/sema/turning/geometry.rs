@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Point2;
 use crate::machine::{Axis, RecessDepth};
-use crate::parser::turning::ast::{Block, Section};
+use crate::parser::turning::ast::Block;
 
 use super::chain::Coord;
 use super::contour::{Builder, Flaw, Mark, Outline};
@@ -27,8 +27,6 @@ pub(super) enum Blank {
 /// A described contour.
 #[derive(Debug)]
 pub(super) struct Described {
-    pub section: Section,
-    pub id: Option<String>,
     builder: Builder,
     pub outline: Outline,
     /// Something of it was refused.
@@ -47,11 +45,8 @@ pub(super) struct Geometry {
 const ELEMENT: Letters = letters("XZABQRIK");
 
 impl Run<'_> {
-    pub(super) fn begin_contour(&mut self, section: Section, id: Option<String>) {
-        let contours = &mut self.geometry.contours;
-        contours.push(Described {
-            section,
-            id,
+    pub(super) fn begin_contour(&mut self) {
+        self.geometry.contours.push(Described {
             builder: Builder::default(),
             outline: Outline::default(),
             broken: false,

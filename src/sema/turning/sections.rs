@@ -208,7 +208,7 @@ impl Run<'_> {
             Section::Clamping | Section::AuxiliaryBlank | Section::Milling => Part::Unread,
             Section::Contours => self.contours(rest, text)?,
             Section::Blank | Section::Finished | Section::AuxiliaryContour => {
-                self.begin_contour(section, quoted(rest.of(text)));
+                self.begin_contour();
                 Part::Contour
             }
             Section::Machining => Part::Machining,
@@ -389,21 +389,5 @@ impl Run<'_> {
             return;
         }
         let _ = self.end_of_job(false);
-    }
-}
-
-/// The text between quotes.
-fn quoted(text: &[u8]) -> Option<String> {
-    let from = text.iter().position(|b| *b == b'"')? + 1;
-    let len = text[from..].iter().position(|b| *b == b'"')?;
-    Some(readable(&text[from..from + len]).into_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn names_stand_between_quotes() {
-        assert_eq!(super::quoted(b"ID\"HK1\""), Some("HK1".to_owned()));
-        assert_eq!(super::quoted(b"ID\"HK1"), None);
     }
 }
