@@ -116,3 +116,37 @@ fn parse_by_grammar(bencher: Bencher<'_, '_>) {
         })
     });
 }
+
+/// The same raster as an MTC200 program.
+fn mtc200_lines() -> String {
+    let mut text = "%NPG:0:00:0:0\n*BENCH\n%NPG\nG54 G90 S12000 M003\nG00 X-100 Y-87.5 Z50\nG01 F2000\n".to_owned();
+    for k in 0..BLOCKS {
+        let (row, column) = (k / 500, k % 500);
+        let x = column as f64 * 0.4 - 100.0;
+        let y = row as f64 * 0.35 - 87.5;
+        let z = -2.0 + ((k * 7919) % 3600) as f64 / 1000.0;
+        text += &format!("N{k:04} X{x:.3} Y{y:.3} Z{z:.3}\n");
+    }
+    text + "G00 Z50\nRET\n"
+}
+
+#[divan::bench]
+fn mtc200_compile_lines(bencher: Bencher<'_, '_>) {
+    let text = mtc200_lines();
+    bencher.counter(BytesCount::of_str(&text)).counter(ItemsCount::new(BLOCKS)).bench(|| compile_as("mtc200", &text));
+}
+
+#[divan::bench]
+fn mtc200_parse_fast_path(bencher: Bencher<'_, '_>) {
+    use partc::parser::{mtc200, symbols::Symbols};
+    let text = mtc200_lines();
+    bencher.counter(BytesCount::of_str(&text)).counter(ItemsCount::new(BLOCKS)).bench(|| {
+        let (mut block, mut symbols, mut problems, mut words) =
+            (mtc200::ast::Block::default(), Symbols::default(), Vec::new(), 0);
+        for line in text.as_bytes().split(|b| *b == b'\n') {
+            mtc200::parse_block(line, &mut block, &mut symbols, &mut problems);
+            words += block.words.len();
+        }
+        words
+    });
+}

@@ -283,7 +283,8 @@ pub(super) fn walk(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec
         }
     }
     found.sort();
-    Ok(found)
+    // What lies in `.` is called as the user would call it.
+    Ok(found.into_iter().map(|path| path.strip_prefix(".").map(Path::to_path_buf).unwrap_or(path)).collect())
 }
 
 #[cfg(test)]

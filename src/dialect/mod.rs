@@ -1,6 +1,7 @@
 //! The dialects: one table each, registered by one line in [`ALL`].
 
 mod klartext;
+mod mtc200;
 mod turning;
 
 use std::borrow::Cow;
@@ -45,7 +46,7 @@ impl std::fmt::Debug for Dialect {
 }
 
 /// All dialects.
-pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &turning::DIALECT];
+pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &mtc200::DIALECT, &turning::DIALECT];
 
 /// The dialect of this name.
 pub fn find(id: &str) -> Option<&'static Dialect> {

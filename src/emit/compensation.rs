@@ -95,6 +95,12 @@ impl Compensation {
         if on && mv.plane != selected {
             return Some(("the working plane changes under radius compensation", resolve));
         }
+        if !on && matches!(mv.path, Path::Arc(_)) {
+            return Some((
+                "radius compensation cannot start in an arc",
+                "put a straight block with compensation in front of the arc",
+            ));
+        }
         if mv.machine {
             return Some(("a block in machine coordinates cannot run under the target's radius compensation", resolve));
         }

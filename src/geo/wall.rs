@@ -76,7 +76,8 @@ pub enum NoWall {
 }
 
 impl Wall {
-    /// The wall of `chain` for a nose of `radius`. Above its start the wall goes straight up.
+    /// The wall of `chain` for a nose of `radius`. Above its start the wall goes straight up, below
+    /// its end straight down.
     ///
     /// # Errors
     /// See [`NoWall`]. Arcs must not run through a quadrant point; see [`quarters`].
@@ -98,6 +99,9 @@ impl Wall {
             at = element.to();
             wall.corner(at);
         }
+        // So that every height has an answer, the wall goes straight down below its end.
+        let ray = Point2::new(at.x + radius, at.y);
+        wall.add(Curve::Line { at: ray, slope: 0.0 }, at.y - radius, f64::NEG_INFINITY);
         Ok(wall)
     }
 
@@ -140,8 +144,12 @@ impl Wall {
     }
 
     /// Least x of the nose centre when its lowest point is at height `y`.
+    ///
+    /// A piece also counts below its end: the wall falls, so nothing there lets the nose come nearer. So no
+    /// rounding at the ends of pieces leaves a gap.
     pub fn touch(&self, y: f64) -> f64 {
-        self.best(y).map_or(f64::NEG_INFINITY, |i| self.pieces[i].curve.x(y))
+        let asked = self.pieces.iter().filter(|piece| y < piece.high);
+        asked.map(|piece| piece.curve.x(y.max(piece.low))).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The piece that holds the nose at height `y`.
@@ -177,6 +185,7 @@ impl Wall {
         let start = at;
         let mut legs = Vec::new();
         let mut last: Option<usize> = None;
+        let mut leg_start = at;
         for pair in self.heights(top, bottom).windows(2) {
             let (high, low) = (pair[0], pair[1]);
             let Some(i) = self.next((high + low) / 2.0, last) else { continue };
@@ -192,12 +201,14 @@ impl Wall {
             if distance(to, at) <= SHORTEST_LEG {
                 continue;
             }
-            // So short an arc may not be told from a full circle.
-            let leg = if distance(to, at) > SHORTEST_ARC { curve.leg(to) } else { Leg::Line { to } };
-            match legs.last_mut() {
-                Some(before) if last.is_some_and(|last| self.pieces[last].curve.continues(&curve)) => *before = leg,
-                _ => legs.push(leg),
+            let goes_on = last.is_some_and(|last| self.pieces[last].curve.continues(&curve));
+            if goes_on {
+                legs.pop();
+            } else {
+                leg_start = at;
             }
+            // So short an arc may not be told from a full circle.
+            legs.push(if distance(to, leg_start) > SHORTEST_ARC { curve.leg(to) } else { Leg::Line { to } });
             last = Some(i);
             at = to;
         }

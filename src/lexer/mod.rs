@@ -4,5 +4,6 @@
 //! that fits nothing becomes a `Bad` token, never an end of the stream.
 
 pub mod klartext;
+pub mod mtc200;
 pub mod sinumerik;
 pub mod turning;

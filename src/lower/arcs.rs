@@ -235,7 +235,8 @@ fn by_center(
 ) -> Result<Extra, Refused> {
     let (r1, r2) = (distance(from, center), distance(to, center));
     if r1 <= SAME_POINT || r2 <= SAME_POINT {
-        return Err(Some(Box::new(at(codes::G3014, step.origin, "the centre of the arc lies on its start or end"))));
+        let which = if r1 <= SAME_POINT { "the arc starts in its centre" } else { "the arc ends in its centre" };
+        return Err(Some(Box::new(at(codes::G3014, step.origin, which))));
     }
     match arc::closing(to - from) {
         Closing::Closed => {

@@ -132,7 +132,9 @@ impl Corners {
                 self.steps[after] = rest;
             }
             Err(found) => {
-                if !(corner.modal && silent(found.code)) {
+                // Where a refused block left no start, that was said already.
+                let suffers = diags.has_errors() && !self.steps[before].start_is_known();
+                if !(suffers || corner.modal && silent(found.code)) {
                     diags.push(*found);
                 }
                 out(Event::Step(&self.steps[before]));

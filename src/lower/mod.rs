@@ -257,5 +257,27 @@ impl Finish<'_> {
 
 /// A finding about a whole block.
 fn at(code: &'static Code, origin: Origin, message: impl Into<String>) -> Diagnostic {
-    Diagnostic::new(code, origin.loc, message).called(origin.call)
+    let found = Diagnostic::new(code, origin.loc, message).called(origin.call);
+    match usual_help(code) {
+        Some(help) => found.help(help),
+        None => found,
+    }
+}
+
+/// What mends most findings of a code.
+#[cold]
+fn usual_help(code: &Code) -> Option<&'static str> {
+    Some(match code.id {
+        "G3003" => "program the centre of the circle, or two half circles",
+        "G3004" => "put a line or arc of the plane in front of the tangential arc",
+        "G3005" => "check the end point, or put a line in between",
+        "G3007" => "put the corner between two elements that move in the working plane",
+        "G3008" => "make the corner smaller, or the short element longer",
+        "G3010" => "program a rounding beside an arc",
+        "G3014" => "check the circle centre and the position in front of the arc",
+        "G3016" => "program the transition as elements of its own",
+        "G3017" => "check the end points on both sides of the corner",
+        "G3019" => "move the transformation in front of the corner or behind the next element",
+        _ => return None,
+    })
 }

@@ -40,6 +40,11 @@ impl Step {
         }
     }
 
+    /// Is the start known in the working plane?
+    pub fn start_is_known(&self) -> bool {
+        self.start.in_plane(self.ctx.plane).is_some()
+    }
+
     /// Does this straight element stay where `before` ends, under the same conditions?
     #[inline]
     pub fn rests_behind(&self, before: &Step) -> bool {

@@ -1,6 +1,9 @@
 //! Turns the tree of a `partc.toml` into [`Settings`]. Every key is in [`SECTIONS`]; others are errors.
 
+use std::collections::BTreeMap;
+
 use super::axis::Axis;
+use super::mtc200::{Centres, G52, InchSpeed};
 use super::settings::*;
 use super::tools::{Corner, Tool, ToolKey};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
@@ -19,6 +22,8 @@ pub enum Kind {
     Texts,
     /// Table whose keys are names.
     Free,
+    /// List of names, or table of names and what is printed for them.
+    Words,
 }
 
 /// One key of the configuration.
@@ -114,7 +119,11 @@ pub const SECTIONS: &[Section] = &[
             key("heidenhain_turning", Kind::Choice(TURNINGS), "HEIDENHAIN turning control"),
             key("skip_blocks", Kind::Wholes, "skip levels that are switched on; a block with such a / is left out")
                 .or("[]"),
-            key("unit", Kind::Choice(&["mm", "inch"]), "unit of a Klartext file without BEGIN PGM"),
+            key(
+                "unit",
+                Kind::Choice(&["mm", "inch"]),
+                "unit of a Klartext file without BEGIN PGM; base unit of an MTC200",
+            ),
             key("feed", Kind::Number, "feed in mm/min at the start, and for F AUTO without a TOOL CALL"),
             key("rapid_feed", Kind::Number, "feed in mm/min of arcs programmed at rapid traverse"),
             key("cc_missing", Kind::Choice(&["position", "previous"]), "missing coordinate of a CC block")
@@ -148,6 +157,43 @@ pub const SECTIONS: &[Section] = &[
             key("clearance", Kind::Number, "clearance of turning cycles in mm where the program sets none").or("1.0"),
             key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
+            key(
+                "machine_words",
+                Kind::Words,
+                "MTC200: words of the machine builder that do not move the tool: a list, or a table LA_ON = \"M101\"",
+            )
+            .or(r#"[]"#),
+            key(
+                "centres",
+                Kind::Choice(&["settle", "absolute", "relative", "dimension"]),
+                "MTC200: what I, J, K count from; settle: what fits the arcs of the program",
+            )
+            .or(r#""settle""#),
+            key("circle_tolerance", Kind::Number, "MTC200: how far the end of an arc may miss the circle, in mm")
+                .or(r#"0.01"#),
+            key("start", Kind::Free, "MTC200: where the axes stand at the start, in mm: X = 0.0 (radius)"),
+            key("home", Kind::Free, "MTC200: machine coordinates of the home position that G74 goes to, in mm"),
+            key("repeated_words", Kind::Choice(&["refuse", "last"]), "MTC200: which of two equal words counts")
+                .or(r#""refuse""#),
+            key("zero_feed", Kind::Choice(&["refuse", "previous"]), "MTC200: what F0 means").or(r#""refuse""#),
+            key("g52", Kind::Choice(&["refuse", "position", "shift"]), "MTC200: what G52 does").or(r#""refuse""#),
+            key("g53", Kind::Choice(&["refuse", "machine"]), "MTC200: what positions under G53 are").or(r#""refuse""#),
+            key("dwell", Kind::Choice(&["s", "ms"]), "MTC200: unit of the F of G04").or(r#""s""#),
+            key("tool_change", Kind::Choice(&["m6", "t"]), "MTC200: word that changes the tool").or(r#""m6""#),
+            key("angles", Kind::Choice(&["degrees", "radians"]), "MTC200: unit of angles in formulas")
+                .or(r#""degrees""#),
+            key(
+                "rotary",
+                Kind::Choice(&["shortest", "absolute"]),
+                "MTC200: way of a rotary axis to an absolute position",
+            )
+            .or(r#""shortest""#),
+            key(
+                "inch_speed",
+                Kind::Choice(&["refuse", "metres", "feet"]),
+                "MTC200: unit of the cutting speed under G70, per minute",
+            )
+            .or(r#""refuse""#),
         ],
     },
     Section {
@@ -363,6 +409,55 @@ impl Reader {
             }
             "tool_change_point" => control.turning.change_point = Some(change_point(node)?),
             "retract_max" => control.retract_max = number(node),
+            _ => return self.set_mtc200(name, node),
+        }
+        Ok(())
+    }
+
+    fn set_mtc200(&mut self, name: &str, node: &Node) -> Result<(), ConfigError> {
+        let control = &mut self.settings.control.mtc200;
+        match name {
+            "machine_words" => control.machine_words = machine_words(node)?,
+            "centres" => {
+                control.centres = match text(node) {
+                    "absolute" => Centres::Absolute,
+                    "relative" => Centres::Relative,
+                    "dimension" => Centres::Dimension,
+                    _ => Centres::Settle,
+                }
+            }
+            "circle_tolerance" => {
+                let tolerance = number(node).filter(|t| (0.0..=1.0).contains(t));
+                control.circle_tolerance = tolerance.ok_or_else(|| node.fail("a tolerance is 0 to 1 mm"))?;
+            }
+            "start" | "home" => {
+                let list = if name == "start" { &mut control.start } else { &mut control.home };
+                for (name, node) in table_of(node) {
+                    let value = number(node).filter(|v| v.is_finite()).ok_or_else(|| node.fail("needs a number"))?;
+                    list.insert(axis(name, node)?, value);
+                }
+            }
+            "repeated_words" => control.last_word_counts = text(node) == "last",
+            "zero_feed" => control.zero_feed_keeps = text(node) == "previous",
+            "g52" => {
+                control.g52 = match text(node) {
+                    "position" => G52::Position,
+                    "shift" => G52::Shift,
+                    _ => G52::Refuse,
+                }
+            }
+            "g53" => control.g53_is_machine = text(node) == "machine",
+            "dwell" => control.dwell_ms = text(node) == "ms",
+            "tool_change" => control.t_changes = text(node) == "t",
+            "angles" => control.radians = text(node) == "radians",
+            "rotary" => control.rotary_absolute = text(node) == "absolute",
+            "inch_speed" => {
+                control.inch_speed = match text(node) {
+                    "metres" => InchSpeed::Metres,
+                    "feet" => InchSpeed::Feet,
+                    _ => InchSpeed::Refuse,
+                }
+            }
             _ => return Err(node.fail(format!("`{name}` has no place in [control]"))),
         }
         Ok(())
@@ -460,6 +555,7 @@ fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Wholes => all(|value| matches!(value, Value::Whole(_))),
         Kind::Texts => all(|value| matches!(value, Value::Text(_))),
         Kind::Free => matches!(node.value, Value::Table(_)),
+        Kind::Words => matches!(node.value, Value::Table(_)) || all(|value| matches!(value, Value::Text(_))),
     };
     let wanted = match key.kind {
         Kind::Text | Kind::Choice(_) => "a text in quotes",
@@ -469,6 +565,7 @@ fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Wholes => "a list of whole numbers",
         Kind::Texts => "a list of texts",
         Kind::Free => "a table",
+        Kind::Words => "a list of texts or a table",
     };
     if ok { Ok(()) } else { Err(node.fail(format!("`{}` needs {wanted}: {}", key.name, key.doc))) }
 }
@@ -513,6 +610,23 @@ fn table_of(node: &Node) -> &Table {
         Value::Table(table) => table,
         _ => &NONE,
     }
+}
+
+/// `["LA_ON"]`, or `{ LA_ON = "M64", LA_OFF = "" }`.
+fn machine_words(node: &Node) -> Result<BTreeMap<String, Option<u32>>, ConfigError> {
+    if let Value::List(items) = &node.value {
+        return Ok(items.iter().map(|item| (text(item).to_ascii_uppercase(), None)).collect());
+    }
+    let mut words = BTreeMap::new();
+    for (name, node) in table_of(node) {
+        let printed = text(node);
+        let number = printed.strip_prefix(['M', 'm']).and_then(|digits| digits.parse().ok()).filter(|n| *n < 10_000);
+        if number.is_none() && !(printed.is_empty() && matches!(node.value, Value::Text(_))) {
+            return Err(node.fail("a word of the machine becomes an M function such as \"M101\", or nothing: \"\""));
+        }
+        words.insert(name.to_ascii_uppercase(), number);
+    }
+    Ok(words)
 }
 
 fn axis(name: &str, node: &Node) -> Result<Axis, ConfigError> {
@@ -632,6 +746,17 @@ mod tests {
                 "partc.toml:6:1: unknown key `radus`; did you mean `radius`?",
             ]
         );
+    }
+
+    #[test]
+    fn words_of_the_machine_are_a_list_or_a_table() {
+        let list = settings("[control]\nmachine_words = [\"LA_ON\", \"g48\"]").unwrap();
+        assert_eq!(list.control.mtc200.machine_words["G48"], None);
+        let table = settings("[control.machine_words]\nLA_ON = \"M101\"\nG48 = \"\"").unwrap();
+        assert_eq!(table.control.mtc200.machine_words["LA_ON"], Some(101));
+        assert_eq!(table.control.mtc200.machine_words["G48"], None);
+        assert!(settings("[control]\nmachine_words = { LA_ON = 5 }").is_err());
+        assert!(settings("[control]\nmachine_words = { LA_ON = \"X5\" }").is_err());
     }
 
     #[test]

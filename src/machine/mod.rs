@@ -4,6 +4,7 @@
 
 pub mod axis;
 pub mod config;
+pub mod mtc200;
 pub mod schema;
 pub mod settings;
 pub mod show;

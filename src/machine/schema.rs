@@ -58,6 +58,7 @@ fn key_schema(key: &Key) -> Value {
         Kind::Wholes => json!({ "type": "array", "items": { "type": "integer" } }),
         Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Kind::Free => json!({ "type": "object" }),
+        Kind::Words => json!({ "type": ["array", "object"] }),
     };
     schema["description"] = json!(key.doc);
     if let Some(default) = key.default_node() {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use super::axis::Axis;
+use super::mtc200::Mtc200;
 use super::tools::Tools;
 
 /// Everything the user can say about a run.
@@ -165,6 +166,7 @@ pub struct Control {
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
     pub retract_max: Option<f64>,
     pub turning: Turning,
+    pub mtc200: Mtc200,
 }
 
 /// `[datums]`

@@ -4,6 +4,7 @@
 //! fails as a whole: a block that cannot be read is reported and has no statement.
 
 pub mod klartext;
+pub mod mtc200;
 pub mod problem;
 pub mod sinumerik;
 pub mod symbols;

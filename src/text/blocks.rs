@@ -174,7 +174,7 @@ impl Cursor {
         let mut too_long = false;
         let end = loop {
             match memchr2(self.line_end, self.rules.mark, &self.window[scan..self.end]) {
-                Some(i) if self.window[scan + i] == self.rules.mark => {
+                Some(i) if self.rules.mark != self.line_end && self.window[scan + i] == self.rules.mark => {
                     marked = true;
                     scan += i + 1;
                 }

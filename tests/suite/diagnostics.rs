@@ -67,6 +67,7 @@ const NEVER: &[(&str, &str)] = &[
     ("G3044", "no dialect calls a turning cycle yet"),
     ("G3045", "no dialect calls a turning cycle yet"),
     ("G3046", "no dialect calls a turning cycle yet"),
+    ("G3047", "no dialect calls a turning cycle yet"),
 ];
 
 const PART: &str = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 R0 F300\n2 END PGM PART MM\n";

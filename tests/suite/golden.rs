@@ -55,6 +55,11 @@ fn heidenhain_turning() {
 }
 
 #[test]
+fn mtc200() {
+    check("mtc200");
+}
+
+#[test]
 fn errors() {
     check("errors");
 }
@@ -64,6 +69,7 @@ fn there_are_enough_cases() {
     assert!(cases("klartext").len() >= 120, "{} Klartext cases", cases("klartext").len());
     let turning = cases("heidenhain-turning").len();
     assert!(turning >= 70, "{turning} HEIDENHAIN turning cases");
+    assert!(cases("mtc200").len() >= 100, "{} MTC200 cases", cases("mtc200").len());
 }
 
 #[test]

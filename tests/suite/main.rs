@@ -10,6 +10,7 @@ mod golden;
 mod hostile;
 mod hostile_turning;
 mod layering;
+mod mtc200;
 mod oracle;
 mod props;
 mod reader;

@@ -127,10 +127,8 @@ fn golden_outputs_mean_what_they_say() {
     // Of the cases of findings those about geometry and output; the others may use words of some machine only.
     let about =
         |path: &std::path::Path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(['G', 'O']));
-    let turning = cases("heidenhain-turning");
-    for path in
-        cases("klartext").into_iter().chain(turning).chain(cases("errors").into_iter().filter(|path| about(path)))
-    {
+    let errors = cases("errors").into_iter().filter(|path| about(path));
+    for path in ["klartext", "heidenhain-turning", "mtc200"].into_iter().flat_map(cases).chain(errors) {
         let compiled = compile_case(&path);
         if compiled.has_errors() || has_parallel_axes(&compiled.output) {
             continue;

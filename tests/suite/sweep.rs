@@ -66,3 +66,8 @@ fn sweep(dialect: &str, corpus: &str, options: &str) {
 fn heidenhain() {
     sweep("klartext", "corpus/heidenhain", include_str!("../sweep/heidenhain.toml"));
 }
+
+#[test]
+fn rexroth() {
+    sweep("mtc200", "corpus/rexroth", include_str!("../sweep/rexroth.toml"));
+}

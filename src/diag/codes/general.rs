@@ -49,7 +49,7 @@ Most often a loop never ends: the condition of its jump is always true. The mess
 If the program really is that long, raise the limit."
 
 P4002 Error "output-limit" "program makes too many output blocks"
-"The output reached `[limits] output_blocks` (50 million by default), so it was given up: most often a loop runs too many times, or \
+"The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a loop runs too many times, or \
 never ends. Check the loops and repeats around the marked block, or raise the limit."
 
 P4003 Error "call-depth" "calls are nested too deep"

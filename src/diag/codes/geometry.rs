@@ -126,4 +126,8 @@ G3046 Error "cycle-blank" "blank is not where the cycle needs it"
 "The blank that the cycle was given does not stand above the contour, or the tool stands inside of it, so that there is nothing to cut or no \
 safe way. Check blank, contour and the position in front of the cycle."
 
+G3047 Error "roughing-contour" "contour cannot be roughed in parallel cuts"
+"Seen from where the cuts begin, the contour has to rise: what falls behind a part that stands higher could only be reached by plunging, and what \
+leans over not at all. Recesses and undercuts get cycles of their own."
+
 }

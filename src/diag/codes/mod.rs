@@ -6,6 +6,7 @@
 mod general;
 mod geometry;
 mod klartext;
+mod mtc200;
 mod output;
 mod sinumerik;
 mod turning;
@@ -13,6 +14,7 @@ mod turning;
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
+pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
 pub use turning::*;
@@ -57,6 +59,7 @@ pub fn all() -> Vec<&'static Code> {
         output::OUTPUT,
         sinumerik::SINUMERIK,
         turning::TURNING,
+        mtc200::MTC200,
     ]
     .iter()
     .flat_map(|table| table.iter().copied())

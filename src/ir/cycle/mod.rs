@@ -3,6 +3,7 @@
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
 pub mod recess;
+pub mod roughing;
 pub mod thread;
 pub mod turning;
 
@@ -11,12 +12,14 @@ use crate::geo::Plane;
 use super::Pos;
 
 pub use recess::RecessTurning;
+pub use roughing::Roughing;
 pub use thread::Thread;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
     RecessTurning(RecessTurning),
+    Roughing(Roughing),
     Thread(Thread),
 }
 
@@ -26,6 +29,7 @@ impl Cycle {
         let mut end = *at;
         match self {
             Cycle::RecessTurning(recess) => recess.leaves(&mut end),
+            Cycle::Roughing(roughing) => roughing.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
         }
         end

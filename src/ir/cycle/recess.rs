@@ -3,7 +3,7 @@
 
 use core::fmt;
 
-use crate::geo::{Element, Plane, Point2, Vec2, distance};
+use crate::geo::{Element, Plane, Vec2, distance};
 use crate::ir::{Feed, Pos};
 
 use super::turning::{Towards, is_length, is_point, is_positive};
@@ -211,6 +211,7 @@ pub(crate) fn joined(contour: &[Element]) -> bool {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::geo::Point2;
 
     /// A line contour through points given as (Z, X diameter).
     pub(crate) fn lines(points: &[(f64, f64)]) -> Vec<Element> {

@@ -2,6 +2,10 @@
 
 pub mod infeed;
 pub mod recess;
+pub mod roughing;
+#[cfg(test)]
+mod simulate;
+pub mod slope;
 pub mod thread;
 pub mod track;
 pub mod valley;
@@ -35,6 +39,7 @@ pub fn expand(
     };
     match cycle {
         Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
+        Cycle::Roughing(cycle) => roughing::expand(cycle, from, &mut send),
         Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
     }
     .map_err(|failure| report(failure, origin))

@@ -80,7 +80,10 @@ impl Valley {
             return Err(NoValley::Waves);
         }
         let first = pieces[..falls.min(pieces.len())].to_vec();
-        let second = pieces[rises..].iter().rev().map(mirrored).collect();
+        let second: Vec<Element> = pieces[rises..].iter().rev().map(mirrored).collect();
+        // The floor may be off the level by what arithmetic loses; both walls reach down to it.
+        let foot = |chain: &[Element]| chain.last().map_or(floor, |e| e.to().y);
+        let floor = foot(&first).max(foot(&second));
         let valley = Valley { first, second, floor };
         // A nose of no radius tells whether the walls are walls.
         for chain in [&valley.first, &valley.second] {

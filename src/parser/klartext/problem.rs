@@ -116,7 +116,7 @@ fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
     let first: String = words.next().unwrap_or(word).chars().take_while(|c| c.is_alphabetic()).collect();
     let upper = first.to_uppercase();
     if let Some((head, seconds, form)) = PAIRS.iter().find(|(head, ..)| *head == upper) {
-        return wrong_pair(head, seconds, form, words.next(), code, span);
+        return wrong_pair(head, seconds, form, words.next(), rest, span);
     }
     let problem = Problem::new(codes::K1002, span, format!("`{word}` begins no Klartext block"));
     if let Some((_, form)) = MEANT.iter().find(|(meant, _)| *meant == upper) {
@@ -140,13 +140,12 @@ fn glued(word: &str) -> Option<&'static str> {
     matches!(axis, "X" | "Y" | "Z" | "U" | "V" | "W" | "A" | "B" | "C" | "PR" | "PA").then_some(function)
 }
 
-fn wrong_pair(head: &str, seconds: &[&str], form: &str, second: Option<&str>, code: &str, span: Span) -> Problem {
+fn wrong_pair(head: &str, seconds: &[&str], form: &str, second: Option<&str>, rest: &[u8], span: Span) -> Problem {
     let looks = format!("the block looks like `{form}`");
     let Some(second) = second else {
         return Problem::new(codes::K1002, span, format!("`{head}` alone is no Klartext block")).help(looks);
     };
-    let len = code.find(second).map_or(span.end - span.start, |at| (at + second.len()) as u32);
-    let both = Span::at(span.start, len);
+    let both = Span::at(span.start, two_words(rest));
     let upper = second.to_uppercase();
     if seconds.contains(&upper.as_str()) {
         return Problem::new(codes::K1002, both, format!("`{head} {second}` is not complete")).help(looks);
@@ -156,6 +155,15 @@ fn wrong_pair(head: &str, seconds: &[&str], form: &str, second: Option<&str>, co
         Some(like) => problem.help(format!("did you mean `{head} {like}`?")),
         None => problem.help(looks),
     }
+}
+
+/// Bytes of the first two words.
+fn two_words(text: &[u8]) -> u32 {
+    let blanks = |from: usize| text[from..].iter().take_while(|b| b.is_ascii_whitespace()).count();
+    let word = |from: usize| text[from..].iter().take_while(|b| !b.is_ascii_whitespace() && **b != b';').count();
+    let first = word(0);
+    let second = first + blanks(first);
+    (second + word(second)) as u32
 }
 
 impl Problem {

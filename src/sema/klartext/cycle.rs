@@ -398,7 +398,7 @@ impl Run<'_> {
                 }
                 self.call_cycle("CYCL CALL")
             }
-            CallKind::At => self.call_cycle_at(block),
+            CallKind::At => self.call_cycle_at(),
             CallKind::Pattern => {
                 self.error(codes::K9010, "CYCL CALL PAT is not supported yet");
                 Err(Reported)
@@ -407,14 +407,19 @@ impl Run<'_> {
     }
 
     /// CYCL CALL POS moves to a position and runs the cycle there.
-    fn call_cycle_at(&mut self, block: &Block) -> Outcome {
+    fn call_cycle_at(&mut self) -> Outcome {
         self.cycles.modal = false;
         if let Some(Defined::Program { .. }) = self.cycles.defined {
-            return self.refuse_motion(
-                codes::K9001,
-                block.span,
-                "CYCL CALL POS with the program call of cycle 12 is not supported: what its Z shifts is open",
+            self.report(
+                Diagnostic::new(
+                    codes::K9001,
+                    self.here.origin.loc,
+                    "CYCL CALL POS with the program call of cycle 12 is not supported: what its Z shifts is open",
+                )
+                .help("move to the position with L, and call with M99"),
             );
+            self.lose_all();
+            return Err(Reported);
         }
         self.call_cycle("CYCL CALL POS")
     }

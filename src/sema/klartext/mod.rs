@@ -10,12 +10,15 @@ mod coordinates;
 mod cycle;
 mod cycle_names;
 mod eval;
+mod feed;
 mod formula;
+mod help;
 mod labels;
 mod mfunc;
 mod other;
 mod path;
 mod polar;
+mod rotary;
 mod state;
 mod system;
 mod tool;
@@ -368,7 +371,8 @@ impl Run<'_> {
         self.report(Diagnostic::new(code, self.here.origin.loc, message));
     }
 
-    fn report(&self, found: Diagnostic) {
+    fn report(&self, mut found: Diagnostic) {
+        found.help = found.help.or_else(|| help::usual_help(found.code).map(str::to_owned));
         self.job.diags.push(found.called(self.here.origin.call));
     }
 

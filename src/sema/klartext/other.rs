@@ -1,9 +1,11 @@
 //! Blank form, FN 14 and up, and statements that are refused by name.
 
 use crate::diag::{Diagnostic, codes};
-use crate::lexer::klartext::Value;
+use crate::geo::{Point2, SAME_POINT, arc, distance};
+use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::parser::klartext::ast::{Addr, Block, Refused};
 
+use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -71,6 +73,11 @@ impl Run<'_> {
             }
             // Printing and logging.
             15 | 16 | 38 => Ok(()),
+            23 => self.circle_data(&rest),
+            24 => {
+                self.error(codes::K9011, "FN 24 fits a circle to four points, and how it does is not documented");
+                Err(Reported)
+            }
             // WAIT FOR SYNC only stops the look-ahead of the control.
             20 if rest.trim_start_matches("WAIT FOR").trim() == "SYNC" => Ok(()),
             26..=28 => {
@@ -96,6 +103,40 @@ impl Run<'_> {
                 Err(Reported)
             }
         }
+    }
+
+    /// FN 23: `Q20 = CDATA Q30` puts centre and radius of the circle through the points Q30 to Q35 into Q20 to Q22.
+    fn circle_data(&mut self, rest: &str) -> Outcome {
+        let q = |text: &str| text.trim().strip_prefix('Q').and_then(|digits| digits.parse::<u32>().ok());
+        let parts = rest.split_once('=').and_then(|(target, data)| {
+            let from = data.trim().strip_prefix("CDATA")?;
+            Some((q(target)?, q(from)?))
+        });
+        let span = self.block_span();
+        let Some((target, from)) = parts.filter(|(target, from)| target.max(from) < &1990) else {
+            return self.fail_help(
+                codes::K1001,
+                span,
+                "FN 23 names its result and its points",
+                "write `FN 23: Q20 = CDATA Q30`",
+            );
+        };
+        let at = |number| QRef { kind: QKind::Q, number };
+        for number in target..target + 3 {
+            self.set(at(number), Slot::Lost, span)?;
+        }
+        let mut points = [Point2::origin(); 3];
+        for (i, point) in (0..).zip(&mut points) {
+            *point = Point2::new(self.parameter(at(from + 2 * i), span)?, self.parameter(at(from + 2 * i + 1), span)?);
+        }
+        let [a, b, c] = points;
+        let Some((center, _)) = arc::through(a, b, c, SAME_POINT) else {
+            return self.fail(codes::K2303, span, "no circle leads through the three points");
+        };
+        for (number, value) in (target..).zip([center.x, center.y, distance(a, center)]) {
+            self.set(at(number), Slot::Number(value), span)?;
+        }
+        Ok(())
     }
 
     /// A statement that is known by name only.
@@ -137,9 +178,8 @@ impl Run<'_> {
 
     /// A parameter that the control sets itself.
     pub(super) fn set_control_parameter(&mut self, number: u32, value: f64) {
-        use crate::lexer::klartext::{QKind, QRef};
         if let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) {
-            self.vars.set(locals, QRef { kind: QKind::Q, number }, super::vars::Slot::Number(value));
+            self.vars.set(locals, QRef { kind: QKind::Q, number }, Slot::Number(value));
         }
     }
 }

@@ -3,19 +3,15 @@
 //! Source: reference sections 2.1, 2.6, 2.7, 2.13, 2.14.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Deg, Plane};
+use crate::geo::Plane;
 use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path};
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, AxisSet, Compensation, Unit};
+use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
-use crate::text::Span;
 
 use super::mfunc::Args;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
-
-/// Feed words in an INCH program count tenths of an inch.
-const INCH_FEED: f64 = 25.4 / 10.0;
 
 const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
 
@@ -56,15 +52,6 @@ impl Run<'_> {
         }
         self.st.lose(axes);
         self.lost();
-    }
-
-    /// A block with a feed word was refused: that a feed is missing afterwards is not worth another error.
-    #[cold]
-    pub(super) fn lose_feed(&mut self, block: &Block) {
-        let feeds = block.words.iter().any(|word| matches!(word.addr, Addr::Feed | Addr::FeedAuto | Addr::FeedPerRev));
-        if feeds && self.st.feed.is_none() {
-            self.st.feed = Some(Feed::PerMinute(1.0));
-        }
     }
 
     pub(super) fn run_path(&mut self, function: PathFn, w: &Words) -> Outcome {
@@ -159,92 +146,6 @@ impl Run<'_> {
         self.run_path(PathFn::Line, &w)
     }
 
-    // Feed and compensation.
-
-    pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
-        let (feed, written) = match w.feed {
-            FeedWord::None | FeedWord::Max => return Ok(()),
-            FeedWord::Value(f) => (self.feed_of(f), f),
-            FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
-            FeedWord::Auto => match self.st.tool_feed {
-                Some((Feed::PerMinute(_), _)) if self.st.per_revolution => {
-                    return self.fail_help(
-                        codes::K2003,
-                        w.feed_span,
-                        "the F of the last TOOL CALL counts per minute, and M136 makes F count per revolution",
-                        "program F in mm/rev, or M137 first",
-                    );
-                }
-                Some((Feed::PerRevolution(_), _)) if !self.st.per_revolution => {
-                    return self.fail_help(
-                        codes::K2003,
-                        w.feed_span,
-                        "the F of the last TOOL CALL counts per revolution, and M137 makes F count per minute",
-                        "program F in mm/min, or M136 first",
-                    );
-                }
-                Some(feed) => feed,
-                None => {
-                    return self.fail_help(
-                        codes::K2003,
-                        w.feed_span,
-                        "the last TOOL CALL has no F, so F AUTO has no value",
-                        "put F into the TOOL CALL, or set `[control] feed` in partc.toml",
-                    );
-                }
-            },
-        };
-        if feed.value() <= 0.0 {
-            return self.feed_not_positive(w.feed_span, written);
-        }
-        self.st.feed = Some(feed);
-        self.st.written_feed = written;
-        Ok(())
-    }
-
-    #[cold]
-    pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
-        let text = self.word_text(span);
-        let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
-        self.fail_help(
-            codes::O1001,
-            span,
-            format!("{what}: the feed has to be above zero"),
-            "program the feed of this move",
-        )
-    }
-
-    /// A feed word in the unit and mode in force.
-    pub(super) fn feed_of(&mut self, value: f64) -> Feed {
-        if self.st.per_revolution {
-            return Feed::PerRevolution(value);
-        }
-        Feed::PerMinute(if self.level().unit == Unit::Inch { value * INCH_FEED } else { value })
-    }
-
-    /// Feed of a move that cuts; `None` for rapid traverse.
-    #[inline]
-    pub(super) fn move_feed(&mut self, w: &Words) -> Outcome<Option<Feed>> {
-        if w.feed == FeedWord::Max {
-            return Ok(None);
-        }
-        match self.st.feed {
-            Some(feed) => Ok(Some(feed)),
-            None => self.feed_missing(),
-        }
-    }
-
-    #[cold]
-    pub(super) fn feed_missing<T>(&mut self) -> Outcome<T> {
-        self.report(
-            Diagnostic::new(codes::K2002, self.here.origin.loc, "no feed rate is programmed before this cutting move")
-                .help("program F in this block, in an earlier one, or in the TOOL CALL"),
-        );
-        // One report is enough.
-        self.st.feed = Some(Feed::PerMinute(1.0));
-        Err(Reported)
-    }
-
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
         let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
         if side == self.st.side {
@@ -280,8 +181,6 @@ impl Run<'_> {
         self.st.side = side;
         Ok(())
     }
-
-    // Moves.
 
     /// Sends a move and takes over its end.
     #[inline]
@@ -324,171 +223,6 @@ impl Run<'_> {
             return Ok(end);
         }
         self.rare_axes(w, end, cuts)
-    }
-
-    #[cold]
-    pub(super) fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
-        for axis in end.known().without(AxisSet::MAIN).iter() {
-            if !axis.is_rotary() {
-                if let Some(what) = self.st.transform.touches_parallel(axis) {
-                    return self.fail_help(
-                        codes::K2506,
-                        w.axes_span,
-                        format!("{} moves while a {what} is active", axis.letter()),
-                        "reset the transformation before the block",
-                    );
-                }
-                continue;
-            }
-            if self.st.rotary_feed && cuts {
-                return self.fail_help(
-                    codes::K2509,
-                    w.axes_span,
-                    format!("{} moves at a feed under M116", axis.letter()),
-                    "switch M116 off with M117 and program degrees per minute",
-                );
-            }
-            if w.incremental.contains(axis) {
-                // Counted from a position that holds the whole turns already.
-                self.check_increment(w, axis)?;
-                continue;
-            }
-            let target = end.get(axis).unwrap_or(0.0);
-            end.set(axis, self.rotary_target(axis, target, w.axes_span));
-        }
-        Ok(end)
-    }
-
-    /// M126 and an increment of more than half a turn contradict each other.
-    fn check_increment(&mut self, w: &Words, axis: Axis) -> Outcome {
-        let step = w.axes.get(axis).unwrap_or(0.0);
-        if !self.st.short_way || step.abs() <= 180.0 {
-            return Ok(());
-        }
-        self.fail_help(
-            codes::K9008,
-            w.axes_span,
-            format!("under M126 it is open whether I{}{step:+} goes its own way or the short one", axis.letter()),
-            "program M127 first, or the absolute angle",
-        )
-    }
-
-    /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.
-    pub(super) fn rotary_target(&mut self, axis: Axis, target: f64, span: Span) -> f64 {
-        let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
-        let Some(from) = self.st.pos.get(axis) else {
-            *offset = 0.0;
-            return target;
-        };
-        if self.st.short_way {
-            // `from` already holds the whole turns.
-            let ahead = Deg(target - from).normal().0;
-            if ahead == 180.0 {
-                let found = Diagnostic::new(
-                    codes::K2510,
-                    self.here.loc(&self.job, span),
-                    format!(
-                        "{} goes half a turn, where both ways are as short; it turns in the positive sense",
-                        axis.letter()
-                    ),
-                );
-                self.job
-                    .diags
-                    .push(found.called(self.here.origin.call).help("program M127 if the sense of rotation matters"));
-            }
-            let step = if ahead > 180.0 { ahead - 360.0 } else { ahead };
-            *offset = from + step - target;
-            return from + step;
-        }
-        target + *offset
-    }
-
-    /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move.
-    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) {
-        for axis in [Axis::A, Axis::B, Axis::C] {
-            if !axes.is_empty() && !axes.contains(axis) {
-                continue;
-            }
-            if let Some(at) = self.st.pos.get(axis) {
-                let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
-                let shown = at - *offset;
-                *offset = at - shown % 360.0;
-            }
-        }
-    }
-
-    /// M103: the feed component into the workpiece is limited.
-    ///
-    /// `in_plane` is the length of an arc; without it the way is straight.
-    #[inline]
-    pub(super) fn plunge_feed(
-        &mut self,
-        w: &Words,
-        feed: Option<Feed>,
-        end: &Pos,
-        in_plane: Option<f64>,
-    ) -> Option<Feed> {
-        match (self.st.plunge_share, feed) {
-            (Some(share), Some(feed)) => Some(self.shared_feed(w, feed, share, end, in_plane)),
-            _ => feed,
-        }
-    }
-
-    #[cold]
-    fn shared_feed(&mut self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Feed {
-        let tool_axis = self.st.axis();
-        if end.get(tool_axis).is_none() {
-            return feed;
-        }
-        let mut step = nalgebra::Vector3::zeros();
-        let mut open = AxisSet::EMPTY;
-        for axis in AxisSet::MAIN.iter() {
-            match (end.get(axis), self.st.pos.get(axis)) {
-                (Some(to), Some(from)) => step[axis.index()] = to - from,
-                (Some(_), None) => open.insert(axis),
-                (None, _) => {}
-            }
-        }
-        // Which way is down, and how long the way is, counts on the workpiece.
-        let linear = *self.st.ctx.frame.linear();
-        let real = linear * step;
-        let down = real[tool_axis.index()];
-        if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
-            self.report(
-                Diagnostic::new(
-                    codes::K2709,
-                    self.loc(w.axes_span),
-                    format!(
-                        "the start of this move is not known, so M103 limits it to {} % of its feed",
-                        share * 100.0
-                    ),
-                )
-                .help("program M103 behind the first positioning"),
-            );
-            return feed.with_value(feed.value() * share);
-        }
-        if down >= 0.0 {
-            return feed;
-        }
-        let way = match in_plane {
-            Some(length) => {
-                let (first, ..) = self.st.plane().axes();
-                libm::hypot(length * linear.column(first).norm(), down)
-            }
-            None => real.norm(),
-        };
-        feed.with_value((feed.value() * share * way / -down).min(feed.value()))
-    }
-
-    /// Where only rotary axes move, F counts degrees per minute, whatever the unit of the program.
-    #[inline]
-    fn rotary_only_feed(&mut self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
-        let feed = feed?;
-        if self.level().unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
-            return Some(feed);
-        }
-        let linear = |axis: &Axis| !axis.is_rotary() && self.st.pos.get(*axis) != end.get(*axis);
-        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.written_feed) })
     }
 
     /// A move in machine coordinates: afterwards the workpiece position of its axes is not known.
@@ -560,8 +294,6 @@ impl Run<'_> {
         self.send(EndPoint::Cartesian(end), &end, path, feed);
         Ok(())
     }
-
-    // Corners and single-axis blocks.
 
     pub(super) fn corner_block(&mut self, block: &Block) -> Outcome {
         let rounding = block.stmt == Stmt::Rounding;

@@ -1,8 +1,9 @@
 use super::*;
-use crate::geo::{Vec2, distance, turned};
+use crate::geo::{Vec2, distance};
 use crate::ir::cycle::recess::tests::{groove, lines};
 use crate::ir::cycle::recess::{RecessFeeds, RecessTool};
 use crate::ir::cycle::turning::Towards;
+use crate::lower::cycles::simulate::{Blank, GRID, StepDown, chain, height, moved_by, samples, step};
 use crate::lower::cycles::track::{Move, Path, Stroke};
 use proptest::prelude::*;
 
@@ -164,52 +165,6 @@ fn refused_recesses() {
     assert_eq!(code(RecessTurning { most: 0.0, ..groove() }), "G3041");
 }
 
-// ---- random grooves, cut out of a blank of columns ----
-
-/// Distance of two columns of material, mm.
-const GRID: f64 = 0.05;
-
-/// One step down a wall: a line, an arc with the material inside, or one with the material outside.
-#[derive(Debug, Clone, Copy)]
-enum StepDown {
-    Line(f64, f64),
-    Bulge(f64),
-    Hollow(f64),
-}
-
-fn step() -> impl Strategy<Value = StepDown> {
-    prop_oneof![
-        (0.0f64..2.0, 0.0f64..2.0).prop_map(|(x, y)| StepDown::Line(x, y)),
-        Just(StepDown::Line(0.0, 1.5)),
-        Just(StepDown::Line(1.0, 0.0)),
-        (0.1f64..1.5).prop_map(StepDown::Bulge),
-        (0.1f64..1.5).prop_map(StepDown::Hollow),
-    ]
-}
-
-/// A chain that falls from the origin.
-fn chain(steps: &[StepDown]) -> Vec<Element> {
-    let mut at = Point2::origin();
-    let mut list = Vec::new();
-    let quarter = core::f64::consts::FRAC_PI_2;
-    for step in steps.iter().copied().chain([StepDown::Line(0.0, 0.5)]) {
-        let element = match step {
-            StepDown::Line(x, y) => Element::Line { from: at, to: at + Vec2::new(x, -y) },
-            StepDown::Bulge(r) => {
-                let center = at - Vec2::new(0.0, r);
-                Element::Arc { from: at, to: center + Vec2::new(r, 0.0), center, sweep: -quarter }
-            }
-            StepDown::Hollow(r) => {
-                let center = at + Vec2::new(r, 0.0);
-                Element::Arc { from: at, to: center - Vec2::new(0.0, r), center, sweep: quarter }
-            }
-        };
-        at = element.to();
-        list.push(element);
-    }
-    list
-}
-
 /// The groove in the standard view, on a floor at 0.
 #[derive(Debug, Clone)]
 struct Shape {
@@ -217,18 +172,6 @@ struct Shape {
     /// The two walls, both falling, the second in a mirror.
     walls: [Vec<Element>; 2],
     rim: f64,
-}
-
-fn moved_by(list: &[Element], by: Vec2) -> Vec<Element> {
-    let go = |p: Point2| p + by;
-    list.iter()
-        .map(|e| match *e {
-            Element::Line { from, to } => Element::Line { from: go(from), to: go(to) },
-            Element::Arc { from, to, center, sweep } => {
-                Element::Arc { from: go(from), to: go(to), center: go(center), sweep }
-            }
-        })
-        .collect()
 }
 
 fn mirror_back(list: &[Element]) -> Vec<Element> {
@@ -256,70 +199,6 @@ fn shape(left: &[StepDown], right: &[StepDown], floor: f64) -> Shape {
     contour.push(bottom);
     contour.extend(mirror_back(&b));
     Shape { contour, walls: [a, b], rim: (-fa.y).max(-fb.y) }
-}
-
-/// Height of a falling wall over `x`: endless outside, the floor behind its foot.
-fn height(wall: &[Element], x: f64) -> f64 {
-    if x < wall[0].from().x {
-        return f64::INFINITY;
-    }
-    let mut high = 0.0_f64;
-    for element in wall {
-        let (a, b) = (element.from(), element.to());
-        if x < a.x || x > b.x {
-            continue;
-        }
-        high = high.max(match *element {
-            Element::Line { .. } if b.x - a.x < 1e-12 => b.y,
-            Element::Line { .. } => a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x),
-            Element::Arc { from, center, sweep, .. } => {
-                let r = distance(from, center);
-                let up = (r * r - (x - center.x) * (x - center.x)).max(0.0).sqrt();
-                center.y + if sweep < 0.0 { up } else { -up }
-            }
-        });
-    }
-    high
-}
-
-struct Blank {
-    left: f64,
-    columns: Vec<f64>,
-}
-
-impl Blank {
-    /// Columns under the tool at `x`, with the height of the tool's edge over each, above its lowest point.
-    fn under<'b>(&'b self, tool: &'b RecessTool, x: f64) -> impl Iterator<Item = (usize, f64)> + 'b {
-        let first = ((x - self.left) / GRID).ceil().max(0.0) as usize;
-        (first..self.columns.len()).map_while(move |i| {
-            let t = self.left + i as f64 * GRID - x;
-            if t > tool.width {
-                return None;
-            }
-            let r = tool.nose;
-            let into = (r - t).max(t - (tool.width - r)).max(0.0);
-            Some((i, r - (r * r - into * into).max(0.0).sqrt()))
-        })
-    }
-}
-
-/// Points along a move, its end included.
-fn samples(from: Point2, mv: &Move) -> Vec<Point2> {
-    let Move { to, path } = *mv;
-    let count = |length: f64| (length / (GRID / 2.0)).ceil().max(1.0) as usize;
-    match path {
-        Path::Arc { center, ccw, .. } => {
-            let sweep = crate::geo::arc::sweep(from, to, center, ccw);
-            let n = count(sweep.abs() * distance(from, center));
-            (1..=n)
-                .map(|i| if i == n { to } else { center + turned(from - center, sweep * i as f64 / n as f64) })
-                .collect()
-        }
-        _ => {
-            let n = count(distance(from, to));
-            (1..=n).map(|i| if i == n { to } else { from + (to - from) * (i as f64 / n as f64) }).collect()
-        }
-    }
 }
 
 fn case() -> impl Strategy<Value = (Shape, RecessTurning, View)> {
@@ -474,7 +353,7 @@ fn check_rest(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 
     /// The four promises: no gouge, no rapid in material, no level over the infeed, nothing left but the
     /// oversize and what the tool cannot reach.

@@ -1,0 +1,72 @@
+//! What can be wrong with the form of a block, in words of the shop floor.
+
+use lalrpop_util::ParseError;
+
+use crate::diag::codes;
+use crate::lexer::mtc200::Tok;
+use crate::parser::problem::Problem;
+use crate::text::{Span, decode::readable};
+
+use super::build::Refusal;
+
+/// The finding for a block that the grammar does not take. `from` is where its words start.
+pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
+    match error {
+        ParseError::User { error } => error,
+        ParseError::UnrecognizedToken { token: (start, tok, end), .. }
+        | ParseError::ExtraToken { token: (start, tok, end) } => unexpected(tok, Span { start, end }, text, from),
+        ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
+        ParseError::UnrecognizedEof { location, .. } => {
+            let span = Span { start: from, end: location.max(from) };
+            if let Some(letter) = bare_letter(text, location) {
+                return letter;
+            }
+            Problem::new(codes::M1001, span, "the block ends too early").help("a formula or a value is missing")
+        }
+    }
+}
+
+/// The address without a value that ends at `end`.
+fn bare_letter(text: &[u8], end: u32) -> Option<Problem> {
+    let end = end as usize;
+    let code = text.get(..end)?.trim_ascii_end();
+    let (&letter, before) = code.split_last()?;
+    let alone = letter.is_ascii_alphabetic() && before.last().is_none_or(|b| !b.is_ascii_alphabetic() && *b != b'_');
+    alone.then(|| without_value(Span::at(before.len() as u32, 1), letter))
+}
+
+fn without_value(span: Span, letter: u8) -> Problem {
+    let letter = letter.to_ascii_uppercase() as char;
+    Problem::new(codes::M1003, span, format!("the address {letter} has no value"))
+        .help(format!("write it with a number, or as {letter}=@050"))
+}
+
+fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
+    let word = readable(span.of(text)).into_owned();
+    match tok {
+        Tok::Unclosed => {
+            return Problem::new(codes::M0003, span, "the comment that begins here is not closed")
+                .help("close it in the same block, or begin it with `;`");
+        }
+        Tok::Bad => {
+            return Problem::new(codes::M0001, span, format!("`{word}` has no place in a block"))
+                .help("a comment stands behind `;` or in brackets");
+        }
+        Tok::OtherVariable => {
+            return Problem::new(codes::M9002, span, format!("`{word}` is a variable of another process"))
+                .help("give the value as a variable of this process in `[variables]` of partc.toml");
+        }
+        _ => {}
+    }
+    let before = text.get(from as usize..span.start as usize).unwrap_or_default();
+    if let Some(found) = bare_letter(before, before.len() as u32).filter(|_| tok != Tok::Assign) {
+        return Problem { span: found.span.shifted(from), ..found };
+    }
+    let problem = Problem::new(codes::M1001, span, format!("`{word}` cannot stand here"));
+    match tok {
+        Tok::Label => problem.help("a label stands at the start of a block or behind a jump such as `BRA .LOOP`"),
+        Tok::Variable(_) => problem.help("a variable is the value of a word: X=@050"),
+        Tok::Slash => problem.help("the skip mark stands in front of the block"),
+        _ => problem.help("a block is a list of words such as `G01 X10 Y=@050 F200`"),
+    }
+}

@@ -1,0 +1,184 @@
+//! Feed: the words, their unit, M103, and what a block means where only rotary axes move.
+//!
+//! Source: reference sections 1.8 and 2.14.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::{Feed, Pos};
+use crate::machine::{Axis, AxisSet, Unit};
+use crate::parser::klartext::ast::{Addr, Block};
+use crate::text::Span;
+
+use super::words::{FeedWord, Words};
+use super::{Outcome, Reported, Run};
+
+/// Feed words in an INCH program count tenths of an inch.
+const INCH_FEED: f64 = 25.4 / 10.0;
+
+impl Run<'_> {
+    pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
+        let (feed, written) = match w.feed {
+            FeedWord::None | FeedWord::Max => return Ok(()),
+            FeedWord::Value(f) => (self.feed_of(f), f),
+            FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
+            FeedWord::Auto => match self.st.tool_feed {
+                Some((Feed::PerMinute(_), _)) if self.st.per_revolution => {
+                    return self.fail_help(
+                        codes::K2003,
+                        w.feed_span,
+                        "the F of the last TOOL CALL counts per minute, and M136 makes F count per revolution",
+                        "program F in mm/rev, or M137 first",
+                    );
+                }
+                Some((Feed::PerRevolution(_), _)) if !self.st.per_revolution => {
+                    return self.fail_help(
+                        codes::K2003,
+                        w.feed_span,
+                        "the F of the last TOOL CALL counts per revolution, and M137 makes F count per minute",
+                        "program F in mm/min, or M136 first",
+                    );
+                }
+                Some(feed) => feed,
+                None => {
+                    return self.fail_help(
+                        codes::K2003,
+                        w.feed_span,
+                        "the last TOOL CALL has no F, so F AUTO has no value",
+                        "put F into the TOOL CALL, or set `[control] feed` in partc.toml",
+                    );
+                }
+            },
+        };
+        if feed.value() <= 0.0 {
+            return self.feed_not_positive(w.feed_span, written);
+        }
+        self.st.feed = Some(feed);
+        self.st.written_feed = written;
+        Ok(())
+    }
+
+    #[cold]
+    pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
+        let text = self.word_text(span);
+        let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
+        self.fail_help(
+            codes::O1001,
+            span,
+            format!("{what}: the feed has to be above zero"),
+            "program the feed of this move",
+        )
+    }
+
+    /// A feed word in the unit and mode in force.
+    pub(super) fn feed_of(&mut self, value: f64) -> Feed {
+        if self.st.per_revolution {
+            return Feed::PerRevolution(value);
+        }
+        Feed::PerMinute(if self.level().unit == Unit::Inch { value * INCH_FEED } else { value })
+    }
+
+    /// Feed of a move that cuts; `None` for rapid traverse.
+    #[inline]
+    pub(super) fn move_feed(&mut self, w: &Words) -> Outcome<Option<Feed>> {
+        if w.feed == FeedWord::Max {
+            return Ok(None);
+        }
+        match self.st.feed {
+            Some(feed) => Ok(Some(feed)),
+            None => self.feed_missing(),
+        }
+    }
+
+    #[cold]
+    pub(super) fn feed_missing<T>(&mut self) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(codes::K2002, self.here.origin.loc, "no feed rate is programmed before this cutting move")
+                .help("program F in this block, in an earlier one, or in the TOOL CALL"),
+        );
+        // One report is enough.
+        self.st.feed = Some(Feed::PerMinute(1.0));
+        Err(Reported)
+    }
+
+    /// A block with a feed word was refused: that a feed is missing afterwards is not worth another error.
+    #[cold]
+    pub(super) fn lose_feed(&mut self, block: &Block) {
+        let feeds = block.words.iter().any(|word| matches!(word.addr, Addr::Feed | Addr::FeedAuto | Addr::FeedPerRev));
+        if feeds && self.st.feed.is_none() {
+            self.st.feed = Some(Feed::PerMinute(1.0));
+        }
+    }
+
+    /// M103: the feed component into the workpiece is limited.
+    ///
+    /// `in_plane` is the length of an arc; without it the way is straight.
+    #[inline]
+    pub(super) fn plunge_feed(
+        &mut self,
+        w: &Words,
+        feed: Option<Feed>,
+        end: &Pos,
+        in_plane: Option<f64>,
+    ) -> Option<Feed> {
+        match (self.st.plunge_share, feed) {
+            (Some(share), Some(feed)) => Some(self.shared_feed(w, feed, share, end, in_plane)),
+            _ => feed,
+        }
+    }
+
+    #[cold]
+    fn shared_feed(&mut self, w: &Words, feed: Feed, share: f64, end: &Pos, in_plane: Option<f64>) -> Feed {
+        let tool_axis = self.st.axis();
+        if end.get(tool_axis).is_none() {
+            return feed;
+        }
+        let mut step = nalgebra::Vector3::zeros();
+        let mut open = AxisSet::EMPTY;
+        for axis in AxisSet::MAIN.iter() {
+            match (end.get(axis), self.st.pos.get(axis)) {
+                (Some(to), Some(from)) => step[axis.index()] = to - from,
+                (Some(_), None) => open.insert(axis),
+                (None, _) => {}
+            }
+        }
+        // Which way is down, and how long the way is, counts on the workpiece.
+        let linear = *self.st.ctx.frame.linear();
+        let real = linear * step;
+        let down = real[tool_axis.index()];
+        if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
+            self.report(
+                Diagnostic::new(
+                    codes::K2709,
+                    self.loc(w.axes_span),
+                    format!(
+                        "the start of this move is not known, so M103 limits it to {} % of its feed",
+                        share * 100.0
+                    ),
+                )
+                .help("program M103 behind the first positioning"),
+            );
+            return feed.with_value(feed.value() * share);
+        }
+        if down >= 0.0 {
+            return feed;
+        }
+        let way = match in_plane {
+            Some(length) => {
+                let (first, ..) = self.st.plane().axes();
+                libm::hypot(length * linear.column(first).norm(), down)
+            }
+            None => real.norm(),
+        };
+        feed.with_value((feed.value() * share * way / -down).min(feed.value()))
+    }
+
+    /// Where only rotary axes move, F counts degrees per minute, whatever the unit of the program.
+    #[inline]
+    pub(super) fn rotary_only_feed(&mut self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
+        let feed = feed?;
+        if self.level().unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
+            return Some(feed);
+        }
+        let linear = |axis: &Axis| !axis.is_rotary() && self.st.pos.get(*axis) != end.get(*axis);
+        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.written_feed) })
+    }
+}

@@ -1,0 +1,41 @@
+//! What mends most findings of a code, where a finding says nothing better.
+
+use crate::diag::Code;
+
+/// The line of help for `code`.
+#[cold]
+pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
+    Some(match code.id {
+        "K1005" => "remove the word, or put it into a block where it belongs",
+        "K1007" => "write the unit behind the name: `BEGIN PGM PART MM`",
+        "K1009" => "correct the wrong one of the two",
+        "K2010" => "check the number, or the parameter it comes from",
+        "K2109" => "write the end point of the arc",
+        "K2202" => "check the number, or the spelling of the name",
+        "K2204" => "repeat with `CALL LBL 1 REP 2` or a conditional jump instead",
+        "K2208" => "end the called program with END PGM",
+        "K2301" => "assign a value in front of this block",
+        "K2303" => "look where the parameters of the block get their values",
+        "K2307" => "TONUMB makes a number of a text, TOCHAR a text of a number",
+        "K2308" => "Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist",
+        "K2309" => "look at the condition in front of this block",
+        "K2402" => "program all parts of the cycle, one after the other",
+        "K9001" => "program the moves of the cycle as blocks",
+        "K9002" => "have the control convert the contour to conventional blocks",
+        "K9003" => "program the approach and the departure as L and C blocks",
+        "K9004" => "have the CAM system put out the tilted work for the target machine",
+        "K9005" => "remove the block, or compile the program without the setup",
+        "K9006" => "put the values into the program",
+        "K9009" => "convert the block to L, C or CR",
+        "K9010" => "program the points as blocks with a subprogram",
+        "K9011" => "remove the function if the path does not depend on it",
+        "K9012" => "program the values: `CYCL DEF 7.1 X+60`",
+        "K9014" => "remove the block if the part does not depend on it",
+        "K9015" => "have the CAM system put out lines and arcs",
+        "K9017" => "assign the text itself: `QS1 = \"TEXT\"`",
+        "K9018" => "program the roughing as blocks",
+        "O9002" => "the sense of rotation comes from M3 or M4, the speed is positive",
+        "P4003" => "nest the calls less deeply",
+        _ => return None,
+    })
+}

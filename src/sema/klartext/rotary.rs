@@ -1,0 +1,105 @@
+//! Rotary and parallel axes: whole turns, the short way of M126, M94, and what transformations forbid.
+//!
+//! Source: reference section 2.14.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Deg;
+use crate::ir::Pos;
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::words::Words;
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    #[cold]
+    pub(super) fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
+        for axis in end.known().without(AxisSet::MAIN).iter() {
+            if !axis.is_rotary() {
+                if let Some(what) = self.st.transform.touches_parallel(axis) {
+                    return self.fail_help(
+                        codes::K2506,
+                        w.axes_span,
+                        format!("{} moves while a {what} is active", axis.letter()),
+                        "reset the transformation before the block",
+                    );
+                }
+                continue;
+            }
+            if self.st.rotary_feed && cuts {
+                return self.fail_help(
+                    codes::K2509,
+                    w.axes_span,
+                    format!("{} moves at a feed under M116", axis.letter()),
+                    "switch M116 off with M117 and program degrees per minute",
+                );
+            }
+            if w.incremental.contains(axis) {
+                // Counted from a position that holds the whole turns already.
+                self.check_increment(w, axis)?;
+                continue;
+            }
+            let target = end.get(axis).unwrap_or(0.0);
+            end.set(axis, self.rotary_target(axis, target, w.axes_span));
+        }
+        Ok(end)
+    }
+
+    /// M126 and an increment of more than half a turn contradict each other.
+    fn check_increment(&mut self, w: &Words, axis: Axis) -> Outcome {
+        let step = w.axes.get(axis).unwrap_or(0.0);
+        if !self.st.short_way || step.abs() <= 180.0 {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K9008,
+            w.axes_span,
+            format!("under M126 it is open whether I{}{step:+} goes its own way or the short one", axis.letter()),
+            "program M127 first, or the absolute angle",
+        )
+    }
+
+    /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.
+    pub(super) fn rotary_target(&mut self, axis: Axis, target: f64, span: Span) -> f64 {
+        let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
+        let Some(from) = self.st.pos.get(axis) else {
+            *offset = 0.0;
+            return target;
+        };
+        if self.st.short_way {
+            // `from` already holds the whole turns.
+            let ahead = Deg(target - from).normal().0;
+            if ahead == 180.0 {
+                let found = Diagnostic::new(
+                    codes::K2510,
+                    self.here.loc(&self.job, span),
+                    format!(
+                        "{} goes half a turn, where both ways are as short; it turns in the positive sense",
+                        axis.letter()
+                    ),
+                );
+                self.job
+                    .diags
+                    .push(found.called(self.here.origin.call).help("program M127 if the sense of rotation matters"));
+            }
+            let step = if ahead > 180.0 { ahead - 360.0 } else { ahead };
+            *offset = from + step - target;
+            return from + step;
+        }
+        target + *offset
+    }
+
+    /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move.
+    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) {
+        for axis in [Axis::A, Axis::B, Axis::C] {
+            if !axes.is_empty() && !axes.contains(axis) {
+                continue;
+            }
+            if let Some(at) = self.st.pos.get(axis) {
+                let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
+                let shown = at - *offset;
+                *offset = at - shown % 360.0;
+            }
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! What I, J and K count from: settled for the whole program by what its arcs fit.
+//!
+//! The manual describes distances from the start under G91; programs exist that give coordinates under G90,
+//! and some under G91. An arc whose start and end lie on one circle in one reading only decides; where both
+//! readings fit and nothing decided yet, the whole program is looked through once. Source: reference 5.2.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Plane, Point2, SAME_POINT, distance};
+use crate::machine::Axis;
+use crate::machine::mtc200::Centres;
+use crate::text::{Loc, Span};
+
+use super::path::plane_axes;
+use super::words::Words;
+use super::{Outcome, Reported, Run, scout};
+
+/// What the centre words are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reading {
+    Coordinates,
+    Distances,
+}
+
+/// What the arcs of the program showed, under G90 and under G91.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Settled {
+    by: [Option<(Reading, Loc)>; 2],
+    /// The whole program was looked through.
+    scouted: bool,
+    /// This run is the look through the program.
+    pub scouting: bool,
+}
+
+impl Settled {
+    pub fn scout() -> Settled {
+        Settled { scouting: true, ..Settled::default() }
+    }
+}
+
+impl Run<'_> {
+    /// Centre of an arc from `start` to `end`.
+    pub(super) fn centre(&mut self, w: &Words, plane: Plane, start: Point2, end: Point2) -> Outcome<Point2> {
+        let [first, second] = plane_axes(plane);
+        let third = 3 - first - second;
+        if w.centre[third].is_some() {
+            let message = format!("{} is no centre word of the working plane", ["I", "J", "K"][third]);
+            return self.not_here(w.centre_span, message);
+        }
+        let mut word = |i: usize| match w.centre[i] {
+            Some(value) => self.length(Axis::ALL[i], value, w.centre_span),
+            None => Ok(0.0),
+        };
+        let words = Point2::new(word(first)?, word(second)?);
+        let full = distance(start, end) <= SAME_POINT;
+        if full && (w.centre[first].is_none() || w.centre[second].is_none()) {
+            let missing = if w.centre[first].is_none() { first } else { second };
+            let text = format!("{} of this full circle is missing and counts as 0", ["I", "J", "K"][missing]);
+            self.report(Diagnostic::new(codes::M2009, self.loc(w.centre_span), text).help("write both words"));
+        }
+        self.read_centre([words, start + words.coords], start, end, w.centre_span)
+    }
+
+    /// `centres`: read as coordinates, and as distances.
+    fn read_centre(&mut self, centres: [Point2; 2], start: Point2, end: Point2, span: Span) -> Outcome<Point2> {
+        let tol = self.job.settings.control.mtc200.circle_tolerance;
+        let miss = |c: Point2| (distance(start, c) - distance(end, c)).abs();
+        let fits = |c: Point2| miss(c) <= tol + 1e-9 && distance(start, c) > tol && distance(end, c) > SAME_POINT;
+        let of = |reading| centres[if reading == Reading::Coordinates { 0 } else { 1 }];
+        let dimension = if self.st.incremental { Reading::Distances } else { Reading::Coordinates };
+        let fixed = match self.job.settings.control.mtc200.centres {
+            Centres::Settle => None,
+            Centres::Absolute => Some(Reading::Coordinates),
+            Centres::Relative => Some(Reading::Distances),
+            Centres::Dimension => Some(dimension),
+        };
+        if let Some(reading) = fixed {
+            if fits(of(reading)) {
+                return Ok(of(reading));
+            }
+            return self.off_circle(&[(reading, miss(of(reading)))], span);
+        }
+        let slot = usize::from(self.st.incremental);
+        match centres.map(fits) {
+            [false, false] => {
+                let both = [Reading::Coordinates, Reading::Distances].map(|reading| (reading, miss(of(reading))));
+                self.off_circle(&both, span)
+            }
+            [true, true] if distance(centres[0], centres[1]) <= SAME_POINT => Ok(of(dimension)),
+            [true, true] => match self.evidence(slot, dimension) {
+                Some(reading) => Ok(of(reading)),
+                None => self.ambiguous(centres, span),
+            },
+            [coordinates, _] => {
+                let reading = if coordinates { Reading::Coordinates } else { Reading::Distances };
+                self.settle(slot, reading, dimension, span)?;
+                Ok(of(reading))
+            }
+        }
+    }
+
+    /// What other arcs decided; looks through the whole program where none did.
+    fn evidence(&mut self, slot: usize, dimension: Reading) -> Option<Reading> {
+        if self.settled.scouting {
+            // Only the end point matters for going on.
+            return Some(dimension);
+        }
+        if self.settled.by[slot].is_none() && !self.settled.scouted {
+            self.settled.scouted = true;
+            let found = scout(&self.job);
+            for (mine, found) in self.settled.by.iter_mut().zip(found.by) {
+                *mine = mine.or(found);
+            }
+            if let Some((reading, loc)) = self.settled.by[slot] {
+                self.warn_unusual(reading, dimension, loc);
+            }
+        }
+        self.settled.by[slot].map(|(reading, _)| reading)
+    }
+
+    /// An arc that fits one reading only.
+    fn settle(&mut self, slot: usize, reading: Reading, dimension: Reading, span: Span) -> Outcome {
+        let here = self.loc(span);
+        match self.settled.by[slot] {
+            None => {
+                self.settled.by[slot] = Some((reading, here));
+                self.warn_unusual(reading, dimension, here);
+                Ok(())
+            }
+            Some((settled, _)) if settled == reading => Ok(()),
+            Some((_, first)) => {
+                let text = match reading {
+                    Reading::Coordinates => "the centre fits only as coordinates, another arc only as distances",
+                    Reading::Distances => {
+                        "the centre fits only as distances from the start, another arc only as coordinates"
+                    }
+                };
+                self.report(
+                    Diagnostic::new(codes::M2006, here, text)
+                        .also(first, "the other arc")
+                        .help("check end point, centre and the position in front of both arcs"),
+                );
+                Err(Reported)
+            }
+        }
+    }
+
+    fn warn_unusual(&mut self, reading: Reading, dimension: Reading, loc: Loc) {
+        if reading == dimension {
+            return;
+        }
+        let (text, value) = match reading {
+            Reading::Coordinates => ("under G91 the centres of this program are coordinates", "absolute"),
+            Reading::Distances => ("under G90 the centres of this program are distances from the start", "relative"),
+        };
+        self.report(
+            Diagnostic::new(codes::M2007, loc, text)
+                .help(format!("set `[control] centres = \"{value}\"` if that is meant")),
+        );
+    }
+
+    fn off_circle(&mut self, misses: &[(Reading, f64)], span: Span) -> Outcome<Point2> {
+        let shown: Vec<String> = misses
+            .iter()
+            .map(|(reading, miss)| {
+                let what = if *reading == Reading::Coordinates { "as coordinates" } else { "as distances" };
+                format!("{miss:.4} mm {what}")
+            })
+            .collect();
+        let message = format!("the end point misses the circle about the centre by {}", shown.join(", by "));
+        self.fail_help(
+            codes::M2010,
+            span,
+            message,
+            "check start, end and centre, or raise `[control] circle_tolerance`",
+        )
+    }
+
+    fn ambiguous(&mut self, centres: [Point2; 2], span: Span) -> Outcome<Point2> {
+        let [a, b] = plane_axes(self.st.plane).map(|i| Axis::ALL[i].letter());
+        let show = |c: Point2| format!("{a}{:.3} {b}{:.3}", c.x, c.y);
+        let message = format!("the centre can be {} or {}", show(centres[0]), show(centres[1]));
+        let help = "set `[control] centres` to \"absolute\", \"relative\" or \"dimension\"";
+        self.fail_help(codes::M2005, span, message, help)
+    }
+}

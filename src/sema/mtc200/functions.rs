@@ -1,0 +1,262 @@
+//! M functions, spindle, tool, dwell.
+//!
+//! Source: reference sections 5.4, 7, 8. When an M function acts is not documented: what starts something acts
+//! before the move of its block, what ends something behind it.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::{Function, Side};
+use crate::machine::Compensation;
+use crate::machine::mtc200::InchSpeed;
+use crate::text::Span;
+
+use super::gfunc::{G, Group};
+use super::words::{At, Words};
+use super::{Outcome, Run};
+
+/// Longest time of G04, as written.
+const MOST_DWELL: f64 = 1e6;
+
+/// Metres in a foot.
+const FOOT: f64 = 0.3048;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum When {
+    Start,
+    End,
+}
+
+fn when(number: u32) -> Option<When> {
+    Some(match number {
+        3 | 4 | 6 | 7 | 8 | 13 | 14 | 19 => When::Start,
+        0 | 1 | 2 | 5 | 9 | 30 => When::End,
+        _ => return None,
+    })
+}
+
+/// Functions of one group contradict each other.
+fn groups(number: u32) -> [u8; 2] {
+    match number {
+        3 | 4 | 5 | 19 => [1, 0],
+        7..=9 => [0, 2],
+        13 | 14 => [1, 2],
+        2 | 30 => [3, 0],
+        _ => [0, 0],
+    }
+}
+
+pub(super) fn conflict(a: u32, b: u32) -> bool {
+    groups(a).iter().any(|group| *group != 0 && groups(b).contains(group))
+}
+
+impl Run<'_> {
+    /// M functions that are not known are refused before anything of the block acts.
+    #[inline]
+    pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
+        for (i, &(number, span)) in w.m().iter().enumerate() {
+            if when(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
+                let help = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
+                let message = format!("M{number} is a function of the machine builder");
+                return self.fail_help(codes::M2701, span, message, &help);
+            }
+            if let Some((first, _)) = w.m()[..i].iter().find(|(first, _)| conflict(*first, number)) {
+                return self.fail(codes::M1010, span, format!("M{number} contradicts M{first} of the same block"));
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    pub(super) fn m_at_start(&mut self, w: &Words, moves: bool) -> Outcome {
+        for &(number, span) in w.m() {
+            match when(number) {
+                Some(When::Start) => self.act(number, span)?,
+                Some(When::End) => {}
+                None => self.aux(number, span, moves),
+            }
+        }
+        for &(number, span) in w.aux() {
+            self.aux(number, span, moves);
+        }
+        Ok(())
+    }
+
+    /// An M function whose moment is not known.
+    fn aux(&mut self, number: u32, span: Span, moves: bool) {
+        if moves {
+            let text = format!("M{number} is printed before the move of its block");
+            self.report(Diagnostic::new(codes::M2704, self.loc(span), text).help("put it into a block of its own"));
+        }
+        self.function(Function::Aux(number));
+    }
+
+    #[inline]
+    pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
+        for &(number, span) in w.m() {
+            if when(number) == Some(When::End) {
+                self.act(number, span)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn act(&mut self, number: u32, span: Span) -> Outcome {
+        let function = match number {
+            0 => Function::Stop,
+            1 => Function::OptionalStop,
+            3 | 13 => Function::Spindle(Spindle::Start(Turn::Clockwise)),
+            4 | 14 => Function::Spindle(Spindle::Start(Turn::CounterClockwise)),
+            5 => Function::Spindle(Spindle::Stop),
+            7 => Function::Coolant(Coolant::Mist),
+            8 => Function::Coolant(Coolant::Flood),
+            9 => Function::Coolant(Coolant::Off),
+            19 => Function::Spindle(Spindle::Orient(0.0)),
+            6 => return self.m6(span),
+            // The end waits for the flow words of the block.
+            _ => return self.end_of_program(number == 30, span),
+        };
+        self.function(function);
+        if matches!(number, 13 | 14) {
+            self.function(Function::Coolant(Coolant::Flood));
+        }
+        Ok(())
+    }
+
+    // Tool.
+
+    /// T, and the change where M6 stands in the same block or T alone changes.
+    pub(super) fn tool_word(&mut self, at: At, changes: bool) -> Outcome {
+        let number = self.whole(at, "T")?;
+        self.st.selected = Some(number);
+        if self.job.settings.control.mtc200.t_changes {
+            return self.change(at.span);
+        }
+        if !changes {
+            self.function(Function::ToolPrepare { number });
+        }
+        Ok(())
+    }
+
+    fn m6(&mut self, span: Span) -> Outcome {
+        if self.job.settings.control.mtc200.t_changes {
+            self.without_geometry("M6", span);
+            return Ok(());
+        }
+        self.change(span)
+    }
+
+    fn change(&mut self, span: Span) -> Outcome {
+        let Some(number) = self.st.selected else {
+            return self.fail_help(codes::M2012, span, "M6 without a selected tool", "program T before M6");
+        };
+        if self.st.side != Side::None {
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "the tool changes under path compensation",
+                "program G40 before",
+            );
+        }
+        self.st.tool = Some(number);
+        self.function(Function::ToolChange { number });
+        self.function(Function::Cutter(CutterData { number, radius: None }));
+        self.forget_tip();
+        Ok(())
+    }
+
+    /// G40, G41, G42.
+    pub(super) fn set_side(&mut self, side: Side, span: Span) -> Outcome {
+        if side != Side::None {
+            if self.job.settings.output.compensation == Compensation::Resolve {
+                let help = "set `[output] compensation = \"control\"` to print G41 and G42";
+                return self.fail_help(codes::M9004, span, "path compensation cannot be computed yet", help);
+            }
+            if self.st.tool.is_none() {
+                let help = "program T and M6 before";
+                return self.fail_help(codes::M2012, span, "path compensation without a tool", help);
+            }
+            if self.st.side_sent != Side::None && self.st.side_sent != side {
+                let help = "program G40 with a straight move between them";
+                return self.fail_help(codes::M1006, span, "G41 and G42 follow each other without G40", help);
+            }
+        }
+        self.st.side = side;
+        Ok(())
+    }
+
+    // Spindle.
+
+    /// G96 and G97.
+    pub(super) fn spindle_mode(&mut self, on: bool, span: Span, w: &Words) -> Outcome {
+        let changes = self.st.constant_speed != on;
+        self.st.constant_speed = on;
+        let limit_only = w.g[Group::Once as usize].is_some_and(|(g, _)| g == G::SpeedLimit);
+        if changes && (w.speed.is_none() || limit_only) {
+            let (name, form) = if on { ("G96", "G96 S180") } else { ("G97", "G97 S1200") };
+            return self.missing(span, format!("{name} needs its S in the same block: `{form}`"));
+        }
+        Ok(())
+    }
+
+    pub(super) fn speed_word(&mut self, at: At, limit: bool) -> Outcome {
+        if at.value < 0.0 || (limit && at.value == 0.0) {
+            return self.fail(codes::M2705, at.span, format!("the spindle speed is {}", at.value));
+        }
+        if limit {
+            self.st.speed_limit = Some(at.value);
+            if self.st.constant_speed {
+                self.send_cutting_speed();
+            }
+            return Ok(());
+        }
+        if !self.st.constant_speed {
+            self.function(Function::Spindle(Spindle::Speed(at.value)));
+            return Ok(());
+        }
+        let metres = match (self.st.inch, self.job.settings.control.mtc200.inch_speed) {
+            (false, _) | (true, InchSpeed::Metres) => at.value,
+            (true, InchSpeed::Feet) => at.value * FOOT,
+            (true, InchSpeed::Refuse) => {
+                let help = "set `[control] inch_speed` to \"metres\" or \"feet\"";
+                return self.fail_help(
+                    codes::M9007,
+                    at.span,
+                    "the unit of the cutting speed under G70 is not known",
+                    help,
+                );
+            }
+        };
+        self.st.cutting_speed = Some(metres);
+        self.send_cutting_speed();
+        Ok(())
+    }
+
+    fn send_cutting_speed(&mut self) {
+        if let Some(speed) = self.st.cutting_speed {
+            let limit = self.st.speed_limit;
+            self.function(Function::Spindle(Spindle::CuttingSpeed { speed, limit }));
+        }
+    }
+
+    /// G04.
+    pub(super) fn dwell(&mut self, w: &Words, span: Span) -> Outcome {
+        let Some(at) = w.feed else { return self.missing(span, "G04 needs its time: `G04 F2.5`") };
+        if !(0.0..=MOST_DWELL).contains(&at.value) {
+            return self.fail(codes::M2705, at.span, format!("the dwell time is {}", at.value));
+        }
+        let unit = if self.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
+        self.function(Function::Dwell(at.value * unit));
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contradictions() {
+        assert!(conflict(3, 4) && conflict(8, 9) && conflict(13, 9) && conflict(3, 5) && conflict(13, 3));
+        assert!(!conflict(3, 8) && !conflict(5, 9) && !conflict(1, 30) && conflict(2, 30));
+    }
+}

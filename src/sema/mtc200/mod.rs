@@ -1,0 +1,595 @@
+//! Runs an MTC200 program: an explicit program counter and call stack, NC variables, modal state.
+//!
+//! Every block is resolved completely in its turn, so the programmed position is always known here. The order
+//! inside a block is: modal G functions, S, T, M functions that start something, motion or offset, corner, M
+//! functions that end something, program flow. Source: reference sections 1, 2, 6.5.
+
+mod centre;
+mod eval;
+mod flow;
+mod functions;
+mod gfunc;
+mod offsets;
+mod path;
+mod state;
+mod words;
+
+use std::rc::Rc;
+
+use rustc_hash::FxHashSet;
+
+use crate::diag::{CallPath, Code, Diagnostic, Diags, codes};
+use crate::geo::Plane;
+use crate::ir::contour::{Corner, Ctx, CtxRef, Move, Sink};
+use crate::ir::cycle::Cycle;
+use crate::ir::{Function, Origin};
+use crate::machine::Axis;
+use crate::parser::mtc200::ast::{Block, Stmt};
+use crate::parser::mtc200::{SPLIT, parse_block};
+use crate::parser::problem::Problem;
+use crate::parser::symbols::Symbols;
+use crate::text::blocks::Place;
+use crate::text::{Cursor, FileId, Loc, Next, Span};
+
+use super::Job;
+use super::exec::{Budget, Cache, open_cursor};
+use super::here::Here;
+use centre::Settled;
+use flow::{Labels, Level};
+use gfunc::{G, Group};
+use state::{Motion, State};
+use words::Words;
+
+/// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
+pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
+    let mut run = Run::new(job, out, Settled::default());
+    if !run.execute_all() {
+        return 0;
+    }
+    run.programs[0].cursor.content_hash(job.sources).unwrap_or(0)
+}
+
+/// Looks through the program for arcs that decide what their centres count from.
+fn scout(job: &Job<'_>) -> Settled {
+    let diags = Diags::default();
+    let quiet = Job { diags: &diags, ..*job };
+    let mut nowhere = Nowhere;
+    let mut run = Run::new(&quiet, &mut nowhere, Settled::scout());
+    run.execute_all();
+    run.settled
+}
+
+/// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
+pub fn check_form(job: &Job<'_>) {
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
+    let (mut block, mut symbols, mut problems) = (Block::default(), Symbols::default(), Vec::new());
+    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
+        parse_block(text.text, &mut block, &mut symbols, &mut problems);
+        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        for problem in problems.drain(..) {
+            job.diags.push(here.diagnostic(job, problem));
+        }
+    }
+}
+
+/// Where a program stands with its file header.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Header {
+    /// Nothing was read yet.
+    #[default]
+    Start,
+    Open,
+    Closed,
+    /// A program without header.
+    None,
+}
+
+/// A program file and what is known of it.
+#[derive(Debug)]
+struct Program {
+    file: FileId,
+    cursor: Cursor,
+    labels: Option<Labels>,
+    cache: Cache<Parsed>,
+    header: Header,
+    /// Offset of the first block that did something.
+    first: Option<u32>,
+}
+
+/// A block with what its execution needs besides.
+#[derive(Debug, Clone, Default)]
+struct Parsed {
+    block: Block,
+    text: Vec<u8>,
+    lines: u32,
+    next: Place,
+}
+
+/// A run of a program.
+struct Run<'a> {
+    job: Job<'a>,
+    out: &'a mut dyn Sink,
+    st: State,
+    symbols: Symbols,
+    /// Axis of each letter.
+    axis_names: [Option<Axis>; 26],
+    variables: Vec<Option<f64>>,
+    /// Result of the last assignment: what branches look at.
+    result: Option<f64>,
+    settled: Settled,
+    /// Words that were noted once.
+    noted: FxHashSet<String>,
+    programs: Vec<Program>,
+    levels: Vec<Level>,
+    budget: Budget,
+    stack: Vec<f64>,
+    words: Option<Box<Words>>,
+    here: Here,
+    problems: Vec<Problem>,
+    scratch: Option<Box<Parsed>>,
+    ended: bool,
+}
+
+/// A block that could not be executed; the reason was reported.
+#[derive(Debug, Clone, Copy)]
+struct Reported;
+
+type Outcome<T = ()> = Result<T, Reported>;
+
+impl<'a> Run<'a> {
+    fn new(job: &Job<'a>, out: &'a mut dyn Sink, settled: Settled) -> Run<'a> {
+        Run {
+            job: *job,
+            out,
+            st: State::new(job.settings),
+            symbols: Symbols::default(),
+            axis_names: axis_names(job.settings.machine.geometry_axes),
+            variables: start_values(&job.settings.variables),
+            result: None,
+            settled,
+            noted: FxHashSet::default(),
+            programs: Vec::new(),
+            levels: Vec::new(),
+            budget: Budget::new(job.settings.limits.steps),
+            stack: Vec::new(),
+            words: None,
+            here: Here::default(),
+            problems: Vec::new(),
+            scratch: None,
+            ended: false,
+        }
+    }
+}
+
+impl Run<'_> {
+    /// Runs to the end; false if the main program cannot be opened.
+    fn execute_all(&mut self) -> bool {
+        let start = Loc { file: self.job.main, line: 1, span: Span::default() };
+        let Some(program) = self.open(self.job.main, start) else { return false };
+        self.levels.push(Level::main(program));
+        while !self.ended {
+            self.step();
+        }
+        true
+    }
+
+    fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
+        if let Some(at) = self.programs.iter().position(|program| program.file == file) {
+            return Some(at);
+        }
+        let cursor = open_cursor(&self.job, file, SPLIT, from)?;
+        let header = Header::Start;
+        self.programs.push(Program { file, cursor, labels: None, cache: Cache::default(), header, first: None });
+        Some(self.programs.len() - 1)
+    }
+
+    fn level(&mut self) -> &mut Level {
+        self.levels.last_mut().expect("the main level is never popped")
+    }
+
+    fn program(&mut self) -> &mut Program {
+        let at = self.level().program;
+        &mut self.programs[at]
+    }
+
+    /// Executes one block.
+    fn step(&mut self) {
+        let (at, call) = (self.level().program, self.level().call);
+        if !self.budget.step() {
+            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+            self.ended = true;
+            return;
+        }
+        let program = &mut self.programs[at];
+        let place = program.cursor.place();
+        if program.cursor.is_whole()
+            && let Some(parsed) = program.cache.get(place.at)
+        {
+            program.cursor.resume(parsed.next);
+            self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
+            self.execute(&parsed.block, &parsed.text);
+            return;
+        }
+        let mut parsed = self.scratch.take().unwrap_or_default();
+        parsed.text.clear();
+        match program.cursor.next(self.job.sources) {
+            Ok(Next::Block(found)) => {
+                parse_block(found.text, &mut parsed.block, &mut self.symbols, &mut self.problems);
+                parsed.text.extend_from_slice(found.text);
+                parsed.lines = found.lines;
+                self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
+                if program.cursor.is_whole() {
+                    parsed.next = program.cursor.place();
+                    program.cache.insert(place.at, Rc::new(Parsed::clone(&parsed)));
+                }
+                if !self.problems.is_empty() {
+                    self.report_problems();
+                }
+                self.execute(&parsed.block, &parsed.text);
+            }
+            Ok(Next::TooLong { at, line }) => {
+                let loc = Loc { file: program.file, line, span: Span::at(at, 1) };
+                self.job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB"));
+                self.lose_all();
+            }
+            Ok(Next::End) => self.end_of_file(),
+            Err(error) => {
+                let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
+                self.job.diags.push(Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}")));
+                self.ended = true;
+            }
+        }
+        self.scratch = Some(parsed);
+    }
+
+    fn report_problems(&mut self) {
+        for problem in self.problems.drain(..) {
+            self.job.diags.push(self.here.diagnostic(&self.job, problem));
+        }
+    }
+
+    #[inline]
+    fn execute(&mut self, block: &Block, text: &[u8]) {
+        self.here.origin.loc.span = block.span.shifted(self.here.at);
+        if let Stmt::Header(first) = block.stmt {
+            return self.header_line(first, block, text);
+        }
+        if self.program().header != Header::Closed && self.program().header != Header::None {
+            self.leave_header(block);
+        }
+        if block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1) {
+            return;
+        }
+        if self.job.settings.output.comments {
+            for comment in &block.comments {
+                self.comment(comment.of(text));
+            }
+        }
+        match block.stmt {
+            Stmt::Empty | Stmt::Header(_) => {}
+            Stmt::Bad => self.lose_all(),
+            Stmt::Words => {
+                let at = self.here.at;
+                self.program().first.get_or_insert(at);
+                if self.words_block(block, text).is_err() {
+                    self.lose_all();
+                }
+            }
+        }
+    }
+
+    /// A line that only a file header has.
+    #[cold]
+    fn header_line(&mut self, first: u8, block: &Block, text: &[u8]) {
+        let is_frame = text.len() >= 4 && text[..4].eq_ignore_ascii_case(b"%NPG");
+        let header = self.program().header;
+        let (next, fits) = match (first, header) {
+            (b'%', Header::Start) => (Header::Open, is_frame),
+            (b'%', Header::Open) => (Header::Closed, is_frame && text.trim_ascii().len() == 4),
+            (b'%', other) => (other, false),
+            (_, Header::Open) => (Header::Open, true),
+            (_, other) => (other, false),
+        };
+        self.program().header = next;
+        if !fits {
+            let span = block.span;
+            let help = "a header begins with a line `%NPG:…` and ends with a line `%NPG`";
+            let _: Outcome = self.fail_help(codes::M1002, span, "this line belongs into a file header", help);
+            return;
+        }
+        if matches!(first, b'*' | b'$') && self.job.settings.output.comments {
+            self.comment(&text[1..]);
+        }
+    }
+
+    /// A line of the program where a header might stand.
+    #[cold]
+    fn leave_header(&mut self, block: &Block) {
+        let blank = block.stmt == Stmt::Empty && block.label.is_none();
+        match self.program().header {
+            Header::Open if !(blank && block.comments.is_empty()) => {
+                self.program().header = Header::Closed;
+                let help = "a second line `%NPG` ends the header";
+                let _: Outcome = self.fail_help(codes::M1002, block.span, "this line stands in the file header", help);
+            }
+            Header::Start if !blank => self.program().header = Header::None,
+            _ => {}
+        }
+    }
+
+    fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        if self.assignments(block)? {
+            return self.count_between();
+        }
+        let w = self.gather(block, text)?;
+        let result = self.act_on(&w);
+        self.put_back(w);
+        result
+    }
+
+    /// Everything a block of words does, in order.
+    #[inline]
+    fn act_on(&mut self, w: &Words) -> Outcome {
+        self.check_m(w)?;
+        let once = w.g[Group::Once as usize].map(|(g, _)| g);
+        let ends = w.m().iter().any(|(number, _)| matches!(number, 2 | 30));
+        if let (true, Some(flow)) = (ends, w.flow) {
+            return self.not_here(flow.span, "the block ends the program and goes on elsewhere");
+        }
+        if once == Some(G::Dwell) {
+            return self.dwell_block(w);
+        }
+        self.modal_functions(w)?;
+        if let (Some(at), None) = (w.feed, once.filter(|g| *g == G::Dwell)) {
+            self.set_feed(at)?;
+        }
+        if let Some(at) = w.tool {
+            self.tool_word(at, w.m().iter().any(|(number, _)| *number == 6))?;
+        }
+        if let Some(at) = w.speed {
+            self.speed_word(at, once == Some(G::SpeedLimit))?;
+        } else if once == Some(G::SpeedLimit) {
+            return self.missing(w.g_spans[Group::Once as usize], "G92 needs its S: `G92 S2000`");
+        }
+        let arcs = self.st.motion.is_some_and(Motion::is_arc);
+        let moves = once.is_none() && (!w.axes.known().is_empty() || w.has_centre() || (arcs && w.radius.is_some()));
+        self.m_at_start(w, moves)?;
+        let span = w.g_spans[Group::Once as usize];
+        match once {
+            Some(G::ShiftTo | G::ShiftBy | G::Name) => {
+                self.only_axes(w)?;
+                self.programmed_offset(once.unwrap_or(G::Name), w, span)?;
+            }
+            Some(G::Home) => {
+                self.only_axes(w)?;
+                self.home(w, span)?;
+            }
+            Some(_) if !w.axes.known().is_empty() => {
+                return self.not_here(w.axes_span, "axis words have no meaning beside G92");
+            }
+            Some(_) => self.only_axes(w)?,
+            None if moves => self.motion(w)?,
+            None => self.stray_words(w)?,
+        }
+        if w.program.is_some() {
+            self.check_p(w)?;
+        }
+        if w.chamfer.is_some() || w.rounding.is_some() {
+            self.corner(w)?;
+        } else if !moves {
+            self.count_between()?;
+        }
+        self.m_at_end(w)?;
+        match w.flow {
+            Some(flow) if !self.ended => self.go_on(flow, w),
+            _ => Ok(()),
+        }
+    }
+
+    /// Beside a function that takes axis words nothing else can use I, J, K or R.
+    fn only_axes(&mut self, w: &Words) -> Outcome {
+        if w.has_centre() {
+            return self.not_here(w.centre_span, "I, J and K have no meaning in this block");
+        }
+        self.stray_words(w)
+    }
+
+    fn stray_words(&mut self, w: &Words) -> Outcome {
+        match w.radius {
+            Some(at) => self.not_here(at.span, "R has no meaning in this block"),
+            None => Ok(()),
+        }
+    }
+
+    #[cold]
+    fn check_p(&mut self, w: &Words) -> Outcome {
+        let (Some(at), None) = (w.program, w.flow.filter(|flow| flow.flow.takes_program())) else { return Ok(()) };
+        if w.g[Group::Once as usize].is_some() {
+            let help = "rotation of the zero offset is not supported: leave P out";
+            return self.fail_help(codes::M9002, at.span, "the angle P of an offset is not documented", help);
+        }
+        if self.st.motion == Some(Motion::Thread) && !w.axes.known().is_empty() {
+            if at.value == 0.0 {
+                return Ok(());
+            }
+            let help = "move the start of the thread instead: a part of the lead earlier";
+            return self.fail_help(
+                codes::M9002,
+                at.span,
+                "the start angle of a thread has no word in the output",
+                help,
+            );
+        }
+        self.not_here(at.span, "P has no meaning in this block")
+    }
+
+    /// G04 stands alone with its F.
+    #[cold]
+    fn dwell_block(&mut self, w: &Words) -> Outcome {
+        let span = w.g_spans[Group::Once as usize];
+        let other_g = w.g.iter().filter(|g| g.is_some()).count() > 1;
+        let other = [w.speed, w.tool, w.program, w.radius, w.chamfer, w.rounding].iter().any(Option::is_some);
+        if other_g || other || w.has_centre() || !w.axes.known().is_empty() || !w.m().is_empty() || w.flow.is_some() {
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "G04 stands beside other words",
+                "put G04 F… into a block of its own",
+            );
+        }
+        self.dwell(w, span)?;
+        self.count_between()
+    }
+
+    /// Modal G functions; they hold for their own block already.
+    #[inline]
+    fn modal_functions(&mut self, w: &Words) -> Outcome {
+        // G62 beside G08 ends the exact stop first.
+        for group in [Group::ExactStop, Group::Unit, Group::Diameter] {
+            if let Some((g, _)) = w.g[group as usize] {
+                self.modal(g, w.g_spans[group as usize], w)?;
+            }
+        }
+        for (i, slot) in w.g.iter().enumerate() {
+            let Some((g, _)) = slot else { continue };
+            if !matches!(g, G::ExactStop(_) | G::Inch(_) | G::Diameter(_)) {
+                self.modal(*g, w.g_spans[i], w)?;
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn modal(&mut self, g: G, span: Span, w: &Words) -> Outcome {
+        match g {
+            G::Motion(motion) => self.st.motion = Some(motion),
+            G::Plane(plane) => return self.set_plane(plane, span),
+            G::Incremental(on) => self.st.incremental = on,
+            G::Diameter(on) => self.st.diameter = on,
+            G::Inch(on) => self.st.inch = on,
+            G::Smooth if self.st.exact_stop => {
+                let text = "G08 cannot be programmed while G61 is active";
+                return self.fail_help(codes::M2013, span, text, "program G62 first");
+            }
+            G::ExactStop(on) => self.st.exact_stop = on,
+            G::Side(side) => return self.set_side(side, span),
+            G::Chamfers(on) => self.st.chamfers = on,
+            G::Offset(offset) => return self.set_offset(offset, span),
+            G::PerRevolution(on) => {
+                if self.st.per_revolution != on {
+                    self.st.feed = None;
+                }
+                self.st.per_revolution = on;
+            }
+            G::ConstantSpeed(on) => return self.spindle_mode(on, span, w),
+            G::Nothing | G::Smooth | G::Dwell | G::ShiftTo | G::ShiftBy | G::Name | G::Home | G::SpeedLimit => {}
+        }
+        Ok(())
+    }
+
+    fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {
+        if plane == self.st.plane {
+            return Ok(());
+        }
+        if self.st.side != crate::ir::Side::None || self.st.corner.is_some() {
+            let text = "the working plane changes inside a compensated contour or a corner";
+            return self.fail_help(codes::M1006, span, text, "program G40 before");
+        }
+        self.st.plane = plane;
+        self.st.cornerable = false;
+        self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
+        Ok(())
+    }
+
+    fn comment(&mut self, text: &[u8]) {
+        let text = text.trim_ascii();
+        if !text.is_empty() {
+            self.function(Function::Comment(text.to_vec()));
+        }
+    }
+
+    #[inline]
+    fn movement(&mut self, mv: &Move) {
+        self.out.movement(mv, &self.st.ctx, &self.here.origin);
+    }
+
+    fn send_corner(&mut self, corner: &Corner) {
+        self.out.corner(corner, &self.st.ctx, &self.here.origin);
+    }
+
+    fn function(&mut self, function: Function) {
+        self.out.function(&function, &self.st.ctx, &self.here.origin);
+    }
+
+    /// Nobody knows where the tool is.
+    fn lost(&mut self) {
+        self.out.lost(&self.st.ctx, &self.here.origin);
+    }
+
+    /// Reports an error about the whole block.
+    fn error(&self, code: &'static Code, message: impl Into<String>) {
+        self.report(Diagnostic::new(code, self.here.origin.loc, message));
+    }
+
+    fn report(&self, found: Diagnostic) {
+        self.job.diags.push(found.called(self.here.origin.call));
+    }
+
+    /// Reports an error about `span` of the block and gives up the block.
+    fn fail<T>(&self, code: &'static Code, span: Span, message: impl Into<String>) -> Outcome<T> {
+        self.report(Diagnostic::new(code, self.loc(span), message));
+        Err(Reported)
+    }
+
+    /// The same with a line of help.
+    fn fail_help<T>(&self, code: &'static Code, span: Span, message: impl Into<String>, help: &str) -> Outcome<T> {
+        self.report(Diagnostic::new(code, self.loc(span), message).help(help));
+        Err(Reported)
+    }
+
+    /// A place in the current block.
+    fn loc(&self, span: Span) -> Loc {
+        self.here.loc(&self.job, span)
+    }
+}
+
+/// The axis of each letter: the first three have names of the machine builder's choice, the others their own.
+fn axis_names(main: [Axis; 3]) -> [Option<Axis>; 26] {
+    let mut names = [None; 26];
+    let slot = |axis: Axis| axis.letter() as usize - 'A' as usize;
+    for axis in Axis::ALL.into_iter().filter(|axis| !axis.is_main()) {
+        names[slot(axis)] = Some(axis);
+    }
+    for (meaning, name) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(main) {
+        names[slot(name)] = Some(meaning);
+    }
+    names
+}
+
+/// Variables with their start values: `@50` and `@050` are the same.
+fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<f64>> {
+    let mut variables = vec![None; eval::VARIABLES];
+    for (name, value) in start {
+        let number = name.strip_prefix('@').and_then(|digits| digits.parse::<usize>().ok());
+        if let Some(slot) = number.and_then(|number| variables.get_mut(number)) {
+            *slot = Some(*value);
+        }
+    }
+    variables
+}
+
+/// Takes everything and keeps nothing.
+struct Nowhere;
+
+impl Sink for Nowhere {
+    fn movement(&mut self, _: &Move, _: &CtxRef, _: &Origin) {}
+
+    fn corner(&mut self, _: &Corner, _: &CtxRef, _: &Origin) {}
+
+    fn function(&mut self, _: &Function, _: &CtxRef, _: &Origin) {}
+
+    fn cycle(&mut self, _: &Cycle, _: &CtxRef, _: &Origin) {}
+
+    fn lost(&mut self, _: &CtxRef, _: &Origin) {}
+}

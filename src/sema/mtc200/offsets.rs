@@ -1,0 +1,181 @@
+//! Zero offsets and machine positions: G50 to G59, G74.
+//!
+//! Offsets of X are radius values under diameter programming, and all follow G70 and G71. Source: reference 6.4.
+
+use std::rc::Rc;
+
+use nalgebra::Matrix3;
+
+use crate::diag::codes;
+use crate::ir::contour::Ctx;
+use crate::ir::{Frame, Function, Pos, Side};
+use crate::machine::axis::AXES;
+use crate::machine::mtc200::G52;
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::gfunc::G;
+use super::state::Offset;
+use super::words::Words;
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    /// G53 to G59.
+    pub(super) fn set_offset(&mut self, offset: Offset, span: Span) -> Outcome {
+        if self.st.offset == offset {
+            return Ok(());
+        }
+        if self.st.side != Side::None {
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "the zero offset changes under path compensation",
+                "program G40 before",
+            );
+        }
+        if offset == Offset::Machine && self.st.shift != [0.0; AXES] {
+            let help = "set the programmed offset to 0 before: `G50 X0 Y0 Z0`";
+            return self.fail_help(codes::M2101, span, "G53 while an offset of G50 or G51 is in force", help);
+        }
+        self.st.offset = offset;
+        if let Offset::Work(number) = offset {
+            self.function(Function::WorkOffset(number));
+        }
+        self.st.forget(self.st.pos.known());
+        self.st.cornerable = false;
+        Ok(())
+    }
+
+    #[cold]
+    pub(super) fn offset_is_certain(&mut self, span: Span) -> Outcome {
+        if self.st.offset != Offset::Reset {
+            return Ok(());
+        }
+        let help = "program G54 to G59 at the top of this program";
+        self.fail_help(codes::M2102, span, "the zero offset after JMP depends on the machine", help)
+    }
+
+    /// G50, G51, G52.
+    pub(super) fn programmed_offset(&mut self, g: G, w: &Words, span: Span) -> Outcome {
+        if w.axes.known().is_empty() {
+            return self.missing(span, "the offset names no axis");
+        }
+        if self.st.side != Side::None {
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "the zero offset changes under path compensation",
+                "program G40 before",
+            );
+        }
+        if self.st.offset == Offset::Machine {
+            return self.fail_help(
+                codes::M2101,
+                span,
+                "a programmed offset while G53 is active",
+                "program G54 to G59 before",
+            );
+        }
+        let mut values = [0.0; AXES];
+        for (axis, value) in w.axes.iter() {
+            values[axis.index()] = self.radius_length(axis, value, w.axes_span)?;
+        }
+        let named = w.axes.known();
+        let mut shift = self.st.shift;
+        match g {
+            G::ShiftTo if self.st.named => {
+                let help = "write the offsets with G50 and G51 alone";
+                return self.fail_help(codes::M9006, span, "whether G50 cancels the G52 before it is not known", help);
+            }
+            G::ShiftTo => {
+                if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
+                    let letter = axis.letter();
+                    let message = format!("G50 does not say whether {letter} keeps its offset");
+                    let help = format!("add {letter}0 to end it, or repeat its offset");
+                    return self.fail_help(codes::M2014, span, message, &help);
+                }
+                shift = values;
+            }
+            G::ShiftBy => add(&mut shift, &values),
+            _ => match self.job.settings.control.mtc200.g52 {
+                G52::Refuse => {
+                    let help = "set `[control] g52` to \"position\" or \"shift\"";
+                    return self.fail_help(codes::M9006, span, "the meaning of G52 is not known", help);
+                }
+                G52::Shift => add(&mut shift, &values),
+                G52::Position => {
+                    for axis in named.iter() {
+                        let i = axis.index();
+                        shift[i] += self.position_of(axis, w.axes_span)? - values[i];
+                    }
+                }
+            },
+        }
+        self.st.named |= g == G::Name;
+        self.put_in_force(shift, span)
+    }
+
+    /// A length that is never a diameter.
+    fn radius_length(&mut self, axis: Axis, value: f64, span: Span) -> Outcome<f64> {
+        let length = self.length(axis, value, span)?;
+        Ok(if axis == Axis::X && self.st.diameter { 2.0 * length } else { length })
+    }
+
+    /// The zero point moves, the tool does not.
+    fn put_in_force(&mut self, shift: [f64; AXES], span: Span) -> Outcome {
+        let Some(frame) = Frame::new(Matrix3::identity(), shift) else {
+            return self.fail(codes::M2302, span, "the offset is too large");
+        };
+        let at = self.st.ctx.frame.apply(&self.st.pos);
+        self.st.pos = frame.unapply(&at);
+        self.st.shift = shift;
+        self.st.ctx = Rc::new(Ctx { plane: self.st.plane, frame });
+        self.st.cornerable = false;
+        Ok(())
+    }
+
+    /// G74: the named axes go to their home position.
+    pub(super) fn home(&mut self, w: &Words, span: Span) -> Outcome {
+        if w.axes.known().is_empty() {
+            return self.missing(span, "G74 names no axis: `G74 X0 Z0`");
+        }
+        if self.st.side != Side::None || self.st.corner.is_some() {
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "G74 inside a compensated contour or a corner",
+                "program G40 before",
+            );
+        }
+        let mut end = Pos::UNKNOWN;
+        for (axis, value) in w.axes.iter() {
+            let letter = axis.letter();
+            if value != 0.0 {
+                let message = format!("{letter} only names its axis beside G74, so its value is 0");
+                return self.fail_help(codes::M1006, w.axes_span, message, &format!("write {letter}0"));
+            }
+            match self.job.settings.control.mtc200.home.get(&axis) {
+                Some(home) => end.set(axis, *home),
+                None => {
+                    let help = format!("set it in partc.toml: `[control] home = {{ {letter} = 0.0 }}`");
+                    let message = format!("the home position of {letter} is known only to the machine");
+                    return self.fail_help(codes::M9005, span, message, &help);
+                }
+            }
+        }
+        self.machine_position(end, None);
+        Ok(())
+    }
+
+    /// A new tool has its tip elsewhere.
+    pub(super) fn forget_tip(&mut self) {
+        self.st.forget(AxisSet::MAIN);
+        self.st.moved = self.st.moved.union(AxisSet::MAIN);
+    }
+}
+
+fn add(shift: &mut [f64; AXES], values: &[f64; AXES]) {
+    for (sum, value) in shift.iter_mut().zip(values) {
+        *sum += value;
+    }
+}

@@ -1,0 +1,419 @@
+//! Motion blocks: straight lines, arcs, threads, corners.
+//!
+//! Source: reference sections 5, 6.1, 6.2, 8.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Plane, Point2, SAME_POINT};
+use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Thread};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::state::{Motion, Offset};
+use super::words::{At, Words};
+use super::{Outcome, Reported, Run};
+
+/// Blocks without motion that may stand between a corner and its second neighbour.
+const MOST_BETWEEN: u32 = 20;
+/// Half turns closer than this to 180° have no certain direction.
+const HALF_TURN: f64 = 1e-9;
+
+impl Run<'_> {
+    /// Moves as the block says.
+    #[inline]
+    pub(super) fn motion(&mut self, w: &Words) -> Outcome {
+        let Some(motion) = self.st.motion else {
+            return self.fail_help(
+                codes::M2003,
+                w.axes_span.to(w.centre_span),
+                "no G00, G01, G02 or G03 stands before this block",
+                "program the kind of motion in this block or in one before it",
+            );
+        };
+        if self.st.offset != Offset::Start && self.st.offset != Offset::Machine {
+            self.offset_is_certain(w.axes_span)?;
+        }
+        self.check_corner(motion, w.axes_span)?;
+        if !motion.is_arc() {
+            self.no_arc_words(motion, w)?;
+        }
+        match motion {
+            Motion::Rapid | Motion::Line => self.straight(motion, w),
+            Motion::Clockwise | Motion::CounterClockwise => self.arc(motion, w),
+            Motion::Thread => self.thread(w),
+        }
+    }
+
+    #[inline]
+    fn no_arc_words(&mut self, motion: Motion, w: &Words) -> Outcome {
+        if let Some(at) = w.radius {
+            return self.not_here(at.span, "R is the radius of an arc, and this block is none");
+        }
+        if w.has_centre() && motion != Motion::Thread {
+            return self.not_here(w.centre_span, "I, J and K belong to an arc or a thread, and this block is neither");
+        }
+        Ok(())
+    }
+
+    // Coordinates.
+
+    /// A length along an axis in mm, as written in a block.
+    #[inline]
+    pub(super) fn length(&mut self, axis: Axis, value: f64, span: Span) -> Outcome<f64> {
+        if axis.is_main() {
+            let length = value * self.st.unit();
+            return Ok(if axis == Axis::X && self.st.diameter { length / 2.0 } else { length });
+        }
+        if axis.is_rotary() || !self.st.inch {
+            return Ok(value);
+        }
+        self.fail_help(
+            codes::M9008,
+            span,
+            format!("{} may mean inches or degrees here", axis.letter()),
+            "program auxiliary axes under G71",
+        )
+    }
+
+    /// Where the block goes: the programmed axes, absolute, in mm (X: radius) and degrees.
+    #[inline]
+    fn target(&mut self, w: &Words) -> Outcome<Pos> {
+        let mut end = Pos::UNKNOWN;
+        for (axis, value) in w.axes.iter() {
+            let length = self.length(axis, value, w.axes_span)?;
+            let to = if self.st.incremental {
+                self.position_of(axis, w.axes_span)? + length
+            } else if axis.is_rotary() {
+                self.rotary_target(axis, length, w.axes_span)?
+            } else {
+                length
+            };
+            end.set(axis, to);
+        }
+        Ok(end)
+    }
+
+    /// Where an axis stands.
+    pub(super) fn position_of(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
+        if let Some(at) = self.st.pos.get(axis) {
+            return Ok(at);
+        }
+        if self.st.lost.contains(axis) {
+            return Err(Reported);
+        }
+        if !self.st.moved.contains(axis)
+            && let Some(&start) = self.job.settings.control.mtc200.start.get(&axis)
+        {
+            self.st.pos.set(axis, start);
+            return Ok(start);
+        }
+        let letter = axis.letter();
+        self.fail_help(
+            codes::M2001,
+            span,
+            format!("the position of {letter} is not known here"),
+            &format!("program an absolute position of {letter} first, or set `[control] start`"),
+        )
+    }
+
+    /// Where a rotary axis goes in unbroken degrees: the short way.
+    fn rotary_target(&mut self, axis: Axis, value: f64, span: Span) -> Outcome<f64> {
+        if self.job.settings.control.mtc200.rotary_absolute {
+            return Ok(value);
+        }
+        let letter = axis.letter();
+        if value.abs() > 360.0 {
+            let message = format!("{letter}{value} is more than a turn");
+            return self.fail_help(codes::M2017, span, message, "program it incrementally with G91");
+        }
+        let Some(from) = self.st.pos.get(axis) else { return Ok(value) };
+        let ahead = Deg(value - from).normal().0;
+        if (ahead - 180.0).abs() <= HALF_TURN {
+            let message = format!("{letter} moves exactly half a turn, either way");
+            return self.fail_help(codes::M2017, span, message, "program it incrementally with G91");
+        }
+        Ok(from + if ahead > 180.0 { ahead - 360.0 } else { ahead })
+    }
+
+    // Feed.
+
+    #[inline]
+    fn cutting_feed(&mut self, span: Span) -> Outcome<Feed> {
+        match self.st.feed {
+            Some(feed) => Ok(feed),
+            None => self.feed_missing(span),
+        }
+    }
+
+    #[cold]
+    fn feed_missing(&mut self, span: Span) -> Outcome<Feed> {
+        // One report is enough.
+        self.st.feed = Some(Feed::PerMinute(1.0));
+        self.fail_help(codes::M2002, span, "no feed is programmed for this move", "program F in this block")
+    }
+
+    pub(super) fn set_feed(&mut self, at: At) -> Outcome {
+        if at.value == 0.0 {
+            if self.job.settings.control.mtc200.zero_feed_keeps {
+                return Ok(());
+            }
+            let help = "program the feed that is meant, or set `[control] zero_feed = \"previous\"`";
+            return self.fail_help(codes::M2004, at.span, "the feed is 0", help);
+        }
+        let value = at.value * self.st.unit();
+        if value < 0.0 {
+            return self.fail(codes::O1001, at.span, format!("the feed is {}", at.value));
+        }
+        self.st.feed = Some(if self.st.per_revolution { Feed::PerRevolution(value) } else { Feed::PerMinute(value) });
+        Ok(())
+    }
+
+    // Moves.
+
+    /// Sends a move and takes over its end.
+    #[inline]
+    fn send(&mut self, end: Pos, path: Path, feed: Option<Feed>) {
+        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords: Coords::Frame });
+        self.arrive(&end);
+    }
+
+    #[inline]
+    fn arrive(&mut self, end: &Pos) {
+        self.st.pos.update(end);
+        self.st.lost = self.st.lost.without(end.known());
+        self.st.moved = self.st.moved.union(end.known());
+        self.st.corner = None;
+    }
+
+    fn straight(&mut self, motion: Motion, w: &Words) -> Outcome {
+        let feed = if motion == Motion::Line { Some(self.cutting_feed(w.axes_span)?) } else { None };
+        if self.st.offset == Offset::Machine {
+            return self.machine_move(w, feed);
+        }
+        if self.st.side != Side::None && self.st.chamfers {
+            self.no_chamfers(w.axes_span)?;
+        }
+        let end = self.target(w)?;
+        if self.st.inch && feed.is_some() && end.known().common(AxisSet::MAIN).is_empty() {
+            let help = "program the feed under G71";
+            return self.fail_help(codes::M9008, w.axes_span, "the unit of the feed of these axes is not known", help);
+        }
+        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
+        self.st.cornerable = feed.is_some();
+        let switches = self.st.side != self.st.side_sent && self.moves_in_plane(&end, w.axes_span)?;
+        self.send(end, path, feed);
+        if switches {
+            self.st.side_sent = self.st.side;
+        }
+        Ok(())
+    }
+
+    /// Does the move have a length in the plane, so that compensation can start or end on it?
+    #[cold]
+    fn moves_in_plane(&mut self, end: &Pos, span: Span) -> Outcome<bool> {
+        let mut moves = false;
+        for axis in plane_axes(self.st.plane).map(|i| Axis::ALL[i]) {
+            let from = self.position_of(axis, span)?;
+            moves |= end.get(axis).is_some_and(|to| (to - from).abs() > SAME_POINT);
+        }
+        Ok(moves)
+    }
+
+    /// A straight move under G53.
+    fn machine_move(&mut self, w: &Words, feed: Option<Feed>) -> Outcome {
+        let span = w.axes_span;
+        if !self.job.settings.control.mtc200.g53_is_machine {
+            let help = "set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates";
+            return self.fail_help(codes::M9005, span, "the block moves while G53 is active", help);
+        }
+        if self.st.incremental || self.st.side != Side::None {
+            let message = "a move under G53 is absolute and has no path compensation";
+            return self.fail_help(codes::M9005, span, message, "program G90 and G40 before it");
+        }
+        let end = self.target(w)?;
+        self.machine_position(end, feed);
+        Ok(())
+    }
+
+    /// Moves to machine coordinates; afterwards the workpiece position of the axes is not known.
+    pub(super) fn machine_position(&mut self, end: Pos, feed: Option<Feed>) {
+        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
+        let coords = Coords::Machine;
+        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords });
+        self.st.moved = self.st.moved.union(end.known());
+        self.st.forget(end.known());
+        self.st.cornerable = false;
+    }
+
+    fn arc(&mut self, motion: Motion, w: &Words) -> Outcome {
+        let plane = self.st.plane;
+        let span = if w.axes_span.is_empty() { w.centre_span } else { w.axes_span };
+        if self.st.offset == Offset::Machine {
+            let help = "program G54 to G59 before the arc";
+            return self.fail_help(codes::M9005, span, "an arc under G53 has no counterpart in the output", help);
+        }
+        if self.st.side != self.st.side_sent {
+            let help = "program a straight move between G40, G41 or G42 and the arc";
+            return self.fail_help(codes::M2011, span, "G41/G42 activated with circular interpolation", help);
+        }
+        if self.st.side != Side::None && self.st.chamfers {
+            self.no_chamfers(span)?;
+        }
+        if !w.has_centre() && w.radius.is_none() {
+            let help = "program I, J, K or R, or G01 if a line is meant";
+            return self.fail_help(codes::M2008, span, "the arc has neither centre nor radius", help);
+        }
+        let feed = self.cutting_feed(span)?;
+        let (first, second, third) = plane.axes();
+        let (first, second, third) = (Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]);
+        let start = Point2::new(self.position_of(first, span)?, self.position_of(second, span)?);
+        let mut end = self.target(w)?;
+        for (axis, at) in [(first, start.x), (second, start.y)] {
+            if end.get(axis).is_none() {
+                end.set(axis, at);
+            }
+        }
+        if end.known().contains(third) {
+            self.position_of(third, span)?;
+        }
+        let to = Point2::new(end.get(first).unwrap_or(start.x), end.get(second).unwrap_or(start.y));
+        let ccw = motion == Motion::CounterClockwise;
+        let tol = self.job.settings.control.mtc200.circle_tolerance;
+        let shape = match w.radius {
+            Some(at) => ArcShape::Radius { radius: self.arc_radius(at, w)?, ccw, tol },
+            None => ArcShape::Center { center: self.centre(w, plane, start, to)?, ccw, tol },
+        };
+        self.st.cornerable = true;
+        self.send(end, Path::Arc(Arc { plane, shape, turns: 0 }), Some(feed));
+        Ok(())
+    }
+
+    fn arc_radius(&mut self, at: At, w: &Words) -> Outcome<f64> {
+        if w.has_centre() {
+            return self.not_here(at.span, "an arc has a centre or a radius, not both");
+        }
+        if at.value == 0.0 {
+            return self.fail(codes::M2008, at.span, "the radius of the arc is 0");
+        }
+        Ok(at.value * self.st.unit())
+    }
+
+    fn no_chamfers(&self, span: Span) -> Outcome {
+        let help = "program G43: the target goes around outside corners on arcs";
+        self.fail_help(codes::M9004, span, "chamfers at outside corners (G44) are not supported", help)
+    }
+
+    /// G33: the lead counts along the axis of its letter, in radius also for X.
+    fn thread(&mut self, w: &Words) -> Outcome {
+        let span = w.axes_span;
+        if self.st.offset == Offset::Machine || self.st.side != Side::None {
+            return self.fail_help(
+                codes::M1006,
+                span,
+                "a thread under G53 or path compensation",
+                "program G54 and G40 before",
+            );
+        }
+        let mut leads = AxisSet::MAIN.iter().filter_map(|axis| Some((axis, w.centre[axis.index()]?)));
+        let (Some((along, value)), None) = (leads.next(), leads.next()) else {
+            let help = "write the lead of the longer travel: K2 for Z, I2 for X";
+            return self.fail_help(codes::M2015, span, "G33 needs one lead: I, J or K", help);
+        };
+        let lead = value * self.st.unit();
+        if lead <= 0.0 {
+            return self.fail(codes::M2015, w.centre_span, format!("the lead of the thread is {value}"));
+        }
+        let end = self.target(w)?;
+        if !end.known().without(AxisSet::MAIN).is_empty() {
+            return self.not_here(span, "a thread moves linear main axes only");
+        }
+        let mut travel = [0.0; 3];
+        for (axis, to) in end.iter() {
+            travel[axis.index()] = (to - self.position_of(axis, span)?).abs();
+        }
+        let longest = travel.iter().fold(0.0_f64, |most, way| most.max(*way));
+        if longest <= SAME_POINT || travel[along.index()] < longest - SAME_POINT {
+            let letter = ["I", "J", "K"][along.index()];
+            let message = format!("{letter} is not the lead of the longer travel");
+            return self.fail_help(
+                codes::M2015,
+                w.centre_span,
+                message,
+                "write the lead of the axis that travels farthest",
+            );
+        }
+        self.st.cornerable = false;
+        self.send(end, Path::Thread(Thread { lead, along: Some(along) }), None);
+        Ok(())
+    }
+
+    // Corners.
+
+    /// CF or RD at the end of a block, or in a block of its own.
+    pub(super) fn corner(&mut self, w: &Words) -> Outcome {
+        let (at, name) = match (w.chamfer, w.rounding) {
+            (Some(at), _) => (at, "CF"),
+            (_, Some(at)) => (at, "RD"),
+            _ => return Ok(()),
+        };
+        let size = at.value * self.st.unit();
+        if size <= 0.0 {
+            return self.fail(codes::M1007, at.span, format!("{name} needs a length above zero"));
+        }
+        if !self.st.cornerable || self.st.corner.is_some() {
+            let help = "write it at the end of the first of the two blocks, or between them";
+            let message = format!("no block that moves at feed stands before this {name}");
+            return self.fail_help(codes::M2016, at.span, message, help);
+        }
+        let feed = self.cutting_feed(at.span)?;
+        let shape =
+            if name == "CF" { CornerShape::Chamfer { side: size } } else { CornerShape::Rounding { radius: size } };
+        self.send_corner(&Corner { shape, feed: Some(feed), modal: false });
+        self.st.corner = Some((self.loc(at.span), 0));
+        Ok(())
+    }
+
+    /// Before a motion: may it be the second neighbour of the corner that waits?
+    #[inline]
+    fn check_corner(&mut self, motion: Motion, span: Span) -> Outcome {
+        let Some((loc, _)) = self.st.corner else { return Ok(()) };
+        if matches!(motion, Motion::Rapid | Motion::Thread) || self.st.offset == Offset::Machine {
+            self.st.corner = None;
+            let text = "the block behind a chamfer or rounding is no line or circle at feed";
+            self.report(Diagnostic::new(codes::M2016, self.loc(span), text).also(loc, "the corner is programmed here"));
+            return Err(Reported);
+        }
+        Ok(())
+    }
+
+    /// After a block without motion: has the corner waited too long?
+    pub(super) fn count_between(&mut self) -> Outcome {
+        self.st.cornerable = false;
+        let Some((loc, count)) = &mut self.st.corner else { return Ok(()) };
+        *count += 1;
+        let (loc, count) = (*loc, *count);
+        if count > MOST_BETWEEN {
+            self.st.corner = None;
+            let text = format!("more than {MOST_BETWEEN} blocks without motion stand behind this corner");
+            self.report(Diagnostic::new(codes::M2016, loc, text));
+            return Err(Reported);
+        }
+        Ok(())
+    }
+
+    /// A motion block failed: the axes it would have moved are unknown now.
+    #[cold]
+    pub(super) fn lose_all(&mut self) {
+        self.st.lose(AxisSet::MAIN);
+        self.st.corner = None;
+        // The block may have held the feed that the next ones need.
+        self.st.feed.get_or_insert(Feed::PerMinute(1.0));
+        self.lost();
+    }
+}
+
+/// Both axes of a plane.
+pub(super) fn plane_axes(plane: Plane) -> [usize; 2] {
+    let (first, second, _) = plane.axes();
+    [first, second]
+}

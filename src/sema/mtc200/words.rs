@@ -1,0 +1,426 @@
+//! The words of a block, evaluated once and sorted by what they mean.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::machine::Axis;
+use crate::parser::mtc200::ast::{Block, Target, Value, Word};
+use crate::parser::symbols::Symbol;
+use crate::text::{Span, decode::readable};
+
+use super::gfunc::{self, G, GROUPS};
+use super::{Outcome, Reported, Run};
+
+/// Most M functions and words of the machine of a block.
+const MOST_M: usize = 8;
+
+/// A value with its place.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct At {
+    pub value: f64,
+    pub span: Span,
+}
+
+/// A word of the program flow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Flow {
+    Return,
+    ProgramEnd,
+    StopAndBranch,
+    Halt,
+    Branch(Condition),
+    Call,
+    EndOfSubroutine,
+    JumpProgram,
+    CallProgram,
+    Reverse,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Condition {
+    Always,
+    Zero,
+    NotZero,
+    NotNegative,
+    Negative,
+}
+
+impl Flow {
+    /// Does a program number P belong to it?
+    pub fn takes_program(self) -> bool {
+        matches!(self, Flow::JumpProgram | Flow::CallProgram)
+    }
+}
+
+/// A flow word with the label behind it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FlowWord {
+    pub flow: Flow,
+    pub label: Option<Symbol>,
+    pub span: Span,
+}
+
+/// The evaluated words, in the unit of the program. Kept in a box that goes from block to block.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Words {
+    /// G functions by group.
+    pub g: [Option<(G, u32)>; GROUPS],
+    pub g_spans: [Span; GROUPS],
+    pub axes: Pos,
+    /// From the first axis word to the last.
+    pub axes_span: Span,
+    /// I, J, K.
+    pub centre: [Option<f64>; 3],
+    pub centre_span: Span,
+    pub radius: Option<At>,
+    pub feed: Option<At>,
+    pub speed: Option<At>,
+    pub tool: Option<At>,
+    pub program: Option<At>,
+    pub chamfer: Option<At>,
+    pub rounding: Option<At>,
+    pub flow: Option<FlowWord>,
+    /// D, E, ACC: set once each, without effect.
+    silent: [Option<At>; 3],
+    m: Vec<(u32, Span)>,
+    /// M functions printed for words of the machine.
+    aux: Vec<(u32, Span)>,
+}
+
+impl Words {
+    fn clear(&mut self) {
+        self.g = [None; GROUPS];
+        self.axes.clear();
+        self.axes_span = Span::default();
+        self.centre = [None; 3];
+        self.centre_span = Span::default();
+        self.radius = None;
+        self.feed = None;
+        self.speed = None;
+        self.tool = None;
+        self.program = None;
+        self.chamfer = None;
+        self.rounding = None;
+        self.flow = None;
+        self.silent = [None; 3];
+        self.m.clear();
+        self.aux.clear();
+    }
+
+    pub fn m(&self) -> &[(u32, Span)] {
+        &self.m
+    }
+
+    pub fn aux(&self) -> &[(u32, Span)] {
+        &self.aux
+    }
+
+    pub fn has_centre(&self) -> bool {
+        self.centre.iter().any(Option::is_some)
+    }
+}
+
+impl Run<'_> {
+    /// Evaluates the words of a block.
+    pub(super) fn gather(&mut self, block: &Block, text: &[u8]) -> Outcome<Box<Words>> {
+        let mut w = self.words.take().unwrap_or_default();
+        w.clear();
+        for word in &block.words {
+            self.sort_in(&mut w, word, block, text)?;
+        }
+        Ok(w)
+    }
+
+    #[inline]
+    fn sort_in(&mut self, w: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome {
+        let Target::Letter(letter) = word.target else { return self.sort_name(w, word, block, text) };
+        let value = self.number(word, block)?;
+        if let Some(axis) = self.axis_of(letter) {
+            if w.axes.get(axis).is_some() {
+                self.twice(letter as char, word.span)?;
+            }
+            w.axes.set(axis, value);
+            w.axes_span = if w.axes_span.is_empty() { word.span } else { w.axes_span.to(word.span) };
+            return Ok(());
+        }
+        let at = At { value, span: word.span };
+        let slot = match letter {
+            b'G' => return self.sort_g(w, at),
+            b'M' => return self.sort_m(w, at),
+            b'I' | b'J' | b'K' => {
+                let slot = &mut w.centre[usize::from(letter - b'I')];
+                w.centre_span = if w.centre_span.is_empty() { word.span } else { w.centre_span.to(word.span) };
+                if slot.replace(value).is_some() {
+                    self.twice(letter as char, word.span)?;
+                }
+                return Ok(());
+            }
+            b'F' => &mut w.feed,
+            b'S' => &mut w.speed,
+            b'R' => &mut w.radius,
+            b'T' => &mut w.tool,
+            b'P' => &mut w.program,
+            b'D' | b'E' => {
+                self.whole(at, if letter == b'D' { "D" } else { "E" })?;
+                self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);
+                &mut w.silent[usize::from(letter - b'D')]
+            }
+            _ => return self.machine_word(w, word.span, text),
+        };
+        if slot.replace(at).is_some() {
+            self.twice(letter as char, word.span)?;
+        }
+        Ok(())
+    }
+
+    /// The axis that a letter names.
+    #[inline]
+    fn axis_of(&self, letter: u8) -> Option<Axis> {
+        self.axis_names[usize::from(letter.wrapping_sub(b'A')).min(25)]
+    }
+
+    #[cold]
+    fn twice(&mut self, letter: char, span: Span) -> Outcome {
+        if self.job.settings.control.mtc200.last_word_counts {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::M1004,
+            span,
+            format!("{letter} stands twice in this block"),
+            "remove one of the two, or set `[control] repeated_words = \"last\"` in partc.toml",
+        )
+    }
+
+    #[inline]
+    fn sort_g(&mut self, w: &mut Words, at: At) -> Outcome {
+        let number = self.whole(at, "G")?;
+        let Some((group, g)) = gfunc::entry(number) else { return self.unknown_g(w, number, at.span) };
+        let slot = &mut w.g[group as usize];
+        match slot {
+            Some((_, first)) if *first != number => {
+                let first = *first;
+                self.fail(codes::M1005, at.span, format!("G{number} contradicts G{first} of the same block"))
+            }
+            Some(_) => self.twice('G', at.span),
+            None => {
+                *slot = Some((g, number));
+                w.g_spans[group as usize] = at.span;
+                Ok(())
+            }
+        }
+    }
+
+    #[cold]
+    fn unknown_g(&mut self, w: &mut Words, number: u32, span: Span) -> Outcome {
+        let name = format!("G{number}");
+        if self.declared(w, &name, span) {
+            return Ok(());
+        }
+        let what = gfunc::refused(number);
+        let message = match what {
+            Some(what) => format!("{name} ({what}) is not supported"),
+            None => format!("{name} is no function of the control that is known"),
+        };
+        let help =
+            format!("if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`");
+        self.fail_help(codes::M9001, span, message, &help)
+    }
+
+    fn sort_m(&mut self, w: &mut Words, at: At) -> Outcome {
+        let number = self.whole(at, "M")?;
+        if !self.job.settings.control.mtc200.machine_words.is_empty()
+            && self.declared(w, &format!("M{number}"), at.span)
+        {
+            return Ok(());
+        }
+        if w.m.iter().any(|(m, _)| *m == number) {
+            return self.twice('M', at.span);
+        }
+        if w.m.len() >= MOST_M {
+            return self.fail(codes::M1010, at.span, format!("more than {MOST_M} M functions in one block"));
+        }
+        w.m.push((number, at.span));
+        Ok(())
+    }
+
+    /// Names, variables and everything rare.
+    fn sort_name(&mut self, w: &mut Words, word: &Word, block: &Block, text: &[u8]) -> Outcome {
+        let symbol = match word.target {
+            Target::Name(symbol) => symbol,
+            Target::Variable(_) => {
+                return self.fail_help(
+                    codes::M1011,
+                    word.span,
+                    "a variable is assigned in a block with other words",
+                    "put the assignment into a block of its own",
+                );
+            }
+            Target::Numbered(..) | Target::Letter(_) => return self.machine_word(w, word.span, text),
+        };
+        let name = self.symbols.name(symbol).to_owned();
+        match name.as_str() {
+            "CF" => self.corner_word(|w| &mut w.chamfer, w, word, block, "CF"),
+            "RD" => self.corner_word(|w| &mut w.rounding, w, word, block, "RD"),
+            "ACC" => {
+                if matches!(word.value, Value::None | Value::Label(_)) {
+                    return self.fail(codes::M1003, word.span, "ACC has no value");
+                }
+                let value = self.number(word, block)?;
+                if w.silent[2].replace(At { value, span: word.span }).is_some() {
+                    return self.fail(codes::M1004, word.span, "ACC stands twice in this block");
+                }
+                self.without_geometry("ACC", word.span);
+                Ok(())
+            }
+            name => match flow_word(name) {
+                Some(flow) => self.sort_flow(w, flow, word, text),
+                None if FOREIGN.contains(&name) => {
+                    let message = format!("{name} depends on the running machine");
+                    self.fail_help(
+                        codes::M9003,
+                        word.span,
+                        message,
+                        "write the way that is meant with BRA, or leave the command out",
+                    )
+                }
+                None => self.machine_word(w, word.span, text),
+            },
+        }
+    }
+
+    fn corner_word(
+        &mut self,
+        slot: fn(&mut Words) -> &mut Option<At>,
+        w: &mut Words,
+        word: &Word,
+        block: &Block,
+        name: &str,
+    ) -> Outcome {
+        if matches!(word.value, Value::None | Value::Label(_)) {
+            return self.fail_help(
+                codes::M1003,
+                word.span,
+                format!("{name} has no value"),
+                "write it as `CF2` or `RD2`",
+            );
+        }
+        let value = self.number(word, block)?;
+        if w.chamfer.is_some() || w.rounding.is_some() {
+            return self.fail(codes::M1004, word.span, "one corner takes one CF or RD");
+        }
+        *slot(w) = Some(At { value, span: word.span });
+        Ok(())
+    }
+
+    fn sort_flow(&mut self, w: &mut Words, flow: Flow, word: &Word, text: &[u8]) -> Outcome {
+        let label = match word.value {
+            Value::None => None,
+            Value::Label(label) => Some(label),
+            Value::Literal(_) | Value::Formula(_) => {
+                let name = readable(word.span.of(text)).into_owned();
+                return self.fail(codes::M1001, word.span, format!("`{name}` takes no value"));
+            }
+        };
+        let wants = matches!(flow, Flow::StopAndBranch | Flow::Branch(_) | Flow::Call | Flow::Reverse);
+        if wants != label.is_some() {
+            let name = readable(word.span.of(text)).into_owned();
+            return match label {
+                None => self.fail_help(
+                    codes::M1007,
+                    word.span,
+                    format!("`{name}` names no label"),
+                    "write the label behind it: `BRA .LOOP`",
+                ),
+                Some(_) => self.fail(codes::M1006, word.span, format!("no label belongs to `{name}`")),
+            };
+        }
+        if w.flow.is_some() {
+            return self.fail(codes::M1006, word.span, "two words of one block say where the program goes on");
+        }
+        w.flow = Some(FlowWord { flow, label, span: word.span });
+        Ok(())
+    }
+
+    /// A word that only the machine builder knows.
+    #[cold]
+    fn machine_word(&mut self, w: &mut Words, span: Span, text: &[u8]) -> Outcome {
+        let name = readable(span.of(text)).to_ascii_uppercase();
+        if self.declared(w, &name, span) {
+            return Ok(());
+        }
+        let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = format!("`{shown}` is no word of the control that is known");
+        let help = format!("if it does not move the tool, add `[control] machine_words = [\"{shown}\"]` to partc.toml");
+        self.fail_help(codes::M9002, span, message, &help)
+    }
+
+    /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
+    fn declared(&mut self, w: &mut Words, name: &str, span: Span) -> bool {
+        let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
+        match *printed {
+            Some(number) => w.aux.push((number, span)),
+            None if self.noted.insert(name.to_owned()) => {
+                self.report(Diagnostic::new(codes::M2702, self.loc(span), format!("`{name}` is left out")));
+            }
+            None => {}
+        }
+        true
+    }
+
+    /// A word of the control that no path depends on: noted once.
+    pub(super) fn without_geometry(&mut self, name: &str, span: Span) {
+        if self.noted.contains(name) {
+            return;
+        }
+        self.noted.insert(name.to_owned());
+        let message = format!("{name} does not change the path and has no word in the output");
+        self.report(Diagnostic::new(codes::M2703, self.loc(span), message));
+    }
+
+    /// The whole number of a word.
+    #[inline]
+    pub(super) fn whole(&mut self, at: At, letter: &str) -> Outcome<u32> {
+        if (0.0..=1e6).contains(&at.value) && at.value.fract() == 0.0 {
+            return Ok(at.value as u32);
+        }
+        self.fail(codes::M2401, at.span, format!("{letter} takes a whole number, not {}", at.value))
+    }
+
+    pub(super) fn put_back(&mut self, w: Box<Words>) {
+        self.words = Some(w);
+    }
+
+    /// Reports a word that has no place in the block.
+    pub(super) fn not_here<T>(&self, span: Span, message: impl Into<String>) -> Outcome<T> {
+        self.fail(codes::M1006, span, message)
+    }
+
+    #[cold]
+    pub(super) fn missing<T>(&self, span: Span, message: impl Into<String>) -> Result<T, Reported> {
+        self.fail(codes::M1007, span, message)
+    }
+}
+
+/// Words of events, tool management and other processes.
+const FOREIGN: &[&str] =
+    &["BES", "BER", "BEV", "CEV", "BTE", "SE", "RE", "WES", "WER", "DP", "SP", "RP", "AP", "WP", "POK"];
+
+fn flow_word(name: &str) -> Option<Flow> {
+    Some(match name {
+        "RET" => Flow::Return,
+        "PROGRAMMENDE" => Flow::ProgramEnd,
+        "BST" => Flow::StopAndBranch,
+        "HLT" => Flow::Halt,
+        "BRA" => Flow::Branch(Condition::Always),
+        "BEQ" => Flow::Branch(Condition::Zero),
+        "BNE" => Flow::Branch(Condition::NotZero),
+        "BPL" => Flow::Branch(Condition::NotNegative),
+        "BMI" => Flow::Branch(Condition::Negative),
+        "BSR" => Flow::Call,
+        "RTS" => Flow::EndOfSubroutine,
+        "JMP" => Flow::JumpProgram,
+        "JSR" => Flow::CallProgram,
+        "REV" => Flow::Reverse,
+        _ => return None,
+    })
+}
