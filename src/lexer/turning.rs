@@ -132,7 +132,7 @@ pub struct Word {
 #[logos(skip(r"[ \t\r\n\x00\x0b\x0c\x1a]+"))]
 #[logos(subpattern number = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)")]
 pub enum Tok {
-    #[regex(r"[A-Za-z][A-Za-z]?[A-Za-z]?[+\-]?(?&number)", word, priority = 20)]
+    #[regex(r"[A-Za-z][A-Za-z]?[A-Za-z]?([+\-][ \t]*)?(?&number)", word, priority = 20)]
     Word(Word),
     #[regex(r"[A-Za-z_]+", priority = 2)]
     Name,
@@ -219,8 +219,8 @@ fn word(lex: &mut Lex<'_>) -> Option<Word> {
     let letters = text.iter().take_while(|b| b.is_ascii_alphabetic()).count();
     let address = address(&text[..letters])?;
     let (sign, digits) = match text.get(letters)? {
-        b'-' => (-1.0, &text[letters + 1..]),
-        b'+' => (1.0, &text[letters + 1..]),
+        b'-' => (-1.0, text[letters + 1..].trim_ascii_start()),
+        b'+' => (1.0, text[letters + 1..].trim_ascii_start()),
         _ => (1.0, &text[letters..]),
     };
     let (value, _) = decimal(digits, false)?;

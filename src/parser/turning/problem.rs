@@ -42,7 +42,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     }
     if before.last().is_some_and(u8::is_ascii_alphabetic) {
         let problem = Problem::new(codes::T1001, span, format!("`{word}` stands where a value is missing"));
-        return problem.help("an address and its value stand together: X50, X#5, X{#5+2}");
+        return problem.help("an address and its value stand together: `X50`, `X#5`, `X{#5+2}`");
     }
     form(Problem::new(codes::T1001, span, format!("`{word}` cannot stand here")), text, from)
 }

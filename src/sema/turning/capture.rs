@@ -6,6 +6,7 @@ use crate::diag::codes;
 use crate::parser::turning::ast::Block;
 use crate::text::Loc;
 
+use super::super::here::Here;
 use super::contour::Builder;
 use super::sections::Family;
 use super::words::Words;
@@ -17,7 +18,8 @@ pub(super) struct Capture {
     number: u16,
     name: &'static str,
     words: Words,
-    loc: Loc,
+    /// The block of the cycle.
+    here: Here,
     builder: Builder,
     /// Something of the contour was refused.
     broken: bool,
@@ -25,7 +27,7 @@ pub(super) struct Capture {
 
 impl Capture {
     pub fn loc(&self) -> Loc {
-        self.loc
+        self.here.origin.loc
     }
 }
 
@@ -55,7 +57,7 @@ impl Run<'_> {
             number,
             name,
             words: w.clone(),
-            loc: self.here.origin.loc,
+            here: self.here,
             builder: Builder::default(),
             broken: false,
         }));
@@ -121,9 +123,9 @@ impl Run<'_> {
             }
             Ok(_) if empty => self.fail(codes::T3003, self.block_span(), "the contour has no element"),
             Ok(outline) => {
-                let here = std::mem::replace(&mut self.here.origin.loc, capture.loc);
+                let here = std::mem::replace(&mut self.here, capture.here);
                 let result = self.cycle(capture.number, capture.name, &capture.words, Some(&outline));
-                self.here.origin.loc = here;
+                self.here = here;
                 result
             }
         }

@@ -323,7 +323,13 @@ fn chosen(points: [Point2; 2], from: Point2, far: bool) -> Result<Point2> {
         (true, true) => Err(Fault::Impossible("it ends where it starts")),
         (true, false) => Ok(b),
         (false, true) => Ok(a),
-        (false, false) => Ok(if (distance(a, from) <= distance(b, from)) == far { b } else { a }),
+        (false, false) => {
+            let (near, other) = (distance(a, from), distance(b, from));
+            if (near - other).abs() <= SAME_POINT && distance(a, b) > AGREES {
+                return Err(Fault::Open("two solutions lie equally far from its start, so Q tells nothing"));
+            }
+            Ok(if (near <= other) == far { b } else { a })
+        }
     }
 }
 

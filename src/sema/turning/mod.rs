@@ -18,6 +18,7 @@ mod modal;
 mod moves;
 mod mwords;
 mod recess_turning;
+mod roughing;
 mod sections;
 mod shifts;
 mod state;

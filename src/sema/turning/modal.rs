@@ -1,7 +1,7 @@
 //! Feeds, spindle, tools, oversizes: what holds until it is changed.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::function::{Spindle, Turn};
+use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{Feed, Function, Side};
 use crate::machine::{Compensation, Unit};
 use crate::text::{Span, decode::readable};
@@ -209,6 +209,7 @@ impl Run<'_> {
             }
         };
         self.function(Function::ToolChange { number: printed });
+        self.function(Function::Cutter(CutterData { number: printed, radius: None }));
         self.st.tool = Some(ActiveTool { number, edge, name });
         self.st.forget();
         Ok(())

@@ -3,7 +3,7 @@
 //! Source: reference section 8.8, worked example 6.
 
 use crate::diag::codes;
-use crate::geo::{Element, Vec2};
+use crate::geo::Element;
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTool, RecessTurning};
@@ -13,7 +13,6 @@ use crate::machine::tools::Corner;
 
 use super::contour::Outline;
 use super::geometry::Blank;
-use super::state::Oversize;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -38,7 +37,7 @@ impl Run<'_> {
             into,
             tool,
             most,
-            oversize: self.oversize_of(w)?,
+            oversize: self.contour_oversize(w)?,
             offset_width: self.length(w, "B")?,
             compensation: if w.long("RB").is_some() { self.length(w, "RB")? } else { self.length(w, "R")? },
             passes: if self.choice(w, b'U', 0, 1)? == 1 { Passes::OneWay } else { Passes::BothWays },
@@ -112,28 +111,6 @@ impl Run<'_> {
 
     pub(super) fn cycle_clearance(&self) -> f64 {
         self.st.clearance.or(self.job.settings.control.turning.clearance).unwrap_or(CLEARANCE)
-    }
-
-    /// I and K, else G57.
-    fn oversize_of(&self, w: &Words) -> Outcome<Vec2> {
-        if w.has(b'I') || w.has(b'K') {
-            return Ok(Vec2::new(self.length(w, "K")?, self.length(w, "I")? / 2.0));
-        }
-        match self.st.oversize {
-            None => Ok(Vec2::zeros()),
-            Some((Oversize::Paraxial { x, z }, _)) if x >= 0.0 && z >= 0.0 => Ok(Vec2::new(z, x / 2.0)),
-            Some((_, loc)) => {
-                self.report(
-                    crate::diag::Diagnostic::new(
-                        codes::T9007,
-                        loc,
-                        "recess turning takes no equidistant or negative oversize",
-                    )
-                    .help("program I and K in G869, or G57"),
-                );
-                Err(super::Reported)
-            }
-        }
     }
 
     /// The tool in the cutting position as a recessing tool, and whether it cuts radially.

@@ -115,12 +115,17 @@ impl Run<'_> {
     fn enter_din_plus(&mut self) -> Outcome {
         self.sections.framed = true;
         match (self.sections.configured, self.sections.family) {
-            (Some(Family::Basic), _) => self.fail_help(
-                codes::T2017,
-                self.block_span(),
-                "programs of the MANUALplus 4110 have no sections",
-                "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs",
-            ),
+            (Some(Family::Basic), _) => {
+                // Once is enough; what follows is read as what it is.
+                self.sections.configured = Some(Family::DinPlus);
+                self.sections.family = Some(Family::DinPlus);
+                self.fail_help(
+                    codes::T2017,
+                    self.block_span(),
+                    "programs of the MANUALplus 4110 have no sections",
+                    "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs",
+                )
+            }
             (None, Some(Family::Basic)) => self.fail_help(
                 codes::T1008,
                 self.block_span(),
@@ -161,6 +166,7 @@ impl Run<'_> {
     }
 
     fn unit_line(&mut self, value: &str, span: Span) -> Outcome {
+        self.sections.unit_said = true;
         let unit = match value.trim_start_matches('/') {
             "METRIC" | "METRISCH" | "MM" => Unit::Mm,
             "INCH" | "ZOLL" => Unit::Inch,
@@ -173,7 +179,6 @@ impl Run<'_> {
                 );
             }
         };
-        self.sections.unit_said = true;
         self.st.unit = unit;
         Ok(())
     }
@@ -378,8 +383,7 @@ impl Run<'_> {
         if called || self.sections.framed || self.sections.passing {
             let program = self.program();
             let place = program.cursor.place();
-            let loc =
-                Loc { file: program.file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at, 0) };
+            let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
             let what = if called || self.sections.passing { "RETURN" } else { "END" };
             self.report(
                 Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))

@@ -1,8 +1,8 @@
 PROGRAMMKOPF
 #EINHEIT METRISCH
-[circle of radius 10 about X20 Z-20: at Z-26 the radius is 10+8=18]
+[circle of radius 10 about X20 Z-20: at Z-26 the radius is 10+8=18, near X36 Z-14]
 BEARBEITUNG
 N1 G95 F0.25
-N2 G0 X20 Z-10
+N2 G0 X36 Z-14
 N3 G13 X? Z-26 I10 K-20
 ENDE
