@@ -178,7 +178,8 @@ impl Run<'_> {
     fn ambiguous(&mut self, centres: [Point2; 2], span: Span) -> Outcome<Point2> {
         let [a, b] = plane_axes(self.st.plane).map(|i| Axis::ALL[i].letter());
         let show = |c: Point2| format!("{a}{:.3} {b}{:.3}", c.x, c.y);
-        let message = format!("the centre can be {} or {}", show(centres[0]), show(centres[1]));
+        let radius = if self.st.diameter { " (X as radius)" } else { "" };
+        let message = format!("the centre can be {} or {}{radius}", show(centres[0]), show(centres[1]));
         let help = "set `[control] centres` to \"absolute\", \"relative\" or \"dimension\"";
         self.fail_help(codes::M2005, span, message, help)
     }

@@ -373,7 +373,7 @@ impl Run<'_> {
             return;
         }
         self.noted.insert(name.to_owned());
-        let message = format!("{name} does not change the path and has no word in the output");
+        let message = format!("{name} does not change the programmed path and has no word in the output");
         self.report(Diagnostic::new(codes::M2703, self.loc(span), message));
     }
 
