@@ -51,7 +51,7 @@ off in transfer, and the end of the path is missing. If the program is complete,
 T1011 Warning "turning-behind-end" "block stands behind the end of the program"
 "What stands behind END is not executed. Most often two programs were joined into one file; each needs a file of its own."
 
-T1012 Warning "turning-unit-frame" "UNIT and END_OF_UNIT do not match"
+T1012 Warning "turning-unit-frame" "frames of units do not match"
 "smart.Turn frames the blocks of a unit with UNIT and END_OF_UNIT. The blocks are compiled as they stand, the frame means nothing to the path. \
 A frame that does not match shows that the file was edited: check that no block is lost."
 
@@ -150,6 +150,10 @@ compensation needs it."
 T2024 Error "turning-tool-data-missing" "cycle needs data of the tool"
 "Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. The program does not hold them: \
 add them to `[tools]` in partc.toml."
+
+T2025 Error "turning-side" "tool stands on the wrong side of the contour"
+"Roughing removes what lies between the contour and the tool. Here the contour falls away from the tool, so the tool stands where the finished \
+part will be, or it is not clear whether the cycle works outside or inside. Nothing is written: position the tool at the corner of the blank."
 
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \

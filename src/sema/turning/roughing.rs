@@ -11,6 +11,7 @@ use crate::machine::Axis;
 
 use super::chain::Coord;
 use super::contour::Outline;
+use super::geometry::Blank;
 use super::state::Oversize;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -127,6 +128,7 @@ impl Run<'_> {
         let most = self.above_zero(most, "the greatest infeed")?;
         let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
         let into = towards(&contour, at, along_z);
+        self.check_side(&contour, at, into, number)?;
         let plunges = matches!(number, 819 | 829);
         let idle = w.get(b'E').is_some_and(|num| num.value == 0.0);
         if let Some(num) = w.get(b'E').filter(|num| num.value != 0.0) {
@@ -156,6 +158,31 @@ impl Run<'_> {
         };
         self.send_cycle(&Cycle::Roughing(roughing));
         self.st.oversize = None;
+        Ok(())
+    }
+
+    /// From the tool the contour has to rise; a tool on the wrong side would cut into the finished part.
+    fn check_side(&self, contour: &[Element], at: Point2, into: Towards, number: u16) -> Outcome {
+        let bored = match self.geometry.blank {
+            Some(Blank::Bar { bore, .. }) => bore > 0.0,
+            Some(Blank::Casting { bore, .. }) => bore,
+            None => false,
+        };
+        let inside = into == Towards::PlusX;
+        let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return Ok(()) };
+        let (a, b) = (first.from(), last.to());
+        let along = |p: Point2| if into.is_radial() { (p.x - at.x).abs() } else { (p.y - at.y).abs() };
+        let (near, far) = if along(a) <= along(b) { (a, b) } else { (b, a) };
+        let out = -(into.unit().x + into.unit().y);
+        let falls = (into.depth_coordinate(far) - into.depth_coordinate(near)) * out < -1e-6;
+        if falls || (inside && !bored && matches!(number, 810 | 820)) {
+            return self.fail_help(
+                codes::T2025,
+                self.block_span(),
+                "the tool does not stand outside of the contour on the side from which it is roughed",
+                "position the tool at the corner of the blank, beyond the highest point of the contour; a bore is given with I of G20",
+            );
+        }
         Ok(())
     }
 

@@ -2,7 +2,7 @@ PROGRAMMKOPF
 #EINHEIT METRISCH
 [reference section 4: G12 X? Z? R15 goes over into an arc of radius 30]
 BEARBEITUNG
-N1 G95 F0.25
+N1 G95 F0.25 G97 S1000 M3
 N2 G0 X40 Z10
 N3 G1 Z0
 N4 G12 X? Z? R15

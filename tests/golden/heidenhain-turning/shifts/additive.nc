@@ -1,6 +1,6 @@
 %1.nc
 [G56 adds up: -10, -25]
-N1 G95 F0.25
+N1 G95 F0.25 G97 S1000 M3
 N2 G0 X50 Z2
 N3 G56 Z-10
 N4 G1 Z0
