@@ -4,6 +4,7 @@ use std::io;
 
 use crate::diag::{Diags, Trail};
 use crate::dialect::Dialect;
+use crate::emit::plot::Plot;
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer, targets};
 use crate::ir::motion;
@@ -94,6 +95,22 @@ impl Session {
             let hash = self.run(dialect, settings, files, &mut printer);
             let _ = printer.finish(hash);
         }
+    }
+
+    /// Draws the resolved path. With an error among the findings the picture must not be used.
+    ///
+    /// # Errors
+    /// What `out` reports.
+    pub fn plot(
+        &self,
+        dialect: &Dialect,
+        settings: &Settings,
+        files: &dyn Files,
+        out: &mut dyn Output,
+    ) -> io::Result<()> {
+        let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), out);
+        self.run(dialect, settings, files, &mut plot);
+        plot.finish()
     }
 
     /// Writes the resolved moves as JSON Lines.

@@ -20,6 +20,8 @@ pub(super) enum Command {
     Check(Check),
     /// Print the resolved moves as JSON Lines, one move a line
     Trace(Trace),
+    /// Draw the resolved path as an SVG picture
+    Plot(Plot),
     /// Compile the programs of a folder and compare with the golden outputs beside them
     ///
     /// PART.H belongs to PART.golden.ngc. A difference is shown as text and as motion; version and source hash in the
@@ -79,6 +81,20 @@ pub(super) struct Check {
 pub(super) struct Trace {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Plot {
+    /// Part program; `-` reads standard input
+    pub input: PathBuf,
+    /// Picture; `-` writes standard output. Default: beside the input, with the extension svg
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Overwrite a picture that partc did not draw
+    #[arg(long)]
+    pub force: bool,
     #[command(flatten)]
     pub common: Common,
 }

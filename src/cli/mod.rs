@@ -5,6 +5,7 @@ mod config;
 mod disk;
 mod golden;
 mod output;
+mod plot;
 mod report;
 mod run;
 
@@ -66,6 +67,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
         Command::Trace(trace) => run::trace(trace),
+        Command::Plot(plot) => plot::plot(plot),
         Command::Test(test) => golden::test(test),
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => report::explain(code, *format),

@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::emit::Output;
+use crate::emit::{Output, plot};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
 const IN_MEMORY: usize = 8 << 20;
@@ -251,6 +251,7 @@ impl Write for Destination {
 pub(super) enum Made {
     Program,
     Map,
+    Picture,
 }
 
 /// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
@@ -268,13 +269,14 @@ fn begins(head: &[u8], made: Made) -> bool {
         // The frame is a short line of its own.
         Made::Program => head.splitn(3, |b| *b == b'\n').take(2).any(|line| line.starts_with(MARK)),
         Made::Map => head.starts_with(MAP_MARK.as_bytes()),
+        Made::Picture => head.starts_with(plot::MARK.as_bytes()),
     }
 }
 
 /// An older output must not look like the result of a program that now has errors.
-pub(super) fn set_aside(path: &Path) -> io::Result<Option<PathBuf>> {
+pub(super) fn set_aside(path: &Path, made: Made) -> io::Result<Option<PathBuf>> {
     let regular = fs::symlink_metadata(path).is_ok_and(|meta| meta.is_file() && meta.len() > 0);
-    if !regular || is_foreign(path, Made::Program) {
+    if !regular || is_foreign(path, made) {
         return Ok(None);
     }
     for attempt in 0..STALE_NAMES {
@@ -284,7 +286,7 @@ pub(super) fn set_aside(path: &Path) -> io::Result<Option<PathBuf>> {
             name.push(format!(".{attempt}"));
         }
         let stale = PathBuf::from(name);
-        let ours = head_of(&stale).is_some_and(|head| begins(&head, Made::Program));
+        let ours = head_of(&stale).is_some_and(|head| begins(&head, made));
         if stale.symlink_metadata().is_err() || ours {
             fs::rename(path, &stale)?;
             return Ok(Some(stale));

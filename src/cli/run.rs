@@ -166,7 +166,7 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
         out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
     } else {
         drop(out);
-        if let Some(stale) = set_aside(&target).map_err(trouble)? {
+        if let Some(stale) = set_aside(&target, Made::Program).map_err(trouble)? {
             say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
         }
     }
@@ -175,7 +175,7 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
 }
 
 /// A reader that has seen enough is no trouble.
-fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
+pub(super) fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
     if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }
 
@@ -197,7 +197,7 @@ fn output_path(input: &Path, args: &Compile, extension: &str) -> PathBuf {
     }
 }
 
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     match (fs::canonicalize(a), fs::canonicalize(b)) {
         (Ok(a), Ok(b)) => a == b && a.is_file(),
         _ => false,

@@ -8,6 +8,7 @@ pub mod comment;
 mod compensation;
 pub mod line;
 pub mod number;
+pub mod plot;
 pub mod printer;
 pub mod reread;
 pub mod targets;

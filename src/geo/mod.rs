@@ -8,7 +8,9 @@ pub mod arc;
 pub mod corner;
 pub mod element;
 pub mod intersect;
+pub mod pattern;
 pub mod plane;
+pub mod undercut;
 pub mod wall;
 
 pub use angle::Deg;

@@ -7,6 +7,7 @@ use crate::geo::{Deg, Plane, Point2};
 use crate::machine::Axis;
 
 use super::cycle::Cycle;
+use super::undercut::Undercut;
 use super::{Feed, Frame, Function, Origin, Pos, Side};
 
 /// State that holds for many items; a new one is made only when something in it changes.
@@ -124,6 +125,8 @@ pub enum CornerShape {
     ChamferLength {
         length: f64,
     },
+    /// Relief of an inside corner of a turned part.
+    Undercut(Undercut),
 }
 
 /// Takes what was programmed, in order. Each item comes with the state it was programmed under and the

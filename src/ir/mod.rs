@@ -8,6 +8,7 @@ pub mod frame;
 pub mod function;
 pub mod motion;
 pub mod pos;
+pub mod undercut;
 pub mod verify;
 
 use crate::diag::CallPath;

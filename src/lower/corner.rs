@@ -5,10 +5,11 @@ use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{Corner, CornerShape};
 use crate::ir::motion::{Arc, Path};
-use crate::ir::{Function, Origin};
+use crate::ir::undercut::Undercut;
+use crate::ir::{Feed, Function, Origin};
 
-use super::at;
 use super::step::{Step, plane_axes};
+use super::{at, undercut};
 
 /// How much an element may fall short of the cut, in mm: what rounding of the source loses.
 const SHORT: f64 = 1e-6;
@@ -120,6 +121,10 @@ impl Corners {
     /// The second neighbour is here.
     fn cut(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         let Some((corner, origin)) = self.corner.take() else { return };
+        if let CornerShape::Undercut(undercut) = corner.shape {
+            self.undercut(&undercut, corner.feed, origin, diags, out);
+            return;
+        }
         let (before, after) = (self.waiting, self.waiting ^ 1);
         let trimmed = std::mem::take(&mut self.trimmed);
         match cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed) {
@@ -147,6 +152,38 @@ impl Corners {
     }
 }
 
+impl Corners {
+    /// The second neighbour of an undercut is here.
+    fn undercut(
+        &mut self,
+        undercut: &Undercut,
+        feed: Option<Feed>,
+        origin: Origin,
+        diags: &Diags,
+        out: &mut impl FnMut(Event<'_>),
+    ) {
+        let (before, after) = (self.waiting, self.waiting ^ 1);
+        self.trimmed = false;
+        match undercut::relieve(&self.steps[before], &self.steps[after], undercut, feed, origin, diags) {
+            Ok((steps, rest)) => {
+                for step in &steps {
+                    out(Event::Step(step));
+                }
+                self.trimmed = true;
+                self.steps[after] = rest;
+            }
+            Err(found) => {
+                diags.push(*found);
+                out(Event::Step(&self.steps[before]));
+            }
+        }
+        for (function, origin) in self.between.drain(..) {
+            out(Event::Function(&function, origin));
+        }
+        self.waiting = after;
+    }
+}
+
 /// Reasons for which a rounding at every corner leaves one out without a word: there is no corner in the plane.
 fn silent(code: &Code) -> bool {
     [codes::G3007, codes::G3009, codes::G3016].contains(&code)
@@ -164,6 +201,7 @@ fn cut(
     let name = match corner.shape {
         CornerShape::Rounding { .. } => "rounding",
         CornerShape::Chamfer { .. } | CornerShape::ChamferLength { .. } => "chamfer",
+        CornerShape::Undercut(_) => "undercut",
     };
     let refuse = |code, message: String| {
         let found = at(code, origin, message);
@@ -193,6 +231,8 @@ fn cut(
         CornerShape::Rounding { radius } => corner::rounding(&a, &b, radius, SHORT),
         CornerShape::Chamfer { side } => corner::chamfer(&a, &b, side, SHORT),
         CornerShape::ChamferLength { length } => corner::chamfer_of_length(&a, &b, length, SHORT),
+        // Undercuts take another way, which puts in more than one element.
+        CornerShape::Undercut(_) => Err(NoCut::Degenerate),
     };
     let made = match result {
         Ok(made) => made,
@@ -218,6 +258,8 @@ fn too_large(name: &str, corner: &Corner, before: &Element, after: &Element, tri
         CornerShape::Rounding { radius } => (format!("of radius {}", length(radius)), Size::Radius(radius)),
         CornerShape::Chamfer { side } => (format!("of {}", length(side)), Size::Side(side)),
         CornerShape::ChamferLength { length: own } => (format!("of {}", length(own)), Size::Length(own)),
+        // Undercuts say themselves what they need.
+        CornerShape::Undercut(_) => return format!("the {name} does not fit between its neighbours"),
     };
     let rest = if trimmed { " behind the corner in front of it" } else { "" };
     let (a, b) = (length(before.length()), length(after.length()));

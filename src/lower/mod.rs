@@ -11,6 +11,7 @@ pub mod frames;
 pub mod limits;
 pub mod polar;
 pub mod step;
+pub mod undercut;
 
 use std::rc::Rc;
 
@@ -197,6 +198,12 @@ impl Sink for Lower<'_> {
     fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
         self.last.corner();
+        if let contour::CornerShape::Undercut(_) = &corner.shape
+            && let Err(found) = undercut::admit(self.machine, ctx.plane, origin)
+        {
+            self.diags.push(*found);
+            return;
+        }
         let (corners, mut finish) = self.split();
         corners.corner(*corner, *origin, finish.diags, &mut |event| finish.event(event));
     }

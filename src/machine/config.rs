@@ -209,6 +209,32 @@ pub const SECTIONS: &[Section] = &[
         entry: &[],
         keys: &[key("roots", Kind::Free, "path prefix of the control and folder of this computer")],
     },
+    Section {
+        name: "undercut",
+        doc: "sizes of undercuts that differ from DIN 509 and DIN 76",
+        entry: &[],
+        keys: &[
+            key("din509", Kind::Free, "size of forms E and F: \"0.6x0.3\" = { f = 2.5, t2 = 0.2 }"),
+            key(
+                "din76",
+                Kind::Free,
+                "thread undercut of a pitch: \"1.5\" = { external = 2.3, a = [3.2, 5.2], r = 0.8 }",
+            ),
+            key("din509_by_diameter", Kind::Free, "size up to a diameter: \"80\" = \"0.6x0.3\", above = \"1.0x0.4\""),
+            key(
+                "thread_length",
+                Kind::Choice(&["middle", "shortest", "longest"]),
+                "length of a thread undercut between g1 and g2",
+            )
+            .or(r#""middle""#),
+            key(
+                "internal_depth",
+                Kind::Choice(&["core", "bore"]),
+                "what the contour is at an internal thread undercut",
+            )
+            .or(r#""core""#),
+        ],
+    },
     Section { name: "variables", doc: "start values of parameters: Q50 = 3.0, R1 = 5.0", entry: &[], keys: &[] },
     Section {
         name: "output",
@@ -331,6 +357,7 @@ impl Reader {
                     s.include.roots.insert(prefix.clone(), folder.into());
                 }
             }
+            ("undercut", _) => s.undercut.set(name, node)?,
             ("variables", _) => {
                 let value = number(node).ok_or_else(|| node.fail("a start value is a number"))?;
                 s.variables.insert(name.to_ascii_uppercase(), value);

@@ -10,6 +10,7 @@ pub mod settings;
 pub mod show;
 pub mod tools;
 pub mod tree;
+pub mod undercut;
 
 pub use axis::{Axis, AxisSet};
 pub use settings::{
@@ -17,3 +18,4 @@ pub use settings::{
     PolarMissing, RecessDepth, Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
+pub use undercut::Undercuts;

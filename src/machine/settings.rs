@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use super::axis::Axis;
 use super::mtc200::Mtc200;
 use super::tools::Tools;
+use super::undercut::Undercuts;
 
 /// Everything the user can say about a run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -15,6 +16,7 @@ pub struct Settings {
     pub tools: Tools,
     pub datums: Datums,
     pub include: Include,
+    pub undercut: Undercuts,
     /// Start values of parameters, by upper-case name (`Q50`, `R1`, `@50`).
     pub variables: BTreeMap<String, f64>,
     pub output: OutputSettings,

@@ -7,6 +7,7 @@ pub mod exec;
 pub mod here;
 pub mod klartext;
 pub mod mtc200;
+pub mod records;
 pub mod turning;
 
 use crate::diag::{Diags, Trail};

@@ -92,6 +92,43 @@ moves most, and check the end point."
 G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
 "Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
 
+G3060 Error "undercut-plane" "undercut outside the plane of the turned contour"
+"An undercut belongs to the contour of a turned part, which lies in the plane of Z and X (G18). In another working plane there is none. \
+Select G18 in front of the contour."
+
+G3061 Error "undercut-no-lathe" "undercut without turning technology"
+"An undercut relieves a corner of a turned part, and the machine is configured as a milling machine. Set `kind = \"lathe\"` in `[machine]` \
+of partc.toml if the program is for a lathe."
+
+G3062 Error "undercut-no-diameter-axis" "undercut without a diameter axis"
+"Which line of the corner is the cylinder follows from the diameter axis (MD 20100): the cylinder runs along the other axis of the plane. \
+No diameter axis is configured, or it is not an axis of the working plane. Set `diameter_axis = \"X\"` in `[machine]` of partc.toml."
+
+G3063 Error "undercut-corner" "corner cannot take an undercut"
+"An undercut lies between two straight lines at feed, one along the part and one across: directions 0, 90, 180 and 270 degrees, each \
+within 3 degrees. At other corners, beside arcs, rapids and threads, and where the contour has no corner there is no undercut. Check the lines \
+before and behind the undercut."
+
+G3064 Error "undercut-no-room" "line is too short for the undercut"
+"The undercut needs more of the cylinder or of the face than is there. Take a smaller size or the short form, or make the line longer. A \
+rounding or chamfer at the other end of the line takes its share, too."
+
+G3065 Error "undercut-dimensions" "dimensions make no undercut"
+"Depth, width and radii must be positive, the entry angle above 0 and up to 90 degrees, and slope, floor and roundings must fit into the \
+width of the undercut. Check the values against the drawing; sizes of the standards are replaced in `[undercut]` of partc.toml."
+
+G3066 Error "undercut-side" "undercut on the wrong side of the part"
+"The corner lies outside on the part where the undercut is for a bore, or the other way round. At an edge that points outwards there is \
+nothing to relieve, and the undercut would cut into the part. Check the form (A, B external; C, D internal) and the contour."
+
+G3067 Note "undercut-on-taper" "undercut on a taper departs from its standard"
+"A line at the undercut leans out of its axis, by at most 3 degrees, as for a tapered thread. Slope, floor and roundings are those of the \
+standard, and the undercut begins where its slope meets the taper; its length and depth there are not those of the standard."
+
+G3068 Note "undercut-radius-reduced" "radius in the undercut is reduced"
+"The rounding between the slope and the floor of the undercut is larger than the slope is long, which happens with steep entry angles. It is made \
+as large as fits. What the control does in this case is not documented; check the drawing, or take a smaller radius or entry angle."
+
 G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
 "Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
 difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \

@@ -2,18 +2,22 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod drilling;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
 pub mod turning;
+pub mod undercut;
 
 use crate::geo::Plane;
 
 use super::Pos;
 
+pub use drilling::Drilling;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
+pub use undercut::UndercutCycle;
 
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +25,9 @@ pub enum Cycle {
     RecessTurning(RecessTurning),
     Roughing(Roughing),
     Thread(Thread),
+    Drilling(Drilling),
+    /// Ends where it starts.
+    Undercut(UndercutCycle),
 }
 
 impl Cycle {
@@ -31,6 +38,10 @@ impl Cycle {
             Cycle::RecessTurning(recess) => recess.leaves(&mut end),
             Cycle::Roughing(roughing) => roughing.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
+            // A hole without depth moves nothing.
+            Cycle::Drilling(hole) if hole.levels.outward() == 0.0 => {}
+            Cycle::Drilling(hole) => end.set(hole.axis, hole.levels.retract),
+            Cycle::Undercut(_) => {}
         }
         end
     }

@@ -6,7 +6,7 @@ use core::fmt;
 use crate::geo::{Element, Plane, Vec2, distance};
 use crate::ir::{Feed, Pos};
 
-use super::turning::{Towards, is_length, is_point, is_positive};
+use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 
 /// Most elements of a contour.
 pub const MOST_ELEMENTS: usize = 100;
@@ -61,8 +61,8 @@ pub struct RecessFeeds {
     pub finish: Feed,
 }
 
-/// Directions of the turned cuts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// How the groove is roughed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Passes {
     /// To and fro.
     #[default]
@@ -70,6 +70,10 @@ pub enum Passes {
     /// In the direction of the contour; the tool lifts and goes back. There is no change from turning to
     /// plunging, so the offset width has no effect.
     OneWay,
+    /// No turning: strokes side by side to the full depth, at most `width` apart (over 0). The first one cuts
+    /// with the whole tool. The greatest depth of a cut and the offset width have no effect. The tool waits
+    /// `dwell` seconds at the foot of each stroke and of each finishing cut down a wall.
+    Strokes { width: f64, dwell: f64 },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -112,6 +116,8 @@ pub enum RecessFault {
     Oversize,
     OffsetWidth,
     Compensation,
+    /// The distance of strokes is not over 0 or over the effective cutting width, or the dwell is negative.
+    Strokes,
     Clearance,
     /// A feed is not over 0.
     Feed,
@@ -131,6 +137,9 @@ impl fmt::Display for RecessFault {
             RecessFault::Oversize => "the oversize must not be negative",
             RecessFault::OffsetWidth => "the offset width must not be negative",
             RecessFault::Compensation => "the turning depth compensation must not be negative",
+            RecessFault::Strokes => {
+                "the distance of strokes must be over 0 and at most the effective cutting width, the dwell not negative"
+            }
             RecessFault::Clearance => "the clearance must be over 0",
             RecessFault::Feed => "a feed must be over 0",
         })
@@ -152,16 +161,27 @@ impl RecessTurning {
             (joined(&self.contour), RecessFault::Gap),
             (is_positive(tool.width), RecessFault::Width),
             (is_length(tool.nose) && tool.nose <= tool.width / 2.0, RecessFault::Nose),
-            (tool.edge.is_finite(), RecessFault::Edge),
-            (self.blank.is_finite(), RecessFault::Blank),
+            (is_coordinate(tool.edge), RecessFault::Edge),
+            (is_coordinate(self.blank), RecessFault::Blank),
             (is_positive(self.most), RecessFault::Most),
             (is_length(self.oversize.x) && is_length(self.oversize.y), RecessFault::Oversize),
             (is_length(self.offset_width), RecessFault::OffsetWidth),
             (is_length(self.compensation), RecessFault::Compensation),
+            (self.strokes_fit(), RecessFault::Strokes),
             (is_positive(self.clearance), RecessFault::Clearance),
             (feeds.iter().all(|feed| is_positive(feed.value())), RecessFault::Feed),
         ];
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+
+    /// Between strokes further apart than the flat of the edge, ridges would stand.
+    fn strokes_fit(&self) -> bool {
+        match self.passes {
+            Passes::BothWays | Passes::OneWay => true,
+            Passes::Strokes { width, dwell } => {
+                is_positive(width) && width <= self.tool.width - 2.0 * self.tool.nose && is_length(dwell)
+            }
+        }
     }
 
     /// Changes `at` from where the cycle starts to where it ends.
@@ -211,11 +231,10 @@ pub(crate) fn joined(contour: &[Element]) -> bool {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::geo::Point2;
 
     /// A line contour through points given as (Z, X diameter).
     pub(crate) fn lines(points: &[(f64, f64)]) -> Vec<Element> {
-        let point = |p: (f64, f64)| Point2::new(p.0, p.1 / 2.0);
+        let point = |p: (f64, f64)| crate::geo::Point2::new(p.0, p.1 / 2.0);
         points.windows(2).map(|pair| Element::Line { from: point(pair[0]), to: point(pair[1]) }).collect()
     }
 
@@ -260,6 +279,8 @@ pub(crate) mod tests {
             (RecessFault::Oversize, |r| r.oversize.y = -0.1),
             (RecessFault::OffsetWidth, |r| r.offset_width = -0.1),
             (RecessFault::Compensation, |r| r.compensation = -0.1),
+            (RecessFault::Strokes, |r| r.passes = Passes::Strokes { width: 2.7, dwell: 0.0 }),
+            (RecessFault::Strokes, |r| r.passes = Passes::Strokes { width: 2.0, dwell: -1.0 }),
             (RecessFault::Clearance, |r| r.clearance = 0.0),
             (RecessFault::Feed, |r| r.feeds.finish = Feed::PerRevolution(0.0)),
         ];

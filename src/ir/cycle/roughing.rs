@@ -1,12 +1,12 @@
-//! Arguments of stock removal: roughing along a contour in parallel cuts, finishing along it.
+//! Arguments of stock removal along a contour: roughing in parallel cuts, finishing along it.
 
 use core::fmt;
 
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::{Feed, Pos};
 
-use super::recess::{MOST_ELEMENTS, is_element, joined};
-use super::turning::{Towards, is_length, is_positive};
+use super::recess::{MOST_ELEMENTS, Operation, is_element, joined};
+use super::turning::{Towards, is_coordinate, is_length, is_positive};
 
 /// Roughing in cuts parallel to the cutting axis. Points are (Z, X) with X as a radius; all lengths in mm.
 ///
@@ -26,12 +26,16 @@ pub struct Roughing {
     /// Left on the contour along Z and X (radius), not negative.
     pub oversize: Vec2,
     pub smoothing: Smoothing,
+    /// Roughing, finishing along the contour without oversize, or both.
+    pub operation: Operation,
     /// What becomes of parts of the contour that fall away from the cut.
     pub falling: Falling,
     /// How far the tool lifts off at 45 degrees, over 0.
     pub lift: f64,
     /// Feed of the cuts.
     pub feed: Feed,
+    /// Feed along the contour in finishing.
+    pub finish_feed: Feed,
     /// Feed to the depth of a cut; `None` for rapid traverse.
     pub entry: Option<Feed>,
     pub end: RoughingEnd,
@@ -136,9 +140,11 @@ impl Roughing {
             most: depth,
             oversize: Vec2::zeros(),
             smoothing: Smoothing::Never,
+            operation: Operation::Rough,
             falling: Falling::Refused,
             lift: 1.0,
             feed,
+            finish_feed: feed,
             entry: None,
             end: RoughingEnd::Beside,
         }
@@ -155,12 +161,13 @@ impl Roughing {
             (self.contour.iter().all(is_element), RoughingFault::Point),
             (joined(&self.contour), RoughingFault::Gap),
             (self.nose.fits(self.into), RoughingFault::Nose),
-            (self.blank.is_finite(), RoughingFault::Blank),
-            (self.begin.is_finite() && self.side().is_some(), RoughingFault::Begin),
+            (is_coordinate(self.blank), RoughingFault::Blank),
+            (is_coordinate(self.begin) && self.side().is_some(), RoughingFault::Begin),
             (is_positive(self.most), RoughingFault::Most),
             (is_length(self.oversize.x) && is_length(self.oversize.y), RoughingFault::Oversize),
             (is_positive(self.lift), RoughingFault::Lift),
             (is_positive(self.feed.value()), RoughingFault::Feed),
+            (is_positive(self.finish_feed.value()), RoughingFault::Feed),
             (self.entry.is_none_or(|feed| is_positive(feed.value())), RoughingFault::Feed),
         ];
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
@@ -241,6 +248,7 @@ pub(crate) mod tests {
             (RoughingFault::Oversize, |r| r.oversize.x = -1.0),
             (RoughingFault::Lift, |r| r.lift = 0.0),
             (RoughingFault::Feed, |r| r.feed = Feed::PerMinute(0.0)),
+            (RoughingFault::Feed, |r| r.finish_feed = Feed::PerMinute(-1.0)),
             (RoughingFault::Feed, |r| r.entry = Some(Feed::PerMinute(f64::NAN))),
         ];
         assert_eq!(shaft().check(), Ok(()));

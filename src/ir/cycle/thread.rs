@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::geo::{Deg, Point2};
 
-use super::turning::{Towards, is_length, is_point, is_positive};
+use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 
 /// Most parts of a chain.
 pub const MOST_PARTS: usize = 6;
@@ -213,7 +213,7 @@ impl Thread {
         let ends =
             [self.extended(first.end, self.start, self.run_in), self.extended(before_last, last.end, self.run_out)];
         let top = self.parts.iter().map(|part| part.end).chain(ends).map(height).fold(height(self.start), f64::max);
-        if self.retract.is_finite() && self.retract * out > top { Ok(()) } else { Err(ThreadFault::Retract) }
+        if is_coordinate(self.retract) && self.retract * out > top { Ok(()) } else { Err(ThreadFault::Retract) }
     }
 
     /// The point `way` behind `to` on the line from `from`, measured along the cutting axis.

@@ -45,16 +45,23 @@ impl Towards {
     }
 }
 
-/// What a cycle calls a length that must be positive and finite.
-pub(crate) fn is_positive(value: f64) -> bool {
-    value > 0.0 && value.is_finite()
+/// Greatest coordinate or length, mm. No lathe is so long, and products of such numbers stay finite.
+const FARTHEST: f64 = 1e7;
+
+pub(crate) fn is_coordinate(value: f64) -> bool {
+    value.abs() <= FARTHEST
 }
 
-/// What a cycle calls a length that may be zero.
+/// A length, feed or time that must be over 0.
+pub(crate) fn is_positive(value: f64) -> bool {
+    value > 0.0 && is_coordinate(value)
+}
+
+/// A length, angle or time that may be 0.
 pub(crate) fn is_length(value: f64) -> bool {
-    value >= 0.0 && value.is_finite()
+    value >= 0.0 && is_coordinate(value)
 }
 
 pub(crate) fn is_point(p: Point2) -> bool {
-    p.x.is_finite() && p.y.is_finite()
+    is_coordinate(p.x) && is_coordinate(p.y)
 }

@@ -1,5 +1,6 @@
 //! Cycles become moves: one file per family.
 
+pub mod drilling;
 pub mod infeed;
 pub mod recess;
 pub mod roughing;
@@ -8,6 +9,7 @@ mod simulate;
 pub mod slope;
 pub mod thread;
 pub mod track;
+pub mod undercut;
 pub mod valley;
 
 use crate::diag::{Diagnostic, codes};
@@ -15,6 +17,7 @@ use crate::geo::Plane;
 use crate::ir::contour::{CtxRef, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos};
+use crate::machine::Axis;
 
 use track::{Failure, Stroke};
 
@@ -29,6 +32,15 @@ pub fn expand(
     origin: &Origin,
     out: &mut dyn Sink,
 ) -> Result<(), Box<Diagnostic>> {
+    if let Cycle::Drilling(hole) = cycle {
+        let (first, second, third) = ctx.plane.axes();
+        let axes = [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]];
+        let mut send = |part: drilling::Part| match part {
+            drilling::Part::Move(mv) => out.movement(&mv, ctx, origin),
+            drilling::Part::Function(function) => out.function(&function, ctx, origin),
+        };
+        return drilling::expand(hole, start, axes, &mut send).map_err(|failure| report(failure, origin));
+    }
     let mut send = |stroke: Stroke| match stroke {
         Stroke::Dwell { seconds } => out.function(&Function::Dwell(seconds), ctx, origin),
         Stroke::Move(path) => out.movement(&path.movement(), ctx, origin),
@@ -41,6 +53,9 @@ pub fn expand(
         Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
         Cycle::Roughing(cycle) => roughing::expand(cycle, from, &mut send),
         Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
+        Cycle::Undercut(cycle) => undercut::expand(cycle, from, &mut |mv| out.movement(mv, ctx, origin)),
+        // Done above: a hole needs no position in the turning plane.
+        Cycle::Drilling(_) => Ok(()),
     }
     .map_err(|failure| report(failure, origin))
 }

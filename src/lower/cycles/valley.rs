@@ -141,6 +141,25 @@ impl Slot {
         -(self.second.touch(y) - self.nose) - self.width
     }
 
+    /// Least height of the cutting edge with the tool at `x`, not below the floor and not above `top`.
+    pub fn depth_at(&self, x: f64, top: f64) -> f64 {
+        let free = |y: f64| self.begin(y) <= x + 1e-9 && self.end(y) >= x - 1e-9;
+        if free(self.floor) {
+            return self.floor;
+        }
+        // The walls only open upwards, so halving finds the height; the upper end is always free.
+        let (mut low, mut high) = (self.floor, top);
+        for _ in 0..60 {
+            let middle = (low + high) / 2.0;
+            if free(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        high
+    }
+
     /// The way down the first wall from `top` to the floor.
     pub fn down_first(&self, top: f64) -> (Point2, Vec<Leg>) {
         let place = |p: Point2| Point2::new(p.x - self.nose, p.y);

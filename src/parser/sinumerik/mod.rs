@@ -5,6 +5,7 @@ pub mod ast;
 pub mod build;
 pub mod literal;
 pub mod problem;
+pub mod records;
 
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {

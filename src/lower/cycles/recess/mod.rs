@@ -1,5 +1,6 @@
 //! Recess turning: the groove is roughed level by level, plunging at a wall and turning to the other one;
-//! what the levels leave at the walls is cut off, then the contour is finished.
+//! what the levels leave at the walls is cut off, then the contour is finished. Or it is roughed by strokes
+//! side by side.
 //!
 //! ```text
 //!   blank ═══╗ ▼1                        ╔═══
@@ -108,6 +109,13 @@ impl<'r> Groove<'r> {
             let message = format!("the infeed makes {levels} levels of this recess, more than {MOST_LEVELS}");
             return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
         }
+        if let Passes::Strokes { width, .. } = recess.passes {
+            let strokes = infeed::steps(rough.end(blank) - rough.begin(blank), width);
+            if strokes > MOST_LEVELS {
+                let message = format!("the recess needs {strokes} strokes, more than {MOST_LEVELS}");
+                return Err(Failure::new(codes::G3040, message, "program a larger distance of the strokes"));
+            }
+        }
         let turns_per_wall = (levels / 2).max(1) as f64;
         let room = (rough.end(rough.floor) - rough.begin(rough.floor)) / 2.0;
         let most = (OFFSET_SHARE * (tool.width - 2.0 * tool.nose)).min(room);
@@ -130,6 +138,7 @@ impl<'r> Groove<'r> {
         let left = match self.recess.passes {
             Passes::BothWays => self.both_ways(cutter),
             Passes::OneWay => self.one_way(cutter),
+            Passes::Strokes { width, dwell } => self.strokes(cutter, width, dwell),
         };
         // What stands at a wall: what the offset width left, and the steps on a wall that is not upright.
         let upright =
@@ -189,6 +198,20 @@ impl<'r> Groove<'r> {
         [0.0, 0.0]
     }
 
+    fn strokes(&self, cutter: &mut Cutter<'_>, width: f64, dwell: f64) -> [f64; 2] {
+        let (first, last) = (self.rough.begin(self.blank), self.rough.end(self.blank));
+        let gaps = infeed::steps(last - first, width);
+        for k in 0..=gaps {
+            let x = if k == gaps { last } else { first + (last - first) * (k as f64 / gaps as f64) };
+            let y = self.rough.depth_at(x, self.blank);
+            cutter.above(x);
+            cutter.line(Point2::new(x, y), self.recess.feeds.plunge);
+            cutter.track.dwell(dwell);
+            cutter.lift();
+        }
+        [0.0, 0.0]
+    }
+
     /// Down the first wall and along the floor to where the stock of the second wall begins; down the second
     /// wall and back to that place.
     fn finish(&self, cutter: &mut Cutter<'_>) {
@@ -197,6 +220,9 @@ impl<'r> Groove<'r> {
         let meet = self.rough.end(self.rough.floor).max(self.finished.begin(self.finished.floor));
         for way in [self.finished.down_first(cutter.clear), self.finished.down_second(cutter.clear)] {
             let foot = cutter.down(way, feed);
+            if let Passes::Strokes { dwell, .. } = self.recess.passes {
+                cutter.track.dwell(dwell);
+            }
             if foot != meet {
                 cutter.line(Point2::new(foot, turned), feed);
                 cutter.line(Point2::new(meet, turned), feed);

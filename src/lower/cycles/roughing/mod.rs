@@ -1,4 +1,5 @@
-//! Roughing along a contour: cuts at equal depths up to the contour, then the steps between them.
+//! Stock removal along a contour: cuts at equal depths up to the contour, then the steps between them, then
+//! the contour itself.
 //!
 //! ```text
 //!   blank ──────────────────────────┐
@@ -12,6 +13,8 @@
 use crate::diag::codes;
 use crate::geo::wall::{Leg, Wall};
 use crate::geo::{Element, Point2, Vec2};
+use crate::ir::Feed;
+use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::{Falling, Nose, Roughing, RoughingEnd, Smoothing};
 
 use super::infeed;
@@ -38,7 +41,12 @@ pub fn expand<'a>(roughing: &Roughing, from: Point2, out: &'a mut Strokes<'a>) -
         let message = "the tool stands inside of the blank, so it cannot travel to where the cuts begin";
         return Err(Failure::new(codes::G3046, message, "position the tool clear of the blank in front of the cycle"));
     }
-    stock.cut(&mut track);
+    if roughing.operation != Operation::Finish {
+        stock.rough(&mut track);
+    }
+    if roughing.operation != Operation::Rough {
+        stock.finish(&mut track);
+    }
     if roughing.end == RoughingEnd::Start {
         let height = start.y.max(track.at().y);
         track.rapid(Point2::new(track.at().x, height));
@@ -52,11 +60,14 @@ pub fn expand<'a>(roughing: &Roughing, from: Point2, out: &'a mut Strokes<'a>) -
 struct Stock<'r> {
     roughing: &'r Roughing,
     wall: Wall,
+    finished: Wall,
     blank: f64,
     begin: f64,
     floor: f64,
     /// Top of the contour with its oversize, or of the blank.
     top: f64,
+    /// Floor and top of the contour.
+    ends: (f64, f64),
     cuts: u64,
     tip: Tip,
 }
@@ -81,6 +92,7 @@ impl<'r> Stock<'r> {
         let slope = Slope::new(&contour, roughing.falling == Falling::Bridged).map_err(no_slope)?;
         let oversize = if roughing.into.is_radial() { roughing.oversize } else { roughing.oversize.yx() };
         let wall = slope.wall(roughing.nose.radius, oversize).map_err(|_| no_slope(NoSlope::Leans))?;
+        let finished = slope.wall(roughing.nose.radius, Vec2::zeros()).map_err(|_| no_slope(NoSlope::Leans))?;
         let blank = view.height(roughing.blank);
         let floor = slope.floor + oversize.y;
         if blank <= floor {
@@ -97,7 +109,8 @@ impl<'r> Stock<'r> {
             view.point(at).x
         };
         let tip = Tip::new(&roughing.nose, view);
-        Ok(Stock { roughing, wall, blank, begin, floor, top: (slope.top + oversize.y).min(blank), cuts, tip })
+        let (top, ends) = ((slope.top + oversize.y).min(blank), (slope.floor, slope.top));
+        Ok(Stock { roughing, wall, finished, blank, begin, floor, top, ends, cuts, tip })
     }
 
     /// Height of cut `k`; 0 is the blank.
@@ -105,28 +118,38 @@ impl<'r> Stock<'r> {
         if k >= self.cuts { self.floor } else { self.blank - (self.blank - self.floor) * (k as f64 / self.cuts as f64) }
     }
 
-    fn cut(&self, track: &mut Track<'_>) {
+    fn rough(&self, track: &mut Track<'_>) {
+        let feed = self.roughing.feed;
         for k in 1..=self.cuts {
             let y = self.level(k);
             self.enter(track, y);
             let end = self.tip.place(Point2::new(self.wall.touch(y), y));
             if end.x < track.at().x {
-                track.line(end, self.roughing.feed);
+                track.line(end, feed);
                 if self.roughing.smoothing == Smoothing::EachCut {
-                    self.climb(track, y, self.level(k - 1));
+                    self.climb(track, &self.wall, y, self.level(k - 1), feed);
                 }
             }
             self.lift(track);
         }
         if self.roughing.smoothing == Smoothing::LastCut {
-            self.enter(track, self.floor);
-            let foot = self.tip.place(Point2::new(self.wall.touch(self.floor), self.floor));
-            if foot.x < track.at().x {
-                track.line(foot, self.roughing.feed);
-            }
-            self.climb(track, self.floor, self.top);
-            self.lift(track);
+            self.follow(track, &self.wall, (self.floor, self.top), feed);
         }
+    }
+
+    fn finish(&self, track: &mut Track<'_>) {
+        self.follow(track, &self.finished, self.ends, self.roughing.finish_feed);
+    }
+
+    /// From the begin along the whole contour.
+    fn follow(&self, track: &mut Track<'_>, wall: &Wall, (floor, top): (f64, f64), feed: Feed) {
+        self.enter(track, floor);
+        let foot = self.tip.place(Point2::new(wall.touch(floor), floor));
+        if foot.x < track.at().x {
+            track.line(foot, feed);
+        }
+        self.climb(track, wall, floor, top, feed);
+        self.lift(track);
     }
 
     /// To where a cut begins.
@@ -140,16 +163,16 @@ impl<'r> Stock<'r> {
     }
 
     /// Along the contour from height `low` up to `high`.
-    fn climb(&self, track: &mut Track<'_>, low: f64, high: f64) {
-        let (start, legs) = self.wall.way(high, low);
+    fn climb(&self, track: &mut Track<'_>, wall: &Wall, low: f64, high: f64, feed: Feed) {
+        let (start, legs) = wall.way(high, low);
         let mut ends: Vec<Point2> = legs.iter().map(Leg::to).collect();
         ends.insert(0, start);
         // The way down, run through backwards.
         for (leg, to) in legs.iter().zip(&ends).rev() {
             let to = self.tip.place(*to);
             match *leg {
-                Leg::Line { .. } => track.line(to, self.roughing.feed),
-                Leg::Arc { center, ccw, .. } => track.arc(to, self.tip.place(center), !ccw, self.roughing.feed),
+                Leg::Line { .. } => track.line(to, feed),
+                Leg::Arc { center, ccw, .. } => track.arc(to, self.tip.place(center), !ccw, feed),
             }
         }
     }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::geo::distance;
 use crate::ir::Feed;
-use crate::ir::cycle::recess::RecessTool;
+use crate::ir::cycle::recess::{Operation, RecessTool};
 use crate::ir::cycle::roughing::tests::shaft;
 use crate::ir::cycle::turning::Towards;
 use crate::lower::cycles::simulate::{Blank, GRID, StepDown, chain, height, moved_by, samples, step};
@@ -71,6 +71,35 @@ fn contour_roughing_of_the_reference() {
     assert_eq!(words(&shaft(), from), expected);
     let back = Roughing { end: RoughingEnd::Start, ..shaft() };
     assert_eq!(words(&back, from), expected);
+}
+
+#[test]
+fn finishing_runs_along_the_contour_at_its_own_feed() {
+    let from = Point2::new(2.0, 26.0);
+    let oversize = Vec2::new(0.1, 0.25);
+    let roughing = Roughing { operation: Operation::Finish, oversize, ..shaft() };
+    assert_eq!(words(&roughing, from), ["G0 X30", "G1 Z-20", "G1 X40 Z-30", "G1 X50", "G1 X52 Z-29", "G0 Z2"]);
+    let both = Roughing { operation: Operation::RoughAndFinish, finish_feed: Feed::PerRevolution(0.1), ..roughing };
+    let list = strokes(&both, from).expect("a path");
+    let fine = |mv: &&Move| mv.path == Path::Line { feed: Feed::PerRevolution(0.1) };
+    assert_eq!(list.iter().filter(fine).count(), 3);
+    // Roughing leaves the oversize: 0.25 of radius on the last cut, 0.1 in front of the shoulder.
+    assert!(words(&both, from)[..4].contains(&"G1 Z-29.9".to_owned()));
+    assert!(words(&both, from).contains(&"G0 X30.5".to_owned()));
+}
+
+#[test]
+fn a_round_nose_follows_the_contour_with_its_tip() {
+    // Nose 0.8, tip at its lower left: on the cone of 26.5651 degrees the tip runs beside the contour.
+    let nose = Nose { radius: 0.8, tip: Vec2::new(-1.0, -1.0) };
+    let roughing = Roughing { operation: Operation::Finish, nose, ..shaft() };
+    let list = strokes(&roughing, Point2::new(2.0, 26.0)).expect("a path");
+    let ends: Vec<Point2> = list.iter().map(|mv| mv.to).collect();
+    // Foot of the cone: centre at X30/2 + 0.8 and 0.8·tan(26.565/2) = 0.188854 in front of the corner.
+    let foot = Point2::new(-20.0 + 0.188_854_38 - 0.8, 15.0);
+    assert!(ends.iter().any(|p| distance(*p, foot) < 1e-6), "{ends:?}");
+    // On the shoulder the tip touches it.
+    assert!(ends.iter().any(|p| (p.x + 30.0).abs() < 1e-9 && p.y > 20.0), "{ends:?}");
 }
 
 #[test]
@@ -156,8 +185,8 @@ fn refused_roughing() {
 
 fn case() -> impl Strategy<Value = (Vec<Element>, Roughing, View)> {
     let numbers = (0.3f64..3.0, 0.0f64..0.4, 0.0f64..0.4, 0.15f64..1.2, 0.0f64..2.0, 0.5f64..4.0);
-    (prop::collection::vec(step(), 1..6), numbers, (0usize..3, 0usize..4, any::<bool>(), any::<bool>())).prop_map(
-        |(steps, (most, along, deep, radius, proud, level), (smoothing, into, back, turned))| {
+    (prop::collection::vec(step(), 1..6), numbers, (0usize..3, 0usize..3, 0usize..4, any::<bool>(), any::<bool>()))
+        .prop_map(|(steps, (most, along, deep, radius, proud, level), (smoothing, operation, into, back, turned))| {
             let wall = chain(&[steps.as_slice(), &[StepDown::Line(level, 0.0)]].concat());
             // The last step down is the helper's own; it must not be below the floor.
             let foot = wall.last().map_or(0.0, |e| e.from().y);
@@ -192,6 +221,8 @@ fn case() -> impl Strategy<Value = (Vec<Element>, Roughing, View)> {
                 most,
                 oversize: if into.is_radial() { Vec2::new(along, deep) } else { Vec2::new(deep, along) },
                 smoothing: [Smoothing::EachCut, Smoothing::LastCut, Smoothing::Never][smoothing],
+                operation: [Operation::Rough, Operation::RoughAndFinish, Operation::Finish][operation],
+                finish_feed: Feed::PerRevolution(0.1),
                 falling: Falling::Refused,
                 lift: 1.0,
                 feed: Feed::PerRevolution(0.2),
@@ -199,8 +230,7 @@ fn case() -> impl Strategy<Value = (Vec<Element>, Roughing, View)> {
                 end: RoughingEnd::Start,
             };
             (wall, roughing, view)
-        },
-    )
+        })
 }
 
 fn check_cutting(wall: &[Element], roughing: &Roughing, view: &View) -> Result<(), TestCaseError> {
@@ -218,13 +248,17 @@ fn check_cutting(wall: &[Element], roughing: &Roughing, view: &View) -> Result<(
     let tool = RecessTool { width: 2.0 * r, nose: r, edge: 0.0 };
     let over = if roughing.into.is_radial() { roughing.oversize } else { roughing.oversize.yx() };
     // The floor goes on to where the cuts begin.
-    let limit = |x: f64| {
-        let at = x - over.x;
-        over.y + if at > end.x { end.y } else { height(wall, at).max(end.y) }
-    };
+    let surface = |x: f64| if x > end.x { end.y } else { height(wall, x).max(end.y) };
+    let rough = |x: f64| over.y + surface(x - over.x);
+    let limit = if roughing.operation == Operation::Rough { &rough as &dyn Fn(f64) -> f64 } else { &surface };
     let mut blank = Blank { left: -1.0 + GRID * 0.37, columns: Vec::new() };
     blank.columns = vec![top; ((end.x + 1.5) / GRID) as usize];
     let column = |blank: &Blank, i: usize| blank.left + i as f64 * GRID;
+    if roughing.operation == Operation::Finish {
+        for i in 0..blank.columns.len() {
+            blank.columns[i] = top.min(rough(column(&blank, i)));
+        }
+    }
     let mut at = view.point(start) - origin;
     for mv in &list {
         let path = match mv.path {
@@ -250,12 +284,14 @@ fn check_cutting(wall: &[Element], roughing: &Roughing, view: &View) -> Result<(
         }
         // A fillet of the nose may stand on what the cut before left.
         let deep = (0..before.len()).map(|i| before[i] - blank.columns[i]).fold(0.0, f64::max);
-        prop_assert!(deep <= roughing.most + r + 1e-6, "{deep} deep: {mv:?}");
+        let finishes = roughing.operation != Operation::Rough;
+        prop_assert!(finishes || deep <= roughing.most + r + 1e-6, "{deep} deep: {mv:?}");
         at = seen.to;
     }
     prop_assert!(distance(at, view.point(start) - origin) < 1e-9);
     // What stands at the end: nothing but the fillets of the nose, and the steps where they were to stay.
-    let most = if roughing.smoothing == Smoothing::Never { roughing.most } else { 0.0 };
+    let stays = roughing.smoothing == Smoothing::Never && roughing.operation == Operation::Rough;
+    let most = if stays { roughing.most } else { 0.0 };
     for i in 0..blank.columns.len() {
         let c = column(&blank, i);
         let steep = [-0.3, -0.1, 0.1, 0.3].iter().any(|d| (limit(c + d) - limit(c)).abs() > 3.0 * d.abs());
@@ -270,7 +306,7 @@ fn check_cutting(wall: &[Element], roughing: &Roughing, view: &View) -> Result<(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// No gouge, no rapid in material, no cut over the infeed, nothing left but the oversize.
     #[test]

@@ -1,0 +1,48 @@
+//! `partc plot`
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::args::Plot;
+use super::disk::file_name;
+use super::output::{Destination, Made, Progress, is_foreign, set_aside};
+use super::report::Reporter;
+use super::run::{Loaded, ignore_closed_pipe, load, same_file};
+use super::{Exit, Trouble, say};
+
+/// Draws the path of one program. A program with errors gets no picture.
+pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
+    let target = target(args);
+    let shown = target.display().to_string();
+    let trouble = |error: io::Error| format!("{shown}: {error}");
+    if same_file(&args.input, &target) {
+        return Err(format!("{shown}: the picture would replace the program"));
+    }
+    if is_foreign(&target, Made::Picture) && !args.force {
+        return Err(format!("{shown}: not drawn by partc; use --force to replace it, or another name"));
+    }
+    let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
+    let mut reporter = Reporter::new(&args.common);
+    let mut out = Progress::new(Destination::open(&target).map_err(trouble)?);
+    let result = session.plot(dialect, &settings, &files, &mut out);
+    let out = out.into_inner();
+    if session.diags.has_errors() {
+        drop(out);
+        if let Some(stale) = set_aside(&target, Made::Picture).map_err(trouble)? {
+            say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
+        }
+    } else {
+        result.and_then(|()| out.commit()).or_else(ignore_closed_pipe).map_err(trouble)?;
+    }
+    reporter.session(session);
+    reporter.finish()
+}
+
+fn target(args: &Plot) -> PathBuf {
+    match (&args.output, &args.common.stdin_filename) {
+        (Some(output), _) => output.clone(),
+        (None, Some(name)) if args.input == Path::new("-") => PathBuf::from(file_name(name)).with_extension("svg"),
+        (None, _) if args.input == Path::new("-") => PathBuf::from("-"),
+        (None, _) => args.input.with_extension("svg"),
+    }
+}

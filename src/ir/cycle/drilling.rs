@@ -1,0 +1,306 @@
+//! Arguments of drilling, boring and tapping. The tool stands over the hole; only the drilling axis moves.
+
+use core::fmt;
+
+use crate::ir::Feed;
+use crate::ir::function::{Spindle, Turn};
+use crate::machine::Axis;
+
+/// Most pecks of a hole; more is a lost decimal point.
+pub const MOST_PECKS: usize = 10_000;
+
+/// A hole. Lengths in mm, heights along the drilling axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drilling {
+    pub axis: Axis,
+    pub levels: Levels,
+    pub feed: Feed,
+    pub method: Method,
+}
+
+/// Heights of a hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Levels {
+    /// Where the tool goes in the end.
+    pub retract: f64,
+    /// Surface of the workpiece.
+    pub reference: f64,
+    /// In front of the surface, 0 or more: here rapid traverse ends.
+    pub clearance: f64,
+    /// Bottom of the hole.
+    pub depth: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub enum Method {
+    /// To the depth, wait, out at rapid.
+    Drill {
+        dwell: f64,
+    },
+    Peck(Peck),
+    Tap(Tap),
+    /// To the depth, wait, back to the start plane at another feed, out.
+    Ream {
+        dwell: f64,
+        back: Feed,
+    },
+    /// To the depth, wait, stop the spindle at an angle, lift off, out, back to the centre, spindle on.
+    Bore(Bore),
+    /// To the depth, wait, spindle and program stop, out at rapid, spindle on.
+    BoreWithStop {
+        dwell: f64,
+        turn: Turn,
+    },
+}
+
+/// Drilling in steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peck {
+    /// First step, from the surface; over 0.
+    pub first: f64,
+    pub degression: Degression,
+    /// Seconds at the depth of each step, and at the bottom.
+    pub dwell: f64,
+    pub dwell_at_bottom: f64,
+    /// Factor on the feed of the first step, over 0 to 1.
+    pub first_feed: f64,
+    pub removal: Removal,
+}
+
+/// How steps become shorter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Degression {
+    /// By this amount each, down to the amount itself; over 0.
+    Amount(f64),
+    /// By this factor each, over 0 to 1, but none below `least`.
+    Factor { factor: f64, least: f64 },
+}
+
+/// What happens between two steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Removal {
+    /// Back by this way, to break the chip; 0 or more.
+    Break { way: f64 },
+    /// Out to the start plane, wait, and at rapid to `ahead` in front of the last depth. `None`: 0.6 mm down to
+    /// 30 mm deep, then a fiftieth of the depth, at most 7 mm.
+    Clear { dwell: f64, ahead: Option<f64> },
+}
+
+/// Tapping. The spindle turns one way in and the other way out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tap {
+    /// mm per turn, over 0; the hand of the thread is in `turn`. `None`: with the feed of the hole both ways, for a
+    /// compensating chuck.
+    pub lead: Option<f64>,
+    /// On the way in; out is the other way.
+    pub turn: Turn,
+    pub dwell: f64,
+    /// Speeds in rev/min; `None` for the one in force.
+    pub speed_in: Option<f64>,
+    pub speed_out: Option<f64>,
+    /// Angle of the spindle before.
+    pub orient: Option<f64>,
+    /// Tapping in steps of at most this, out to the start plane after each.
+    pub step: Option<f64>,
+    /// State of the spindle afterwards.
+    pub after: Spindle,
+    /// Speed afterwards, where a speed was given.
+    pub speed_after: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bore {
+    pub dwell: f64,
+    /// Of the spindle, on again afterwards.
+    pub turn: Turn,
+    /// Angle of the spindle at which the edge can be lifted off.
+    pub orient: f64,
+    /// Lift-off along the first, second and third axis of the plane.
+    pub lift: [f64; 3],
+}
+
+/// Arguments that make no hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrillingFault {
+    /// A height is not a number.
+    Number,
+    /// The retract height does not lie on the other side of the surface than the depth (alarm 61101).
+    ReferencePlane,
+    /// The clearance is negative.
+    Clearance,
+    /// The retract height lies below the start plane, so that the tool would rest in the clearance.
+    RetractBelowStart,
+    Dwell,
+    /// A peck, its amount or its factor is out of range.
+    Peck,
+    /// The pitch is not over 0.
+    Lead,
+    /// A speed is not over 0.
+    Speed,
+    /// A feed is not over 0.
+    Feed,
+    /// The pecks never reach the bottom, or only after too many.
+    TooManyPecks,
+}
+
+impl fmt::Display for DrillingFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            DrillingFault::Number => "a height of the hole is not a number",
+            DrillingFault::ReferencePlane => "the surface must lie between the retract height and the depth",
+            DrillingFault::Clearance => "the safety distance must not be negative",
+            DrillingFault::RetractBelowStart => "the retract height lies below the surface plus the safety distance",
+            DrillingFault::Dwell => "the dwell time must not be negative",
+            DrillingFault::Peck => "the steps of the hole must be over 0, and a factor at most 1",
+            DrillingFault::Lead => "the pitch must be over 0",
+            DrillingFault::Speed => "the spindle speed must be over 0",
+            DrillingFault::Feed => "the feed must be over 0",
+            DrillingFault::TooManyPecks => "the steps become so small that the hole is not finished",
+        })
+    }
+}
+
+/// What the two ways to give a depth come to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolved {
+    pub levels: Levels,
+    /// An absolute depth was given too, says something else and is not used.
+    pub overridden: bool,
+}
+
+impl Levels {
+    /// The levels from an absolute depth, or a relative one that counts from the surface and wins if it is given and
+    /// not 0; its sign does not matter (standard cycles CYCLE81 to CYCLE84, V06.02.09).
+    ///
+    /// # Errors
+    /// `ReferencePlane` where a relative depth has no direction, or the absolute one lies on the wrong side.
+    pub fn resolve(
+        retract: f64,
+        reference: f64,
+        clearance: f64,
+        absolute: Option<f64>,
+        relative: Option<f64>,
+    ) -> Result<Resolved, DrillingFault> {
+        let towards = retract - reference;
+        let relative = relative.filter(|way| *way != 0.0);
+        let depth = match relative {
+            Some(_) if towards == 0.0 => return Err(DrillingFault::ReferencePlane),
+            Some(way) => reference - way.abs() * towards.signum(),
+            None => absolute.unwrap_or(0.0),
+        };
+        // SINUMERIK uses the magnitude of the safety distance.
+        let levels = Levels { retract, reference, clearance: clearance.abs(), depth };
+        let overridden = relative.is_some() && absolute.is_some_and(|given| given != 0.0 && given != depth);
+        match levels.check() {
+            Ok(()) | Err(DrillingFault::RetractBelowStart) => Ok(Resolved { levels, overridden }),
+            Err(fault) => Err(fault),
+        }
+    }
+
+    /// Direction out of the hole: 1 if it goes down; 0 for a hole without depth.
+    pub fn outward(&self) -> f64 {
+        let way = self.reference - self.depth;
+        if way == 0.0 { 0.0 } else { way.signum() }
+    }
+
+    /// Where rapid traverse ends.
+    pub fn start_plane(&self) -> f64 {
+        self.reference + self.clearance * self.outward()
+    }
+
+    /// Depth of the hole, from the surface.
+    pub fn way(&self) -> f64 {
+        (self.reference - self.depth).abs()
+    }
+
+    fn check(&self) -> Result<(), DrillingFault> {
+        let finite = [self.retract, self.reference, self.clearance, self.depth].iter().all(|v| v.is_finite());
+        let (out, above) = (self.outward(), self.retract - self.reference);
+        if !finite {
+            Err(DrillingFault::Number)
+        } else if self.clearance < 0.0 {
+            Err(DrillingFault::Clearance)
+        } else if above != 0.0 && out != 0.0 && above.signum() != out {
+            Err(DrillingFault::ReferencePlane)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl Peck {
+    /// The first step from an absolute depth, or from a relative one that wins; `None` where neither is given, or
+    /// the absolute one does not lie between the surface and the bottom (alarm 61107).
+    pub fn first_step(levels: &Levels, absolute: Option<f64>, relative: Option<f64>) -> Option<f64> {
+        let total = levels.way();
+        match (relative.filter(|way| *way != 0.0), absolute) {
+            (Some(way), _) => Some(way.abs().min(total)),
+            (None, Some(depth)) => {
+                let way = (levels.reference - depth) * levels.outward();
+                (way > 0.0).then(|| way.min(total))
+            }
+            (None, None) => None,
+        }
+    }
+}
+
+impl Degression {
+    /// All steps alike.
+    pub fn constant(step: f64) -> Degression {
+        Degression::Factor { factor: 1.0, least: step }
+    }
+}
+
+impl Drilling {
+    /// The first fault of the arguments.
+    ///
+    /// # Errors
+    /// See [`DrillingFault`].
+    pub fn check(&self) -> Result<(), DrillingFault> {
+        self.levels.check()?;
+        let seconds = |s: f64| s >= 0.0 && s.is_finite();
+        let positive = |v: f64| v > 0.0 && v.is_finite();
+        let speed = |s: Option<f64>| s.is_none_or(positive);
+        let rules: &[(bool, DrillingFault)] = match &self.method {
+            Method::Drill { dwell } | Method::BoreWithStop { dwell, .. } => &[(seconds(*dwell), DrillingFault::Dwell)],
+            Method::Ream { dwell, back } => {
+                &[(seconds(*dwell), DrillingFault::Dwell), (positive(back.value()), DrillingFault::Feed)]
+            }
+            Method::Bore(bore) => &[
+                (seconds(bore.dwell), DrillingFault::Dwell),
+                (bore.orient.is_finite() && bore.lift.iter().all(|v| v.is_finite()), DrillingFault::Number),
+            ],
+            Method::Tap(tap) => &[
+                (seconds(tap.dwell), DrillingFault::Dwell),
+                (tap.lead.is_none_or(positive), DrillingFault::Lead),
+                (speed(tap.speed_in) && speed(tap.speed_out) && speed(tap.speed_after), DrillingFault::Speed),
+                (tap.step.is_none_or(positive), DrillingFault::Peck),
+            ],
+            Method::Peck(peck) => &[
+                (seconds(peck.dwell) && seconds(peck.dwell_at_bottom), DrillingFault::Dwell),
+                (positive(peck.first) && good(peck.degression), DrillingFault::Peck),
+                (positive(peck.first_feed) && peck.first_feed <= 1.0, DrillingFault::Feed),
+                (good_removal(peck.removal), DrillingFault::Peck),
+            ],
+        };
+        if !positive(self.feed.value()) && !matches!(self.method, Method::Tap(Tap { lead: Some(_), .. })) {
+            return Err(DrillingFault::Feed);
+        }
+        rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+}
+
+fn good(degression: Degression) -> bool {
+    match degression {
+        Degression::Amount(amount) => amount > 0.0 && amount.is_finite(),
+        Degression::Factor { factor, least } => factor > 0.0 && factor <= 1.0 && least >= 0.0 && least.is_finite(),
+    }
+}
+
+fn good_removal(removal: Removal) -> bool {
+    let length = |v: f64| v >= 0.0 && v.is_finite();
+    match removal {
+        Removal::Break { way } => length(way),
+        Removal::Clear { dwell, ahead } => length(dwell) && ahead.is_none_or(length),
+    }
+}

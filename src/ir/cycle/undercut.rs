@@ -1,0 +1,105 @@
+//! Arguments of the undercut cycle: one finishing cut along an undercut, in depth steps if wanted.
+
+use core::fmt;
+
+use crate::geo::Point2;
+use crate::geo::undercut::{Allowance, Fault, Orientation, Shape};
+use crate::ir::{Feed, Side};
+
+/// An undercut cut by itself. Points are (Z, X) with X as a radius, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UndercutCycle {
+    /// Where cylinder and face meet, without allowance.
+    pub corner: Point2,
+    /// Sense along Z in which the cylinder leaves the corner, and along X in which the face does. `first_leads` is
+    /// not looked at: the cut always goes along the cylinder to the face.
+    pub orientation: Orientation,
+    pub shape: Shape,
+    /// The cylinder and the face still carry this much.
+    pub allowance: Allowance,
+    /// Distance to the part at rapid, over 0.
+    pub clearance: f64,
+    /// The face is cut up to here (X as a radius); `None`: to the end of the undercut and the clearance on.
+    pub face_end: Option<f64>,
+    pub feed: Feed,
+    /// Most depth of a cut; `None` for the finishing cut alone.
+    pub step: Option<f64>,
+    /// What the depth steps leave for the finishing cut.
+    pub finish: f64,
+    /// The depth steps alone, or with the finishing cut.
+    pub finishing: bool,
+    /// The nose radius is compensated; off if the tool path itself is programmed.
+    pub compensated: bool,
+}
+
+/// Arguments that make no undercut cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum UndercutFault {
+    /// A value is not a number.
+    Number,
+    Clearance,
+    Feed,
+    /// The depth step is not over 0.
+    Step,
+    /// The finishing allowance is negative, or as large as the depth.
+    Finish,
+    /// Neither depth steps nor a finishing cut.
+    Nothing,
+    /// The end of the face lies inside the undercut.
+    FaceEnd,
+    /// The undercut itself.
+    Shape(Fault),
+}
+
+impl fmt::Display for UndercutFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            UndercutFault::Number => "a value of the undercut is not a number",
+            UndercutFault::Clearance => "the safety distance must be over 0",
+            UndercutFault::Feed => "the feed must be over 0",
+            UndercutFault::Step => "the depth of a cut must be over 0",
+            UndercutFault::Finish => "the finishing allowance must be less than the depth of the undercut",
+            UndercutFault::Nothing => "neither roughing nor finishing is asked for",
+            UndercutFault::FaceEnd => "the face ends inside the undercut",
+            UndercutFault::Shape(Fault::Dimension) => "a depth, width or radius of the undercut is no positive number",
+            UndercutFault::Shape(Fault::Angle) => "an angle of the undercut is out of range",
+            UndercutFault::Shape(_) => "slope, floor and roundings do not fit into the undercut",
+        })
+    }
+}
+
+impl UndercutCycle {
+    /// The first fault of the arguments.
+    ///
+    /// # Errors
+    /// See [`UndercutFault`].
+    pub fn check(&self) -> Result<(), UndercutFault> {
+        let positive = |v: f64| v > 0.0 && v.is_finite();
+        let numbers = [self.corner.x, self.corner.y, self.allowance.reference, self.allowance.other];
+        let sense = |v: f64| v == 1.0 || v == -1.0;
+        let rules = [
+            (numbers.iter().all(|v| v.is_finite()), UndercutFault::Number),
+            (self.allowance.reference >= 0.0 && self.allowance.other >= 0.0, UndercutFault::Number),
+            (self.face_end.is_none_or(f64::is_finite), UndercutFault::Number),
+            (sense(self.orientation.first) && sense(self.orientation.second), UndercutFault::Number),
+            (positive(self.clearance), UndercutFault::Clearance),
+            (positive(self.feed.value()), UndercutFault::Feed),
+            (self.step.is_none_or(positive), UndercutFault::Step),
+            (self.finish >= 0.0 && self.finish < self.shape.depth(), UndercutFault::Finish),
+            (self.step.is_some() || self.finishing, UndercutFault::Nothing),
+        ];
+        if let Some((_, fault)) = rules.iter().find(|(good, _)| !good) {
+            return Err(*fault);
+        }
+        self.shape.check().map_err(UndercutFault::Shape)
+    }
+
+    /// Side on which the nose is compensated: the tool stays outside the part.
+    pub fn side(&self) -> Side {
+        match (self.compensated, self.orientation.first * self.orientation.second > 0.0) {
+            (false, _) => Side::None,
+            (true, true) => Side::Right,
+            (true, false) => Side::Left,
+        }
+    }
+}

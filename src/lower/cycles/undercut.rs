@@ -1,0 +1,299 @@
+//! The undercut cycle: in front of the corner at rapid, along the undercut and up the face at feed, back.
+//!
+//! The path is computed in the frame of the corner: `s` along the cylinder, `n` along the face, both away from the
+//! part. The tool enters on the extension of the entry slope, so that it never touches the cylinder in front.
+
+use crate::diag::codes;
+use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Orientation, Placed, Reference, Shape, place};
+use crate::geo::{Deg, Element, Plane, Point2, Vec2};
+use crate::ir::contour::{self, ArcShape, Coords, EndPoint, Move, Path};
+use crate::ir::cycle::undercut::{UndercutCycle, UndercutFault};
+use crate::ir::{Pos, Side};
+
+use super::track::Failure;
+
+/// Most depth steps.
+const MOST_STEPS: f64 = 10_000.0;
+/// What division may lose: 0.9 / 0.3 is three steps, not four.
+const SLACK: f64 = 1e-9;
+
+/// Sends the moves of the cycle, which starts and ends in `from`, (Z, X) with X as a radius.
+///
+/// # Errors
+/// G3041 for arguments that make no undercut, G3040 for too many steps, G3046 for a start behind the face.
+pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -> Result<(), Failure> {
+    cycle.check().map_err(fault)?;
+    let mut cuts = Vec::new();
+    for shape in steps(cycle)? {
+        cuts.push(cut(cycle, &shape)?);
+    }
+    let frame = Frame::new(cycle.corner, cycle.orientation, Reference::First, Allowance::default());
+    let start = frame.inward(from);
+    if start.x < 0.0 {
+        let message = "the tool stands behind the face of the undercut, so that there is no safe way to the corner";
+        return Err(Failure::new(codes::G3046, message, "position the tool in front of the face before the cycle"));
+    }
+    let mut path = Track { frame, cycle, out };
+    // Over everything the cycle cuts, and never nearer to the part than where the tool stood.
+    let top = cuts.iter().map(|cut| cut.end.y.max(cut.enter.y)).fold(0.0, f64::max) + cycle.clearance;
+    let top = top.max(start.y);
+    path.rapid(Point2::new(start.x, top));
+    for cut in &cuts {
+        path.rapid(Point2::new(cut.enter.x, top));
+        path.rapid(cut.enter);
+        path.line(cut.begin);
+        for element in &cut.elements {
+            path.element(element);
+        }
+        path.line(cut.end);
+        path.rapid(cut.end + Vec2::new(cycle.clearance, 0.0));
+        path.rapid(Point2::new(cut.end.x + cycle.clearance, top));
+    }
+    path.rapid(Point2::new(start.x, top));
+    path.rapid(start);
+    Ok(())
+}
+
+fn fault(fault: UndercutFault) -> Failure {
+    Failure::new(codes::G3041, fault.to_string(), "check the data of the undercut cycle")
+}
+
+/// The shapes of the cuts, the shallowest first.
+fn steps(cycle: &UndercutCycle) -> Result<Vec<Shape>, Failure> {
+    let mut list = Vec::new();
+    if let Some(step) = cycle.step {
+        let depth = cycle.shape.depth() - cycle.finish;
+        let count = libm::ceil(depth / step - SLACK).max(1.0);
+        if count > MOST_STEPS {
+            let message = format!("the undercut takes {count:.0} cuts of {step} mm");
+            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+        }
+        let count = count as u32;
+        list.extend((1..=count).map(|i| shallower(&cycle.shape, depth * f64::from(i) / f64::from(count))));
+    }
+    // Without an allowance the last step is the finished undercut.
+    let finished = cycle.finish == 0.0 && cycle.step.is_some();
+    if cycle.finishing && !finished {
+        list.push(cycle.shape);
+    }
+    Ok(list)
+}
+
+/// The same undercut with its floor at `depth`: its slope lies on the same line.
+fn shallower(shape: &Shape, depth: f64) -> Shape {
+    match *shape {
+        Shape::Square { length, entry, entry_radius, corner_radius, .. } => {
+            Shape::Square { length, depth, entry, entry_radius, corner_radius }
+        }
+        Shape::Groove { width, edge, radius, .. } => Shape::Groove { width, depth, edge, radius },
+        other => other,
+    }
+}
+
+/// One cut in the frame of the corner.
+struct Cut {
+    /// Where the feed begins, in front of the part.
+    enter: Point2,
+    /// Where the undercut begins.
+    begin: Point2,
+    elements: Vec<Element>,
+    /// Upper end of the face.
+    end: Point2,
+}
+
+fn cut(cycle: &UndercutCycle, shape: &Shape) -> Result<Cut, Failure> {
+    let allowance = cycle.allowance;
+    let at = Point2::new(allowance.other, allowance.reference);
+    // Longer than any undercut: the cylinder and the face are not part of the cycle.
+    let long = 1e4;
+    let corner = Corner { from: at + Vec2::new(long, 0.0), at, to: at + Vec2::new(0.0, long) };
+    let placed: Placed = place(shape, &corner, Reference::First, allowance)
+        .map_err(|found: Fault| fault(UndercutFault::Shape(found)))?;
+    let entry = match *shape {
+        Shape::Square { entry, .. } | Shape::Recessed { entry, .. } | Shape::Slope { entry, .. } => entry,
+        Shape::Wedge { opening, axis, .. } => Deg(axis.0 - opening.0 / 2.0),
+        Shape::Groove { .. } => Deg(90.0),
+    };
+    let (sin, cos) = entry.sin_cos();
+    let enter = placed.leave + Vec2::new(cos / sin, 1.0) * cycle.clearance;
+    let end = match cycle.face_end {
+        Some(x) => {
+            let n = (x - cycle.corner.y) * cycle.orientation.second;
+            if n < placed.join.y - 1e-6 {
+                return Err(fault(UndercutFault::FaceEnd));
+            }
+            Point2::new(placed.join.x, n)
+        }
+        None => placed.join + Vec2::new(0.0, cycle.clearance),
+    };
+    Ok(Cut { enter, begin: placed.leave, elements: placed.elements, end })
+}
+
+struct Track<'a> {
+    frame: Frame,
+    cycle: &'a UndercutCycle,
+    out: &'a mut dyn FnMut(&Move),
+}
+
+impl Track<'_> {
+    fn send(&mut self, to: Point2, path: Path) {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(Plane::Zx, self.frame.point(to));
+        let rapid = path == Path::Rapid;
+        let side = if rapid { Side::None } else { self.cycle.side() };
+        let feed = (!rapid).then_some(self.cycle.feed);
+        (self.out)(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords: Coords::Frame });
+    }
+
+    fn rapid(&mut self, to: Point2) {
+        self.send(to, Path::Rapid);
+    }
+
+    fn line(&mut self, to: Point2) {
+        self.send(to, Path::Line);
+    }
+
+    fn element(&mut self, element: &Element) {
+        match *element {
+            Element::Line { to, .. } => self.line(to),
+            Element::Arc { to, center, sweep, .. } => {
+                let ccw = (sweep > 0.0) != self.frame.flips();
+                let shape = ArcShape::Center { center: self.frame.point(center), ccw, tol: 1e-6 };
+                self.send(to, Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }));
+            }
+        }
+    }
+}
+
+/// Position numbers of undercut cycles: the senses in which cylinder and face leave the corner. `0` external +Z,
+/// `1` external -Z, `2` internal +Z, `3` internal -Z (SINUMERIK NC programming 12/2019, CYCLE940).
+pub fn orientation(position: u8) -> Option<Orientation> {
+    let (first, second) = match position {
+        0 => (-1.0, 1.0),
+        1 => (1.0, 1.0),
+        2 => (-1.0, -1.0),
+        3 => (1.0, -1.0),
+        _ => return None,
+    };
+    Some(Orientation { first, second, first_leads: true })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::Feed;
+    use crate::ir::undercut::{ThreadForm, form_e, form_f, thread};
+    use crate::machine::Undercuts;
+
+    fn cycle(shape: Shape, position: u8, z: f64, x: f64) -> UndercutCycle {
+        UndercutCycle {
+            corner: Point2::new(z, x),
+            orientation: orientation(position).expect("a position"),
+            shape,
+            allowance: Allowance::default(),
+            clearance: 1.0,
+            face_end: None,
+            feed: Feed::PerRevolution(0.1),
+            step: None,
+            finish: 0.0,
+            finishing: true,
+            compensated: true,
+        }
+    }
+
+    fn words(cycle: &UndercutCycle, from: Point2) -> Vec<String> {
+        let number = |v: f64| {
+            let text = format!("{v:.4}");
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        };
+        let mut list = Vec::new();
+        expand(cycle, from, &mut |mv| {
+            let EndPoint::Cartesian(end) = mv.end else { panic!("polar") };
+            let to = end.in_plane(Plane::Zx).expect("both axes");
+            let word = match mv.path {
+                Path::Rapid => "G0".to_owned(),
+                Path::Line => "G1".to_owned(),
+                Path::Arc(contour::Arc { shape: ArcShape::Center { ccw, .. }, .. }) => {
+                    if ccw { "G3" } else { "G2" }.to_owned()
+                }
+                other => panic!("{other:?}"),
+            };
+            let side = match mv.side {
+                Side::None => "",
+                Side::Left => " G41",
+                Side::Right => " G42",
+            };
+            list.push(format!("{word} Z{} X{}{side}", number(to.x), number(2.0 * to.y)));
+        })
+        .expect("a path");
+        list
+    }
+
+    #[test]
+    fn form_e_with_approach_and_retract() {
+        let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
+        let mut e = cycle(form_e(&size), 1, -75.0, 32.5);
+        e.face_end = Some(40.0);
+        assert_eq!(
+            words(&e, Point2::new(5.0, 50.0)),
+            [
+                "G0 Z5 X100",
+                "G0 Z-68.7679 X100",
+                "G0 Z-68.7679 X67",
+                "G1 Z-72.5 X65 G42",
+                "G1 Z-73.5433 X64.4409 G42",
+                "G2 Z-73.6986 X64.4 G42",
+                "G1 Z-74.4 X64.4 G42",
+                "G2 Z-75 X65.6 G42",
+                "G1 Z-75 X80 G42",
+                "G0 Z-74 X80",
+                "G0 Z-74 X100",
+                "G0 Z5 X100",
+                "G0 Z5 X100",
+            ]
+        );
+        // Low over the cylinder the tool first goes up, over the face.
+        let list = words(&e, Point2::new(-40.0, 34.0));
+        assert_eq!((list[0].as_str(), list[12].as_str()), ("G0 Z-40 X82", "G0 Z-40 X68"));
+    }
+
+    #[test]
+    fn inside_everything_is_mirrored() {
+        let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
+        let f = cycle(form_f(&size), 3, -30.0, 20.0);
+        let list = words(&f, Point2::new(5.0, 10.0));
+        assert_eq!(list[3..6], ["G1 Z-27.5 X40 G41", "G1 Z-28.5433 X40.5591 G41", "G3 Z-28.6986 X40.6 G41"]);
+        assert_eq!(list[7..9], ["G3 Z-30.1942 X39.233 G41", "G1 Z-30 X36.4699 G41"]);
+        assert_eq!(list[9], "G1 Z-30 X34.4699 G41");
+    }
+
+    #[test]
+    fn depth_steps_lie_on_the_same_slope() {
+        let tables = Undercuts::default();
+        let (shape, _) = thread(&tables, tables.thread(2.5).expect("a pitch"), ThreadForm::A, Deg(30.0));
+        let rough = UndercutCycle { step: Some(0.7), finish: 0.1, ..cycle(shape, 1, -30.0, 10.0) };
+        let list = words(&rough, Point2::new(5.0, 30.0));
+        let begins: Vec<_> = list.iter().filter(|line| line.contains("Z-21.2912")).collect();
+        // 1.7 in three steps of at most 0.7, then the finishing cut.
+        assert_eq!(begins.len(), 4, "{list:?}");
+        let floors: Vec<_> = list.iter().filter(|line| line.starts_with("G1 Z-28.8")).cloned().collect();
+        assert_eq!(floors, ["X18.8667", "X17.7333", "X16.6", "X16.4"].map(|x| format!("G1 Z-28.8 {x} G42")));
+    }
+
+    #[test]
+    fn refusals() {
+        let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
+        let e = cycle(form_e(&size), 1, -75.0, 32.5);
+        let code = |cycle: UndercutCycle, z: f64| {
+            expand(&cycle, Point2::new(z, 50.0), &mut |_| ()).expect_err("refused").code.id
+        };
+        assert_eq!(code(e, -80.0), "G3046");
+        assert_eq!(code(UndercutCycle { clearance: 0.0, ..e }, 0.0), "G3041");
+        assert_eq!(code(UndercutCycle { feed: Feed::PerRevolution(0.0), ..e }, 0.0), "G3041");
+        assert_eq!(code(UndercutCycle { face_end: Some(32.6), ..e }, 0.0), "G3041");
+        assert_eq!(code(UndercutCycle { finishing: false, ..e }, 0.0), "G3041");
+        assert_eq!(code(UndercutCycle { step: Some(1e-9), ..e }, 0.0), "G3040");
+        assert_eq!(code(UndercutCycle { corner: Point2::new(f64::NAN, 0.0), ..e }, 0.0), "G3041");
+        assert_eq!(orientation(4), None);
+    }
+}
