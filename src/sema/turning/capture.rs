@@ -89,7 +89,8 @@ impl Run<'_> {
             );
         };
         let form = matches!(fun.number, 22 | 23 | 25 | 34);
-        if !matches!(fun.number, 0..=3 | 12 | 13) && !(form && self.sections.family() == Family::DinPlus) {
+        let path = matches!(fun.number, 0..=3 | 12 | 13);
+        if !(path || form && self.sections.family() == Family::DinPlus) {
             return self.fail_help(
                 codes::T3003,
                 fun.span,

@@ -156,11 +156,7 @@ impl Run<'_> {
             match parsed.block.stmt {
                 Stmt::If(_) | Stmt::While(_) | Stmt::Switch(_) => depth += 1,
                 Stmt::EndIf | Stmt::EndWhile | Stmt::EndSwitch if depth > 0 => depth -= 1,
-                Stmt::Case(case) if depth == 0 => {
-                    if self.condition(&parsed.block, case)? == value {
-                        return Ok(());
-                    }
-                }
+                Stmt::Case(case) if depth == 0 && self.condition(&parsed.block, case)? == value => return Ok(()),
                 Stmt::Default if depth == 0 => default = Some(self.program().cursor.place()),
                 Stmt::EndSwitch => break,
                 _ => {}

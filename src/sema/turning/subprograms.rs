@@ -174,7 +174,7 @@ impl Run<'_> {
             let mut known: Vec<&str> = names.places.keys().map(String::as_str).collect();
             known.sort_unstable();
             let upper = name.to_ascii_uppercase();
-            let like = crate::machine::tree::did_you_mean(&upper, known.into_iter()).map(str::to_owned);
+            let like = crate::machine::tree::did_you_mean(&upper, known).map(str::to_owned);
             let found = Diagnostic::new(codes::T2011, here, format!("there is no section SUBPROGRAM \"{name}\""));
             self.report(match like {
                 Some(like) => found.help(format!("did you mean `{like}`?")),

@@ -19,6 +19,9 @@ pub(super) enum Undercut {
     F { depth: f64, width: f64, radius: f64, slope: f64, face: f64, lean: f64 },
 }
 
+/// Elements, each with what happens at its end.
+type Pieces = Vec<(Element, Transition)>;
+
 /// An undercut between two elements.
 #[derive(Debug, Clone)]
 pub(super) struct Made {
@@ -27,7 +30,7 @@ pub(super) struct Made {
     pub joins: Point2,
     /// How the first element goes over into the undercut.
     pub edge: Transition,
-    pub elements: Vec<(Element, Transition)>,
+    pub elements: Pieces,
 }
 
 /// Sizes of DIN 509: largest diameter, depth, width, radius, depth in the face.
@@ -196,7 +199,7 @@ fn slope_and_fillet(
     width: f64,
     radius: f64,
     slope: f64,
-) -> Result<(Vec<(Element, Transition)>, f64), &'static str> {
+) -> Result<(Pieces, f64), &'static str> {
     let (sin, cos) = Deg(slope).sin_cos();
     if !(sin > 0.0 && cos > 0.0) {
         return Err("the slope of an undercut lies between 0 and 90 degrees");

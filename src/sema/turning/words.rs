@@ -157,7 +157,7 @@ impl Run<'_> {
             Value::Formula(formula) => (self.formula(block, formula)?, false),
             Value::Text(span) => return self.gather_text(word, span, words),
         };
-        if !(value.abs() <= LARGEST) {
+        if value.is_nan() || value.abs() > LARGEST {
             return self.fail(codes::T1007, word.span, "the number is too large for any control");
         }
         let Some(letter) = word.address.addr.letter() else {
