@@ -148,9 +148,9 @@ impl crate::ir::motion::Sink for Arcs {
 pub fn check_lowering(cycle: &Cycle, start: Point2) -> Result<(), TestCaseError> {
     use crate::diag::Diags;
     use crate::geo::Plane;
+    use crate::ir::Origin;
     use crate::ir::contour::{Ctx, Sink};
     use crate::ir::verify::Verify;
-    use crate::ir::{Origin, Pos};
     use crate::lower::Lower;
     use crate::machine::Machine;
 
