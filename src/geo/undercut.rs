@@ -335,6 +335,10 @@ pub fn place(shape: &Shape, corner: &Corner, reference: Reference, allowance: Al
     let start = beyond(polygon.first(), lines.0);
     let end = beyond(polygon.last(), lines.1);
     let elements = rounded(start, &polygon, end)?;
+    let finite = |p: Point2| p.x.is_finite() && p.y.is_finite();
+    if !elements.iter().all(|element| finite(element.from()) && finite(element.to())) {
+        return Err(Fault::Dimension);
+    }
     // The first and the last element are what is left of the lines.
     let leave = elements.first().map_or(start, Element::to);
     let join = elements.last().map_or(end, Element::from);

@@ -8,6 +8,7 @@ pub mod here;
 pub mod klartext;
 pub mod mtc200;
 pub mod records;
+pub mod undercut_calls;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;

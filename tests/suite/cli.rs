@@ -463,6 +463,22 @@ fn check_and_compile_agree() {
 }
 
 #[test]
+fn plot_draws_beside_the_program_and_replaces_nothing_foreign() {
+    let text = "0 BEGIN PGM T MM\n1 L X+10 Y+0 Z+2 R0 FMAX\n2 L X+50 F200\n3 END PGM T MM\n";
+    let folder =
+        Folder::new("plot").with(&[("T.H", text), ("BAD.H", "0 BEGIN PGM T MM\n1 L X+10 R5\n2 END PGM T MM\n")]);
+    folder.run(&["plot", "T.H"]).exits(0);
+    let svg = folder.run(&["plot", "T.H", "-o", "-"]).exits(0).out;
+    assert!(svg.contains("<svg ") && svg.contains("L50 0"), "{svg}");
+    // A second time it is our own picture; a program is not.
+    folder.run(&["plot", "T.H"]).exits(0);
+    folder.run(&["plot", "T.H", "-o", "T.H"]).exits(2);
+    folder.run(&["plot", "T.H", "-o", "BAD.H"]).exits(2);
+    folder.run(&["plot", "BAD.H", "-o", "bad.svg"]).exits(1);
+    folder.run(&["plot", "bad.svg", "-o", "-"]).exits(2);
+}
+
+#[test]
 fn trace_gives_one_move_a_line() {
     let text = "0 BEGIN PGM T MM\n1 TOOL CALL 3 Z S2000\n2 L X+10 Y+0 Z+2 R0 FMAX\n3 CALL LBL 1\n4 M30\n5 LBL 1\n6 CC X+0 Y+0\n\
                 7 C X+0 Y+10 DR+ F200\n8 L Z-1\n9 LBL 0\n10 END PGM T MM\n";

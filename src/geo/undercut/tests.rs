@@ -275,6 +275,13 @@ fn every_fault_has_its_case() {
     assert_eq!(fault(square(2.5, 0.0, 15.0, 0.6), outside), Fault::Dimension);
     assert_eq!(fault(square(2.5, 0.3, 0.0, 0.6), outside), Fault::Angle);
     assert_eq!(fault(square(2.5, 0.3, 91.0, 0.6), outside), Fault::Angle);
+    // Values that a lost decimal point makes: no panic, no number that is none.
+    for shape in [square(1e300, 1e300, 15.0, 1e300), square(2.5, 0.3, 1e-300, 0.6), square(1e-300, 1e-300, 90.0, 1e300)]
+    {
+        let placed = place(&shape, &outside, Reference::First, Allowance::default());
+        let finite = |p: Point2| p.x.is_finite() && p.y.is_finite();
+        assert!(placed.is_err() || placed.is_ok_and(|placed| finite(placed.leave) && finite(placed.join)));
+    }
     assert_eq!(
         fault(Shape::Wedge { depth: 1.0, radius: 0.2, opening: Deg(90.0), axis: Deg(45.0) }, outside),
         Fault::Angle
