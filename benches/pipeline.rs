@@ -68,6 +68,26 @@ fn compile_formulas(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(BLOCKS)).bench(|| compile(&text));
 }
 
+/// A turned profile of short lines, as CAM systems write it.
+fn turned() -> String {
+    let mut text = "%1.nc\n[BENCH]\nN1 T1 G95 F0.2 G97 S1000 M3\nN2 G0 X100 Z2\n".to_owned();
+    for k in 0..BLOCKS {
+        let z = 2.0 - k as f64 * 0.001;
+        let x = 80.0 + ((k * 7919) % 3600) as f64 / 1000.0;
+        text += &format!("N{} G1 X{x:.3} Z{z:.3}\n", k + 3);
+    }
+    text + "END\n"
+}
+
+#[divan::bench]
+fn compile_turned(bencher: Bencher<'_, '_>) {
+    let text = turned();
+    bencher
+        .counter(BytesCount::of_str(&text))
+        .counter(ItemsCount::new(BLOCKS))
+        .bench(|| compile_as("heidenhain-turning", &text));
+}
+
 fn parse_all(text: &str, parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::problem::Problem>)) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {

@@ -37,6 +37,8 @@ impl Session {
 
     /// Runs the program and lowers it to `out`. Returns the hash of the source.
     fn run(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) -> u64 {
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
         let job = self.job(settings, files);
         if cfg!(debug_assertions) {
             let mut verify = Verify::new(out);
@@ -71,6 +73,10 @@ impl Session {
         let traits = targets::find(&settings.output.target)
             .ok_or_else(|| io::Error::other(format!("unknown target `{}`", settings.output.target)))?;
         let name = self.sources.name(FileId(0));
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
+        // The settings may live shorter than what was handed in.
+        let map = map.map(|map| -> &mut dyn LineMap { map });
         let mut printer = Printer::new(traits, settings, &name, &self.diags, out, map);
         let hash = self.run(dialect, settings, files, &mut printer);
         printer.finish(hash)
@@ -81,6 +87,8 @@ impl Session {
         (dialect.check_form)(&self.job(settings, files));
         self.diags.begin_run();
         let mut nowhere = Nowhere;
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
         // An output of the target finds what only shows in printed numbers.
         if let Some(traits) = targets::find(&settings.output.target) {
             let mut printer = Printer::new(traits, settings, "", &self.diags, &mut nowhere, None);

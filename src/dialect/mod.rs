@@ -3,8 +3,12 @@
 mod klartext;
 mod mtc200;
 mod sinumerik;
+mod turning;
+
+use std::borrow::Cow;
 
 use crate::ir::contour::Sink;
+use crate::machine::{MachineKind, Settings};
 use crate::sema::Job;
 
 /// What the rest of the compiler knows of a control's language.
@@ -16,10 +20,24 @@ pub struct Dialect {
     pub extensions: &'static [&'static str],
     /// Do these first bytes of a file show the language beyond doubt?
     pub recognizes: fn(&[u8]) -> bool,
+    /// A language of lathes: whatever `[machine] kind` says, the output is one for a lathe.
+    pub turns: bool,
     /// Runs the main program; returns the hash of its text.
     pub run: fn(&Job<'_>, &mut dyn Sink) -> u64,
     /// Reads every block, whether it runs or not.
     pub check_form: fn(&Job<'_>),
+}
+
+impl Dialect {
+    /// The settings of a run in this language.
+    pub fn settings<'s>(&self, settings: &'s Settings) -> Cow<'s, Settings> {
+        if !self.turns || settings.machine.kind == MachineKind::Lathe {
+            return Cow::Borrowed(settings);
+        }
+        let mut settings = settings.clone();
+        settings.machine.kind = MachineKind::Lathe;
+        Cow::Owned(settings)
+    }
 }
 
 impl std::fmt::Debug for Dialect {
@@ -29,7 +47,7 @@ impl std::fmt::Debug for Dialect {
 }
 
 /// All dialects.
-pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &sinumerik::DIALECT, &mtc200::DIALECT];
+pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &sinumerik::DIALECT, &mtc200::DIALECT, &turning::DIALECT];
 
 /// The dialect of this name.
 pub fn find(id: &str) -> Option<&'static Dialect> {

@@ -9,6 +9,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "SINUMERIK",
     extensions: &["mpf", "spf", "arc"],
     recognizes,
+    turns: false,
     run: sinumerik::run,
     check_form: sinumerik::check_form,
 };

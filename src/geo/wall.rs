@@ -20,8 +20,9 @@ const SAME_HEIGHT: f64 = 1e-7;
 /// 1e-7 lie 1e-3 apart.
 const SHORTEST_LEG: f64 = 2e-7;
 
-/// Arcs with a shorter chord are lines, mm.
-const SHORTEST_ARC: f64 = 2.0 * super::SAME_POINT;
+/// Arcs with a shorter chord are lines, mm: they might be taken for full circles. For a nose of 0.1 mm the line
+/// is less than 1e-6 off.
+const SHORTEST_ARC: f64 = 6e-4;
 
 /// Curves closer than this are one, mm.
 const SAME_CURVE: f64 = 1e-9;
@@ -207,7 +208,6 @@ impl Wall {
             } else {
                 leg_start = at;
             }
-            // So short an arc may not be told from a full circle.
             legs.push(if distance(to, leg_start) > SHORTEST_ARC { curve.leg(to) } else { Leg::Line { to } });
             last = Some(i);
             at = to;

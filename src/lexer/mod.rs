@@ -6,3 +6,4 @@
 pub mod klartext;
 pub mod mtc200;
 pub mod sinumerik;
+pub mod turning;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::axis::Axis;
 use super::mtc200::{Centres, G52, InchSpeed};
 use super::settings::*;
-use super::tools::{Tool, ToolKey};
+use super::tools::{Corner, Tool, ToolKey};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
 
 /// What may stand behind a key.
@@ -65,7 +65,7 @@ const fn key(name: &'static str, kind: Kind, doc: &'static str) -> Key {
 
 const GENERATIONS: &[&str] = &["tnc426", "itnc530", "tnc640", "tnc7"];
 const SINUMERIKS: &[&str] = &["802d", "810d", "828d", "840dsl", "one"];
-const TURNINGS: &[&str] = &["manualplus4110", "manualplus620"];
+const TURNINGS: &[&str] = &["manualplus4110", "cncpilot4290", "manualplus620"];
 
 const TOOL_KEYS: &[Key] = &[
     key("number", Kind::Whole, "tool number to print; needed for a tool known by name or index only"),
@@ -80,6 +80,11 @@ const TOOL_KEYS: &[Key] = &[
     key("corner_radius", Kind::Number, "corner radius in mm"),
     key("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
     key("width", Kind::Number, "cutting width of recessing tools in mm"),
+    key(
+        "reference",
+        Kind::Choice(&["minus", "plus", "middle"]),
+        "programmed corner of a recessing tool: the one towards -Z (axial tools: -X), the other one, or the middle",
+    ),
 ];
 
 /// All of `partc.toml`.
@@ -139,6 +144,24 @@ pub const SECTIONS: &[Section] = &[
             .or(r#""original""#),
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree").or(r#""refuse""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
+            key(
+                "turning_arc_q",
+                Kind::Choice(&["near", "far"]),
+                "solution that Q0 of an arc names in turning programs",
+            )
+            .or(r#""near""#),
+            key(
+                "recess_depth",
+                Kind::Choice(&["diameter", "radius"]),
+                "what an incremental I of a recess (G22) counts",
+            )
+            .or(r#""diameter""#),
+            key(
+                "clearance",
+                Kind::Number,
+                "clearance of turning cycles in mm where the program sets none; 1 mm if not given",
+            ),
+            key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
             key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too"),
             key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm").or("0.01"),
@@ -426,6 +449,20 @@ impl Reader {
             }
             "cp_sign" => control.cp_sign = if text(node) == "dr" { CpSign::Dr } else { CpSign::Refuse },
             "scaling" => control.scaling_in_plane = text(node) == "plane",
+            "turning_arc_q" => {
+                let far = text(node) == "far";
+                control.turning.arc_choice = if far { ArcChoice::ZeroIsFar } else { ArcChoice::ZeroIsNear };
+            }
+            "recess_depth" => {
+                let radius = text(node) == "radius";
+                control.turning.recess_depth = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
+            }
+            "clearance" => {
+                let clearance =
+                    number(node).filter(|mm| *mm > 0.0).ok_or_else(|| node.fail("a clearance is above 0"))?;
+                control.turning.clearance = Some(clearance);
+            }
+            "tool_change_point" => control.turning.change_point = Some(change_point(node)?),
             "retract_max" => control.retract_max = number(node),
             "sd42440" => control.siemens.frame_offset_incremental = Some(flag(node)),
             "md21000" | "md21010" => {
@@ -546,6 +583,13 @@ impl Reader {
                 "length" => tool.length = number(node),
                 "corner_radius" => tool.corner_radius = number(node),
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
+                "reference" => {
+                    tool.reference = match text(node) {
+                        "plus" => Corner::Plus,
+                        "middle" => Corner::Middle,
+                        _ => Corner::Minus,
+                    }
+                }
                 _ => tool.width = number(node),
             }
         }
@@ -678,6 +722,19 @@ fn range(node: &Node) -> Result<(f64, f64), ConfigError> {
         },
         _ => Err(fail()),
     }
+}
+
+fn change_point(node: &Node) -> Result<(f64, f64), ConfigError> {
+    let fail = || node.fail("a tool change point has both coordinates: { X = 300.0, Z = 400.0 }");
+    let (mut x, mut z) = (None, None);
+    for (name, node) in table_of(node) {
+        match name.as_str() {
+            "X" => x = number(node),
+            "Z" => z = number(node),
+            _ => return Err(fail()),
+        }
+    }
+    x.zip(z).ok_or_else(fail)
 }
 
 fn tool_key(name: &str, node: &Node) -> Result<ToolKey, ConfigError> {

@@ -14,8 +14,8 @@ pub mod undercut;
 
 pub use axis::{Axis, AxisSet};
 pub use settings::{
-    CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings, PolarMissing,
-    Settings, ShiftAxes, Unit,
+    ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings,
+    PolarMissing, RecessDepth, Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -124,6 +124,33 @@ pub enum CpSign {
     Dr,
 }
 
+/// Which of two solutions Q0 of an arc names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ArcChoice {
+    #[default]
+    ZeroIsNear,
+    ZeroIsFar,
+}
+
+/// What an incremental depth of a recess counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RecessDepth {
+    #[default]
+    Diameter,
+    Radius,
+}
+
+/// What turning programs leave to the control.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Turning {
+    pub arc_choice: ArcChoice,
+    pub recess_depth: RecessDepth,
+    /// Clearance of cycles in mm where the program sets none.
+    pub clearance: Option<f64>,
+    /// Machine coordinates of the tool change point: X as a diameter, Z, in mm.
+    pub change_point: Option<(f64, f64)>,
+}
+
 /// `[control]`
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Control {
@@ -147,6 +174,7 @@ pub struct Control {
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
     pub retract_max: Option<f64>,
     pub siemens: Siemens,
+    pub turning: Turning,
     pub mtc200: Mtc200,
 }
 

@@ -23,6 +23,16 @@ impl fmt::Display for ToolKey {
     }
 }
 
+/// A corner of a recessing tool, seen along the axis of its width.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Corner {
+    /// Towards -Z, for axial tools towards -X.
+    #[default]
+    Minus,
+    Plus,
+    Middle,
+}
+
 /// Data of one tool; lengths in mm. `None` is "not known", which is not zero.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tool {
@@ -40,6 +50,8 @@ pub struct Tool {
     pub orientation: Option<u8>,
     /// Cutting width of recessing tools.
     pub width: Option<f64>,
+    /// Corner of a recessing tool that is programmed.
+    pub reference: Corner,
 }
 
 /// The known tools.

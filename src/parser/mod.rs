@@ -8,3 +8,4 @@ pub mod mtc200;
 pub mod problem;
 pub mod sinumerik;
 pub mod symbols;
+pub mod turning;

@@ -73,14 +73,7 @@ const NEVER: &[(&str, &str)] = &[
     ("G3020", "dialects look for three points on a line themselves"),
     ("G3021", "dialects look for a lead without a way themselves"),
     ("O9001", "the only target has a word for everything that the dialects ask for"),
-    ("G3040", "no dialect calls a turning cycle yet"),
-    ("G3041", "no dialect calls a turning cycle yet"),
-    ("G3042", "no dialect calls a turning cycle yet"),
-    ("G3043", "no dialect calls a turning cycle yet"),
-    ("G3044", "no dialect calls a turning cycle yet"),
-    ("G3045", "no dialect calls a turning cycle yet"),
-    ("G3046", "no dialect calls a turning cycle yet"),
-    ("G3047", "no dialect calls a turning cycle yet"),
+    ("G3043", "dialects ask for the position in front of a cycle themselves"),
 ];
 
 const PART: &str = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 R0 F300\n2 END PGM PART MM\n";

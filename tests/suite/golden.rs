@@ -50,6 +50,11 @@ fn klartext() {
 }
 
 #[test]
+fn heidenhain_turning() {
+    check("heidenhain-turning");
+}
+
+#[test]
 fn mtc200() {
     check("mtc200");
 }
@@ -68,6 +73,8 @@ fn errors() {
 fn there_are_enough_cases() {
     assert!(cases("klartext").len() >= 120, "{} Klartext cases", cases("klartext").len());
     assert!(cases("sinumerik").len() >= 150, "{} SINUMERIK cases", cases("sinumerik").len());
+    let turning = cases("heidenhain-turning").len();
+    assert!(turning >= 70, "{turning} HEIDENHAIN turning cases");
     assert!(cases("mtc200").len() >= 100, "{} MTC200 cases", cases("mtc200").len());
 }
 

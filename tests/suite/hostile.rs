@@ -11,15 +11,20 @@ use super::common::{Compiled, cases, compile_bytes, settings};
 const SOON: Duration = Duration::from_secs(20);
 
 /// Few steps, so that a mutated loop ends soon.
-fn limited() -> Settings {
+pub fn limited() -> Settings {
     settings(
         "[limits]\nsteps = 20000\noutput_blocks = 20000\n[control]\nfeed = 100\n[output]\ncompensation = \"control\"\n",
     )
 }
 
 fn run(name: &str, bytes: &[u8], settings: &Settings) -> Compiled {
+    run_as("klartext", name, bytes, settings)
+}
+
+/// Compiles in a dialect and checks what holds for every input.
+pub fn run_as(dialect: &str, name: &str, bytes: &[u8], settings: &Settings) -> Compiled {
     let start = Instant::now();
-    let compiled = compile_bytes(name, bytes.to_vec(), "klartext", settings, &NoFiles);
+    let compiled = compile_bytes(name, bytes.to_vec(), dialect, settings, &NoFiles);
     assert!(start.elapsed() < SOON, "{name} took {:?}", start.elapsed());
     for found in &compiled.findings {
         let loc = found.label.loc;
@@ -41,7 +46,11 @@ fn text(program: &str) -> Compiled {
 
 /// Programs to damage: golden cases, which use every feature between them.
 fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
-    let all = cases("klartext");
+    victims_of("klartext", count)
+}
+
+pub fn victims_of(dialect: &str, count: usize) -> Vec<(String, Vec<u8>)> {
+    let all = cases(dialect);
     let step = (all.len() / count).max(1);
     all.into_iter()
         .step_by(step)
@@ -51,10 +60,10 @@ fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
 }
 
 /// A small generator of numbers that look random and are the same everywhere.
-struct Dice(u64);
+pub struct Dice(pub u64);
 
 impl Dice {
-    fn roll(&mut self, sides: usize) -> usize {
+    pub fn roll(&mut self, sides: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -90,7 +99,7 @@ fn damaged_programs() {
     assert!(tried >= 10_000, "{tried}");
 }
 
-fn damage(bytes: &mut Vec<u8>, kind: usize, dice: &mut Dice) {
+pub fn damage(bytes: &mut Vec<u8>, kind: usize, dice: &mut Dice) {
     if bytes.is_empty() {
         return;
     }

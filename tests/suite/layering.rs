@@ -16,7 +16,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("sema", &["parser", "lexer", "machine", "ir", "geo", "diag", "text"]),
     ("lower", &["ir", "geo", "machine", "diag", "text"]),
     ("emit", &["ir", "machine", "diag", "text", "geo"]),
-    ("dialect", &["lexer", "parser", "sema", "ir"]),
+    ("dialect", &["lexer", "parser", "sema", "ir", "machine"]),
     ("cli", &["diag", "dialect", "driver", "emit", "ir", "machine", "text"]),
 ];
 

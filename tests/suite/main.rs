@@ -8,6 +8,7 @@ mod common;
 mod diagnostics;
 mod golden;
 mod hostile;
+mod hostile_turning;
 mod layering;
 mod mtc200;
 mod oracle;

@@ -128,7 +128,7 @@ fn golden_outputs_mean_what_they_say() {
     let about =
         |path: &std::path::Path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(['G', 'O']));
     let errors = cases("errors").into_iter().filter(|path| about(path));
-    for path in ["klartext", "mtc200", "sinumerik"].into_iter().flat_map(cases).chain(errors) {
+    for path in ["klartext", "heidenhain-turning", "mtc200", "sinumerik"].into_iter().flat_map(cases).chain(errors) {
         let compiled = compile_case(&path);
         if compiled.has_errors() || has_parallel_axes(&compiled.output) {
             continue;

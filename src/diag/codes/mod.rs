@@ -9,6 +9,7 @@ mod klartext;
 mod mtc200;
 mod output;
 mod sinumerik;
+mod turning;
 
 pub use general::*;
 pub use geometry::*;
@@ -16,6 +17,7 @@ pub use klartext::*;
 pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
+pub use turning::*;
 
 use super::Severity;
 
@@ -56,6 +58,7 @@ pub fn all() -> Vec<&'static Code> {
         geometry::GEOMETRY,
         output::OUTPUT,
         sinumerik::SINUMERIK,
+        turning::TURNING,
         mtc200::MTC200,
     ]
     .iter()

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use crate::geo::{Element, Point2, Vec2, distance, turned};
 
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::RecessTool;
 
 use super::track::{Move, Path};
@@ -126,4 +127,45 @@ pub fn moved_by(list: &[Element], by: Vec2) -> Vec<Element> {
             }
         })
         .collect()
+}
+
+/// Largest sweep of an arc in rad.
+#[derive(Default)]
+struct Arcs(f64);
+
+impl crate::ir::motion::Sink for Arcs {
+    fn movement(&mut self, mv: &crate::ir::motion::Move, _: &crate::ir::Origin) {
+        if let crate::ir::motion::Path::Arc(arc) = &mv.path {
+            self.0 = self.0.max(arc.sweep.abs());
+        }
+    }
+
+    fn function(&mut self, _: &crate::ir::Function, _: &crate::ir::Origin) {}
+    fn lost(&mut self, _: &crate::ir::Origin) {}
+}
+
+/// Through all passes of lowering: nothing is found, no arc is more than a quarter, and all hangs together.
+pub fn check_lowering(cycle: &Cycle, start: Point2) -> Result<(), TestCaseError> {
+    use crate::diag::Diags;
+    use crate::geo::Plane;
+    use crate::ir::Origin;
+    use crate::ir::contour::{Ctx, Sink};
+    use crate::ir::verify::Verify;
+    use crate::lower::Lower;
+    use crate::machine::Machine;
+
+    let (diags, machine) = (Diags::default(), Machine::default());
+    let mut arcs = Arcs::default();
+    let mut verify = Verify::new(&mut arcs);
+    let mut lower = Lower::new(&diags, &machine, &mut verify);
+    let ctx = std::rc::Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() });
+    let origin = Origin::default();
+    let to_start = Move { to: start, path: Path::Rapid };
+    lower.movement(&to_start.movement(), &ctx, &origin);
+    lower.cycle(cycle, &ctx, &origin);
+    lower.finish();
+    let found: Vec<String> = diags.into_sorted().iter().map(|d| format!("{} {}", d.code.id, d.message)).collect();
+    prop_assert!(found.is_empty(), "{found:?}");
+    prop_assert!(arcs.0 <= core::f64::consts::FRAC_PI_2 + 1e-3, "{}", arcs.0);
+    Ok(())
 }

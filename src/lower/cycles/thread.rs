@@ -172,9 +172,11 @@ fn extended(from: Point2, to: Point2, way: f64) -> Point2 {
 mod tests {
     use super::*;
     use crate::geo::Deg;
+    use crate::ir::cycle::Cycle;
     use crate::ir::cycle::thread::tests::m20;
     use crate::ir::cycle::thread::{Infeed, ThreadPart};
     use crate::ir::cycle::turning::Towards;
+    use crate::lower::cycles::simulate::check_lowering;
     use crate::lower::cycles::track::{Move, Path, Stroke};
     use proptest::prelude::*;
 
@@ -454,6 +456,7 @@ mod tests {
                 at = to;
             }
             prop_assert!((at - line.view.point(thread.park)).norm() < 1e-9);
+            check_lowering(&Cycle::Thread(thread.clone()), thread.park)?;
             let per_start = deepest.len() / thread.starts as usize;
             for start in deepest.chunks(per_start) {
                 prop_assert!(start.windows(2).all(|pair| pair[1] >= pair[0] - 1e-9), "{start:?}");

@@ -166,11 +166,7 @@ impl Run<'_> {
         let loc = self.loc(span);
         let wanted = if name.contains(['/', '\\']) { file_name(name) } else { plain.clone() };
         let request = Request { from: &self.job.sources.identity(loc.file), name: &wanted, extensions: EXTENSIONS };
-        let error = match self.job.files.open(&request) {
-            Ok(_) => None,
-            Err(error) => Some(error),
-        };
-        if let Some(FileError::NotFound { tried, similar }) = error {
+        if let Err(FileError::NotFound { tried, similar }) = self.job.files.open(&request) {
             let like = similar.first().cloned();
             return self.program_missing(&plain, &tried, like, span);
         }

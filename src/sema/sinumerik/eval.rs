@@ -153,7 +153,7 @@ impl Run<'_> {
     pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
         let word = self.symbols.name(name);
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
-        let like = crate::machine::tree::did_you_mean(word, names.into_iter());
+        let like = crate::machine::tree::did_you_mean(word, names);
         let help = match like {
             Some(like) => format!("did you mean `{like}`?"),
             None => "define it by DEF at the top of the program, or in a definition file beside it".to_owned(),

@@ -124,7 +124,7 @@ impl Run<'_> {
             }
             None => match self.st.rp {
                 Some(radius) => radius,
-                None => self.from_position(span, "RP=")?.0,
+                None => self.by_position(span, "RP=")?.0,
             },
         };
         let angle = match ap {
@@ -139,7 +139,7 @@ impl Run<'_> {
                 if incremental {
                     let base = match self.st.ap {
                         Some(angle) => angle,
-                        None => self.from_position(span, "the angle that AP= counts from")?.1,
+                        None => self.by_position(span, "the angle that AP= counts from")?.1,
                     };
                     base + ap.value
                 } else {
@@ -148,7 +148,7 @@ impl Run<'_> {
             }
             None => match self.st.ap {
                 Some(angle) => angle,
-                None => self.from_position(span, "AP=")?.1,
+                None => self.by_position(span, "AP=")?.1,
             },
         };
         self.st.rp = Some(radius);
@@ -159,7 +159,7 @@ impl Run<'_> {
     }
 
     /// Radius and angle of the position about the pole, where the program does not say them.
-    fn from_position(&mut self, span: Span, what: &str) -> Outcome<(f64, f64)> {
+    fn by_position(&mut self, span: Span, what: &str) -> Outcome<(f64, f64)> {
         let plane = self.st.plane();
         let Some(at) = self.st.pos.in_plane(plane) else {
             let [first, second, _] = self.st.roles();

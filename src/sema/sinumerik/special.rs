@@ -211,7 +211,7 @@ impl Run<'_> {
             }
             Code::SCALE | Code::ASCALE => {
                 let scale = self.geometry_values(w, 1.0)?;
-                if scale.iter().any(|factor| *factor == 0.0) {
+                if scale.contains(&0.0) {
                     return self.fail(codes::S2034, 0, span, "a scaling factor is 0");
                 }
                 FrameValue::scaled(scale)

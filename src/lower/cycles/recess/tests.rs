@@ -1,9 +1,10 @@
 use super::*;
 use crate::geo::{Vec2, distance};
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::tests::{groove, lines};
 use crate::ir::cycle::recess::{RecessFeeds, RecessTool};
 use crate::ir::cycle::turning::Towards;
-use crate::lower::cycles::simulate::{Blank, GRID, StepDown, chain, height, moved_by, samples, step};
+use crate::lower::cycles::simulate::{Blank, GRID, StepDown, chain, check_lowering, height, moved_by, samples, step};
 use crate::lower::cycles::track::{Move, Path, Stroke};
 use proptest::prelude::*;
 
@@ -388,5 +389,6 @@ proptest! {
     #[test]
     fn random_grooves_are_cut_right((shape, recess, view) in case()) {
         check_cutting(&shape, &recess, &view)?;
+        check_lowering(&Cycle::RecessTurning(recess), view.part(Point2::new(65.0, 80.0)))?;
     }
 }

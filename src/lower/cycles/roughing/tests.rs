@@ -1,10 +1,11 @@
 use super::*;
 use crate::geo::distance;
 use crate::ir::Feed;
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, RecessTool};
 use crate::ir::cycle::roughing::tests::shaft;
 use crate::ir::cycle::turning::Towards;
-use crate::lower::cycles::simulate::{Blank, GRID, StepDown, chain, height, moved_by, samples, step};
+use crate::lower::cycles::simulate::{Blank, GRID, StepDown, chain, check_lowering, height, moved_by, samples, step};
 use crate::lower::cycles::track::{Move, Path, Stroke};
 use proptest::prelude::*;
 
@@ -312,5 +313,6 @@ proptest! {
     #[test]
     fn random_walls_are_cut_right((wall, roughing, view) in case()) {
         check_cutting(&wall, &roughing, &view)?;
+        check_lowering(&Cycle::Roughing(roughing), view.part(Point2::new(95.0, 110.0)))?;
     }
 }

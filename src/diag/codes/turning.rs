@@ -1,0 +1,203 @@
+//! `T`: HEIDENHAIN turning: MANUALplus 4110, DIN PLUS and smart.Turn.
+
+super::codes! { TURNING:
+
+T0001 Error "turning-character" "character has no place in a block"
+"The character belongs to no word of a turning program. Comments stand in square brackets: `[ROUGH THE OUTSIDE]`."
+
+T0002 Warning "turning-dash" "printed dash instead of a minus sign"
+"A dash of printed text stands where a minus sign is meant, as happens when a program is copied from a document. It is read as `-`. \
+Replace it: the control does not accept it."
+
+T1001 Error "turning-syntax" "block cannot be read"
+"The words of the block do not fit together: a value is missing, or a word stands where none can stand. An address and its value stand \
+together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate that is left open is written `X?`."
+
+T1002 Error "turning-word-twice" "word stands twice in a block"
+"A block may hold several functions as long as no address is used twice. Which of the two values counts cannot be guessed. \
+Put the second function into a block of its own."
+
+T1003 Error "turning-word-not-admitted" "word has no place in this block"
+"Every word has to belong to a function of its block, and the functions of this one do not take it. The control would refuse it or \
+ignore it; partc never drops a word. Remove it, or put it where it belongs."
+
+T1004 Error "turning-comment" "comment is not closed, or words follow it"
+"A comment stands in square brackets at the end of its block or alone on its line. Words behind a comment would be easy to overlook, and \
+a bracket that is not closed may have swallowed words."
+
+T1005 Error "turning-word-missing" "block lacks a word"
+"A word without which the function has no meaning is missing. The control would ask for it in its dialogue. Add the word."
+
+T1006 Error "turning-functions-clash" "functions of the block contradict each other"
+"Two functions of the block cannot act together: both move, both take the same word, or they say opposite things (`M3 M4`). \
+Put the second one into a block of its own."
+
+T1007 Error "turning-value" "value is out of range"
+"The word takes other values than this one: a whole number of a short list, a length above zero, or a factor up to 1. Check the value, \
+and the sign."
+
+T1008 Error "turning-place" "block stands in the wrong part of the program"
+"A DIN PLUS program consists of sections: header lines in HEADER, tools in TURRET, shape in BLANK and FINISHED PART, everything that moves in \
+MACHINING. The same words mean different things in different sections, so a block in the wrong one is refused."
+
+T1009 Error "turning-structure" "IF, WHILE or SWITCH is not closed or not opened"
+"Every IF needs its ENDIF, every WHILE its ENDWHILE, every SWITCH its ENDSWITCH, in the same program and section. \
+Otherwise it is open which blocks run."
+
+T1010 Error "turning-no-end" "file ends without END or RETURN"
+"A main program ends with END (ENDE), a subprogram with RETURN. The file has a program name or sections but no end: most likely it was cut \
+off in transfer, and the end of the path is missing. If the program is complete, add the word."
+
+T1011 Warning "turning-behind-end" "block stands behind the end of the program"
+"What stands behind END is not executed. Most often two programs were joined into one file; each needs a file of its own."
+
+T1012 Warning "turning-unit-frame" "frames of units do not match"
+"smart.Turn frames the blocks of a unit with UNIT and END_OF_UNIT. The blocks are compiled as they stand, the frame means nothing to the path. \
+A frame that does not match shows that the file was edited: check that no block is lost."
+
+T1013 Note "turning-unit-missing" "no #UNIT line"
+"The unit of a DIN PLUS program is fixed in its header. Without the line the control takes its own setting; partc takes `[control] unit` of \
+partc.toml, or millimetres."
+
+T1014 Error "turning-unit" "unknown unit"
+"The header line #UNIT says METRIC or INCH. The difference is a factor of 25.4, so another word is not guessed."
+
+T2001 Error "turning-no-path-function" "coordinates without a function that moves"
+"On these controls every block that moves holds its function (G0, G1, G2 …); no manual says that the last one goes on. \
+Write the function into the block."
+
+T2002 Error "turning-position-unknown" "position of the tool is not known"
+"An incremental word, an angle or an arc counts from where the tool stands, and that is not known: at the start of the program, after a \
+tool change, and after a move in machine coordinates. Program the axis once as an absolute value."
+
+T2003 Error "turning-feed-missing" "no feed, or no kind of feed"
+"A cutting move needs a feed, and F needs G94 (mm per minute) or G95 (mm per revolution) to have a meaning; what holds when the control is \
+switched on is not in the program. Program `G95 F0.25` or `G94 F200` first."
+
+T2004 Error "turning-speed-mode" "S without G96 or G97"
+"S is a cutting speed under G96 and a number of revolutions under G97. Neither was programmed, so S has no meaning yet."
+
+T2005 Note "turning-speed-limited" "speed is lowered to the limit of G26"
+"G26 sets the highest speed. The program asks for more under G97, and the control would turn with the limit; the limit is printed."
+
+T2006 Error "turning-change-point" "tool change point is not known"
+"G14 moves to the tool change point, which is stored in the control. Where it lies decides whether the turret can turn without a collision, \
+so it is never guessed: set `[control] tool_change_point = { X = 300.0, Z = 400.0 }` in partc.toml, in machine coordinates, X as a diameter."
+
+T2007 Error "turning-tool-number" "tool number cannot be printed"
+"T names a position of the turret, with a point and a digit for one edge of a tool that has several (`T2.1`). The target knows whole tool \
+numbers only: give the edge a number in `[tools.\"2.1\"]`. Four digits name a tool and its offset; both have to be the same."
+
+T2008 Error "turning-variable-unset" "variable is read before it is set"
+"What the control would take for a variable without a value differs. Assign a value first, hand it over in the call, or give a start value \
+in `[variables]` of partc.toml."
+
+T2009 Error "turning-formula" "formula cannot be computed"
+"The formula divides by zero, takes the root of a negative number, or asks for something the manuals leave open, such as the integer part of a \
+negative number. The block is not executed."
+
+T2010 Error "turning-machine-variable" "variable belongs to the machine"
+"The variable holds what the control measured or knows of the machine; a compiler cannot know it. Give its value in `[variables]` of partc.toml \
+if it is the same for every part."
+
+T2011 Error "turning-subprogram" "subprogram is not found, or not clear"
+"L calls a subprogram of the same file by the name in its section SUBPROGRAM, or with V1 one in a file of its own. There is none of this \
+name, or there are two. Without it the path is incomplete, so nothing is written."
+
+T2012 Error "turning-recursion" "subprogram calls itself"
+"A subprogram that calls itself, perhaps by way of another one, never ends. The control refuses it as well."
+
+T2013 Error "turning-job-end-in-subprogram" "subprogram ends the job"
+"A subprogram returns with RETURN. END or M30 inside it would end the job in the middle of the main program."
+
+T2014 Error "turning-variable-scope" "variable of another program"
+"The manuals disagree whether # variables with a plain number belong to one program or to all. The program reads one that another program \
+set, so the result depends on that. Hand the value over in the L block, or use #c variables."
+
+T2015 Note "turning-zero" "coordinates count from the workpiece zero of G59"
+"G59 sets the workpiece zero in machine terms. The output has coordinates relative to the first G59 of the program: the work offset of the target \
+has to be set there. Later shifts are computed into the coordinates."
+
+T2016 Error "turning-shift" "zero shift is not clear"
+"A zero shift moves everything that follows. Here its amount depends on something the program does not say, or on a rule that no manual at hand \
+confirms. Write the coordinates without the shift, or put it in front of the first move."
+
+T2017 Error "turning-family" "program is for another control than configured"
+"MANUALplus 4110 programs have no sections; DIN PLUS and smart.Turn programs have them. The same words differ between the two: I of an arc is a \
+diameter on the 4110 and a radius later. Set `[control] heidenhain_turning` in partc.toml to the control the program was written for."
+
+T2018 Error "turning-m-unknown" "M function of the machine"
+"M functions other than M0, M1, M3, M4, M5, M8, M9 and M30 belong to the machine builder. If the target has the same one, list it in \
+`[output] pass_m`; otherwise remove it."
+
+T2019 Error "turning-contour-reference" "contour reference is not found"
+"NS and NE name the first and last element of a contour by their block numbers. No block of a geometry section has the number. Block numbers \
+change when a program is renumbered: check the references."
+
+T2020 Error "turning-case-fall-through" "branch of SWITCH without BREAK"
+"A branch runs into the next CASE. Whether the control then goes on there or leaves the SWITCH no manual at hand says. End each branch with BREAK."
+
+T2021 Error "turning-compensation" "nose radius compensation in the wrong place"
+"G40, G41 and G42 need a straight move, exclude cycles and tool changes, and G41 and G42 cannot follow each other directly."
+
+T2022 Error "turning-slide" "program for another slide"
+"The program or the block is for a slide other than $1. Two slides work at the same time, which plain G-code for one slide cannot say."
+
+T2023 Warning "turning-tool-data" "tool data of the program is not used"
+"A line of the turret section holds data of a simple tool. partc takes tool data from partc.toml: add the tool there where a cycle or the \
+compensation needs it."
+
+T2024 Error "turning-tool-data-missing" "cycle needs data of the tool"
+"Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. The program does not hold them: \
+add them to `[tools]` in partc.toml."
+
+T2025 Error "turning-side" "tool stands on the wrong side of the contour"
+"Roughing removes what lies between the contour and the tool. Here the contour falls away from the tool, so the tool stands where the finished \
+part will be, or it is not clear whether the cycle works outside or inside. Nothing is written: position the tool at the corner of the blank."
+
+T3001 Error "turning-undetermined" "element is not determined"
+"The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
+`B0` a corner; a line by angle is fixed by one coordinate or by the next element."
+
+T3002 Error "turning-impossible" "geometry does not exist"
+"No line or arc has all the programmed properties: a circle does not reach a line, two lines are parallel, or an angle never reaches the \
+coordinate. Check the numbers of this block and the next one."
+
+T3003 Error "turning-contour" "contour is not complete"
+"A contour behind a cycle begins with `G0`, consists of G0 to G3, G12 and G13, and ends with a block that holds G80 alone."
+
+T3004 Error "turning-form" "recess or undercut does not fit"
+"A recess belongs to the straight element before it, an undercut to the corner between a line parallel to Z and one parallel to X. Its sizes \
+have to fit on these elements."
+
+T3005 Error "turning-contour-corner" "chamfer or rounding of a contour does not fit"
+"The chamfer or rounding at the end of an element is larger than the element or its neighbour, or there is no corner. B is the radius, or with \
+a minus sign the width of the chamfer."
+
+T3006 Error "turning-contradiction" "values of an element contradict each other"
+"The block says the same thing twice, and the two do not agree: an angle and an end point, a radius and a centre, or a tangential arc that would \
+have to turn the other way."
+
+T9001 Error "turning-function" "G function is not supported"
+"The function is known by its name but not compiled, or it is not a function of these controls. Nothing is left out in silence: the program is refused."
+
+T9002 Error "turning-keyword" "keyword or section is not supported"
+"The word begins something that partc does not compile. Write the blocks out, or remove what is not needed."
+
+T9003 Error "turning-formula-function" "function of a formula is not supported"
+"Formulas know SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ABS, INT, ROUND, LN, EXP, SQRTA and SQRTS, angles in degrees. Write the formula with these."
+
+T9004 Error "turning-axis" "axis is not supported"
+"Only X and Z of the first slide are compiled. C and Y axis machining, a second slide and a counter spindle need other moves."
+
+T9005 Error "turning-compensation-resolve" "nose radius compensation cannot be computed yet"
+"partc does not compute the path of the nose centre yet. Set `[output] compensation = \"control\"` to print the contour with G41 and G42 and let \
+the target compensate."
+
+T9006 Error "turning-cycle" "cycle is not supported"
+"The cycle is known, its parameters are checked, but partc does not make its moves. Nothing is written."
+
+T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
+"What this word means is shown in a picture only, or differs between manuals. Compiling it on a guess could cut in the wrong place, so it is refused."
+
+}

@@ -1,0 +1,148 @@
+//! What the grammar's actions write into: the block under construction.
+
+use lalrpop_util::ParseError;
+
+use crate::diag::{Code, codes};
+use crate::lexer::turning::{self, Tok};
+use crate::parser::problem::Problem;
+use crate::text::{Span, decode::readable};
+
+use super::ast::*;
+
+/// A block that fits the grammar but means nothing.
+pub type Refusal = Problem;
+
+type Refused<T> = Result<T, ParseError<u32, Tok, Refusal>>;
+
+fn refuse<T>(code: &'static Code, span: Span, message: impl Into<String>) -> Refused<T> {
+    Err(ParseError::User { error: Problem::new(code, span, message) })
+}
+
+/// Functions of formulas.
+const FUNCTIONS: &[(&str, Unary)] = &[
+    ("SQRT", Unary::Sqrt),
+    ("SIN", Unary::Sin),
+    ("COS", Unary::Cos),
+    ("TAN", Unary::Tan),
+    ("ASIN", Unary::Asin),
+    ("ACOS", Unary::Acos),
+    ("ATAN", Unary::Atan),
+    ("ABS", Unary::Abs),
+    ("INT", Unary::Int),
+    ("ROUND", Unary::Round),
+    ("LN", Unary::Ln),
+    ("EXP", Unary::Exp),
+];
+
+/// The block under construction, and its text.
+#[derive(Debug)]
+pub struct Build<'a> {
+    text: &'a [u8],
+    block: &'a mut Block,
+}
+
+impl<'a> Build<'a> {
+    pub fn new(text: &'a [u8], block: &'a mut Block) -> Build<'a> {
+        Build { text, block }
+    }
+
+    pub fn set(&mut self, stmt: Stmt) {
+        self.block.stmt = stmt;
+    }
+
+    fn shown(&self, span: Span) -> String {
+        readable(span.of(self.text)).into_owned()
+    }
+
+    // Words.
+
+    pub fn literal(&mut self, word: turning::Word, start: u32, end: u32) {
+        let value = Value::Number { value: word.value, whole: word.whole };
+        self.block.words.push(Word { address: word.address, value, span: Span { start, end } });
+    }
+
+    /// A word whose address is a run of letters without a number.
+    pub fn word(&mut self, value: Value, start: u32, name_end: u32, end: u32) -> Refused<()> {
+        let name = Span { start, end: name_end };
+        let Some(address) = turning::address(name.of(self.text)) else {
+            return refuse(codes::T1001, name, format!("`{}` is no address", self.shown(name)));
+        };
+        self.block.words.push(Word { address, value, span: Span { start, end } });
+        Ok(())
+    }
+
+    pub fn text(&self, start: u32, end: u32) -> Value {
+        Value::Text(Span { start: start + 1, end: end - 1 })
+    }
+
+    /// `V5=…`
+    pub fn target(&self, word: turning::Word, start: u32, end: u32) -> Refused<VarRef> {
+        match real_variable(word) {
+            Some(var) => Ok(var),
+            None => {
+                let span = Span { start, end };
+                refuse(codes::T1001, span, format!("`{}` cannot stand in front of `=`", self.shown(span)))
+            }
+        }
+    }
+
+    // Formulas.
+
+    pub fn op_start(&mut self) -> u32 {
+        self.block.ops.len() as u32
+    }
+
+    pub fn op(&mut self, op: Op) {
+        self.block.ops.push(op);
+    }
+
+    pub fn formula(&mut self, from: u32, start: u32, end: u32) -> Formula {
+        Formula { from, to: self.block.ops.len() as u32, span: Span { start, end } }
+    }
+
+    pub fn variable(&mut self, var: VarRef, start: u32, end: u32) {
+        self.op(Op::Var(var, Span { start, end }));
+    }
+
+    /// `V5` in a formula.
+    pub fn word_value(&mut self, word: turning::Word, start: u32, end: u32) -> Refused<()> {
+        let span = Span { start, end };
+        match real_variable(word) {
+            Some(var) => {
+                self.op(Op::Var(var, span));
+                Ok(())
+            }
+            None => refuse(codes::T1001, span, format!("`{}` is no value", self.shown(span))),
+        }
+    }
+
+    /// A function with its arguments on the stack.
+    pub fn call(&mut self, count: u32, start: u32, name_end: u32, end: u32) -> Refused<()> {
+        let name = self.shown(Span { start, end: name_end }).to_ascii_uppercase();
+        let span = Span { start, end };
+        let known = FUNCTIONS.iter().find(|(known, _)| *known == name);
+        let op = match (known, name.as_str()) {
+            (Some(&(_, f)), _) if count == 1 => Op::Unary(f),
+            (None, "SQRTA") if count == 2 => Op::Binary(Binary::RootOfSum),
+            (None, "SQRTS") if count == 2 => Op::Binary(Binary::RootOfDifference),
+            (Some(_), _) | (None, "SQRTA" | "SQRTS") => {
+                return refuse(codes::T1001, span, format!("`{name}` takes another number of values"));
+            }
+            _ => return refuse(codes::T9003, span, format!("the function `{name}` is not supported")),
+        };
+        self.op(op);
+        Ok(())
+    }
+
+    /// A keyword that begins no statement that is supported.
+    pub fn keyword(&mut self, start: u32, end: u32) {
+        self.block.stmt = Stmt::Refused(Span { start, end });
+    }
+}
+
+/// `V5`
+fn real_variable(word: turning::Word) -> Option<VarRef> {
+    let number = word.value;
+    let plain = word.address.addr.letter() == Some(b'V') && word.whole && number <= 99_999.0;
+    plain.then_some(VarRef { kind: VarKind::Real, number: number as u32 })
+}

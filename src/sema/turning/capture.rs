@@ -1,0 +1,134 @@
+//! Cycles and the contours that follow them up to G80.
+//!
+//! Source: reference section 7.
+
+use crate::diag::codes;
+use crate::parser::turning::ast::Block;
+use crate::text::Loc;
+
+use super::super::here::Here;
+use super::contour::Builder;
+use super::sections::Family;
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+/// A cycle whose contour is being read.
+#[derive(Debug)]
+pub(super) struct Capture {
+    number: u16,
+    name: &'static str,
+    words: Words,
+    /// The block of the cycle.
+    here: Here,
+    builder: Builder,
+    /// Something of the contour was refused.
+    broken: bool,
+}
+
+impl Capture {
+    pub fn loc(&self) -> Loc {
+        self.here.origin.loc
+    }
+}
+
+impl Run<'_> {
+    /// A cycle with its words; some wait for their contour.
+    pub(super) fn begin_cycle(&mut self, number: u16, name: &'static str, w: &Words) -> Outcome {
+        self.settle_chain()?;
+        let referenced = w.long("NS").is_some();
+        let waits = match number {
+            31 => !w.has(b'X') && !w.has(b'Z') && !referenced,
+            89 | 817..=819 | 827..=829 => true,
+            810 | 820 | 869 | 890 => !referenced,
+            _ => false,
+        };
+        if !waits {
+            return self.cycle(number, name, w, None);
+        }
+        if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
+            return self.fail_help(
+                codes::T1006,
+                m.span,
+                format!("M{} stands in the block of a cycle whose contour follows", m.number),
+                "put it in front of the cycle or behind its G80",
+            );
+        }
+        self.capture = Some(Box::new(Capture {
+            number,
+            name,
+            words: w.clone(),
+            here: self.here,
+            builder: Builder::default(),
+            broken: false,
+        }));
+        Ok(())
+    }
+
+    /// A block of the contour behind a cycle.
+    pub(super) fn capture_block(&mut self, w: &Words, block: &Block) -> Outcome {
+        let Some(mut capture) = self.capture.take() else { return Err(Reported) };
+        if let [fun] = *w.g()
+            && fun.number == 80
+        {
+            return self.end_of_contour(*capture, w);
+        }
+        let result = self.captured(w, block, &mut capture);
+        capture.broken |= result.is_err();
+        self.capture = Some(capture);
+        // The cycle is refused as a whole at its end.
+        Ok(())
+    }
+
+    fn captured(&mut self, w: &Words, block: &Block, capture: &mut Capture) -> Outcome {
+        let [fun] = *w.g() else {
+            return self.fail_help(
+                codes::T3003,
+                block.span,
+                format!("the contour of G{} ({}) holds a block that is no element", capture.number, capture.name),
+                "close the contour with a block that holds G80 alone",
+            );
+        };
+        let form = matches!(fun.number, 22 | 23 | 25 | 34);
+        let path = matches!(fun.number, 0..=3 | 12 | 13);
+        if !(path || form && self.sections.family() == Family::DinPlus) {
+            return self.fail_help(
+                codes::T3003,
+                fun.span,
+                format!("G{} cannot stand in the contour of G{} ({})", fun.number, capture.number, capture.name),
+                "close the contour with a block that holds G80 alone",
+            );
+        }
+        self.contour_element(w, block, fun, &mut capture.builder)
+    }
+
+    /// G80
+    fn end_of_contour(&mut self, mut capture: Capture, w: &Words) -> Outcome {
+        if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
+            return self.fail(codes::T1003, self.block_span(), "G80 stands alone in its block");
+        }
+        if let Some((addr, num)) = w.longs().first() {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                format!("a contour in the words of G80 ({addr}) is not supported: no manual at hand lists them"),
+                "write the contour with G0, G1, G2 and G3 blocks before G80",
+            );
+        }
+        let outline = capture.builder.settle().and_then(|()| capture.builder.outline());
+        let empty = capture.builder.is_empty();
+        match outline {
+            _ if capture.broken => Err(Reported),
+            Err(flaw) => {
+                self.flaw(&flaw);
+                Err(Reported)
+            }
+            Ok(_) if empty => self.fail(codes::T3003, self.block_span(), "the contour has no element"),
+            Ok(outline) => {
+                let here = std::mem::replace(&mut self.here, capture.here);
+                let result = self.cycle(capture.number, capture.name, &capture.words, Some(&outline));
+                self.here = here;
+                result
+            }
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! A contour that is described, not machined: its elements as they are completed, then the outline with recesses,
+//! undercuts, chamfers and roundings in it.
+//!
+//! Points are (Z, X) with X as a radius, in mm.
+
+use crate::diag::{Code, codes};
+use crate::geo::corner::{self, NoCut};
+use crate::geo::{Element, Point2, SAME_POINT, Vec2, arc, distance};
+use crate::text::Loc;
+
+use super::chain::{Chain, Fault, Partial, Solved};
+use super::coordinates::Transition;
+use super::forms::{self, Recess};
+use super::undercuts::{self, Undercut};
+
+/// The largest contour a cycle takes.
+pub(super) const MOST_EDGES: usize = 1_000;
+/// Most elements of a contour.
+const MOST: usize = 10_000;
+/// How much an element may fall short of a cut, in mm.
+const SHORT: f64 = 1e-6;
+
+/// What is known of a contour block besides its geometry.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    pub number: Option<u32>,
+    pub loc: Loc,
+    pub transition: Transition,
+}
+
+/// A complete element, and what belongs to it.
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    pub solved: Solved,
+    pub mark: Mark,
+    pub recesses: Vec<(Recess, Mark)>,
+    /// Between this element and the next.
+    pub undercut: Option<(Undercut, Mark)>,
+    /// mm per revolution: this element is a thread.
+    pub thread: Option<f64>,
+}
+
+/// A problem with a contour, and where it is.
+#[derive(Debug, Clone)]
+pub(super) struct Flaw {
+    pub code: &'static Code,
+    pub loc: Loc,
+    pub message: String,
+}
+
+impl Flaw {
+    pub fn new(code: &'static Code, loc: Loc, message: impl Into<String>) -> Flaw {
+        Flaw { code, loc, message: message.into() }
+    }
+}
+
+/// A contour under construction.
+#[derive(Debug, Default)]
+pub(super) struct Builder {
+    start: Option<Point2>,
+    chain: Chain<Mark>,
+    pub pieces: Vec<Piece>,
+}
+
+impl Builder {
+    pub fn is_empty(&self) -> bool {
+        self.pieces.is_empty() && self.chain.is_empty()
+    }
+
+    pub fn has_start(&self) -> bool {
+        self.start.is_some()
+    }
+
+    pub fn start(&mut self, at: Point2) {
+        self.start = Some(at);
+    }
+
+    /// Where the next element starts.
+    pub fn end(&self) -> Option<Point2> {
+        self.pieces.last().map(|piece| piece.solved.to).or(self.start)
+    }
+
+    /// Adds an element.
+    pub fn push(&mut self, partial: Partial, mark: Mark) -> Result<(), Flaw> {
+        if self.pieces.len() >= MOST {
+            return Err(Flaw::new(codes::T3003, mark.loc, format!("the contour has more than {MOST} elements")));
+        }
+        self.chain.push(partial, mark);
+        self.drain(false)
+    }
+
+    /// Nothing of what was pushed waits any more.
+    pub fn settle(&mut self) -> Result<(), Flaw> {
+        self.drain(true)
+    }
+
+    fn drain(&mut self, closed: bool) -> Result<(), Flaw> {
+        while !self.chain.is_empty() {
+            let Some(at) = self.end() else { return Ok(()) };
+            let last = self.pieces.last();
+            let open = last.is_none_or(|piece| piece.mark.transition == Transition::Open && piece.undercut.is_none());
+            let dir = last.filter(|_| open).and_then(|piece| piece.solved.end_direction());
+            match self.chain.next(at, dir, closed) {
+                Ok(Some((solved, mark))) => {
+                    self.pieces.push(Piece { solved, mark, recesses: Vec::new(), undercut: None, thread: None });
+                }
+                Ok(None) => return Ok(()),
+                Err((fault, mark)) => {
+                    self.chain.clear();
+                    let (code, why) = match fault {
+                        Fault::Open(why) => (codes::T3001, why),
+                        Fault::Impossible(why) => (codes::T3002, why),
+                        Fault::Contradiction(why) => (codes::T3006, why),
+                    };
+                    return Err(Flaw::new(code, mark.loc, format!("the element is not determined: {why}")));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The finished outline.
+    pub fn outline(&self) -> Result<Outline, Flaw> {
+        let mut rough = Vec::new();
+        let mut skip_start: Option<Point2> = None;
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let mut line = piece.solved;
+            if let Some(from) = skip_start.take() {
+                line.from = from;
+            }
+            let undercut = match &piece.undercut {
+                None => None,
+                Some((undercut, mark)) => {
+                    let next = self.pieces.get(i + 1).map(|next| next.solved);
+                    let made = undercuts::build(undercut, &line, next.as_ref())
+                        .map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;
+                    Some((made, *mark))
+                }
+            };
+            let mut transition = piece.mark.transition;
+            if let Some((made, mark)) = &undercut {
+                if matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_)) {
+                    let message = "the element before the undercut has a chamfer or rounding at the same corner";
+                    return Err(Flaw::new(codes::T3004, mark.loc, message));
+                }
+                line.to = made.leaves;
+                transition = made.edge;
+            }
+            element_with_recesses(piece, line, transition, &mut rough)?;
+            if let Some((made, mark)) = undercut {
+                for (element, transition) in made.elements {
+                    rough.push(Part { element, transition, mark, corner_of: mark.number, form: true });
+                }
+                skip_start = Some(made.joins);
+            }
+        }
+        cut_corners(rough)
+    }
+}
+
+fn element_with_recesses(piece: &Piece, line: Solved, transition: Transition, out: &mut Vec<Part>) -> Result<(), Flaw> {
+    let mut recesses: Vec<_> = Vec::new();
+    for (recess, mark) in &piece.recesses {
+        let made = forms::build(recess, &line).map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;
+        recesses.push((made, *mark));
+    }
+    let way = |p: Point2| line.element().way_to(p);
+    recesses.sort_by(|a, b| way(a.0.from).total_cmp(&way(b.0.from)));
+    let mut from = line.from;
+    for (made, mark) in recesses {
+        if way(made.from) < way(from) - SHORT || way(made.to) > line.element().length() + SHORT {
+            let message = "the recess does not lie on the element before, or cuts into another recess";
+            return Err(Flaw::new(codes::T3004, mark.loc, message));
+        }
+        let element = Element::Line { from, to: made.from };
+        out.push(Part { element, transition: made.edges.0, mark: piece.mark, corner_of: mark.number, form: false });
+        for (element, transition) in made.elements {
+            out.push(Part { element, transition, mark, corner_of: mark.number, form: true });
+        }
+        from = made.to;
+    }
+    let element = if from == line.from { line.element() } else { Element::Line { from, to: line.to } };
+    out.push(Part { element, transition, mark: piece.mark, corner_of: piece.mark.number, form: false });
+    Ok(())
+}
+
+/// An element before its corners are cut.
+#[derive(Debug, Clone)]
+struct Part {
+    element: Element,
+    transition: Transition,
+    mark: Mark,
+    /// Block to which the chamfer or rounding at its end belongs.
+    corner_of: Option<u32>,
+    form: bool,
+}
+
+/// An element of the outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Edge {
+    pub element: Element,
+    /// Number of its block.
+    pub number: Option<u32>,
+    /// A chamfer or rounding at its end.
+    pub corner: bool,
+    /// Part of a recess or undercut.
+    pub form: bool,
+}
+
+/// A contour as it is to be machined.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Outline {
+    pub edges: Vec<Edge>,
+}
+
+impl Outline {
+    /// The elements from the block `first` to the block `last`, turned around where `last` stands before `first` or
+    /// is the same block. The number that is not found is the error.
+    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Vec<Edge>, u32> {
+        let place = |number: u32| -> Result<(usize, usize), u32> {
+            let belongs = |edge: &Edge| edge.number == Some(number);
+            let from = self.edges.iter().position(belongs).ok_or(number)?;
+            let to = self.edges.iter().rposition(belongs).ok_or(number)?;
+            // A number that stands twice names no element.
+            let once = self.edges[from..=to].iter().all(|edge| belongs(edge) || edge.form || edge.corner);
+            if once { Ok((from, to)) } else { Err(number) }
+        };
+        let (from, to) = place(first)?;
+        let (last_from, last_to) = place(last.unwrap_or(first))?;
+        let backwards = last == Some(first) || last_from < from;
+        let range = from.min(last_from)..=to.max(last_to);
+        let edges = self.edges[range].iter();
+        let turned = |edge: &Edge| Edge { element: reversed(edge.element), ..*edge };
+        Ok(if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() })
+    }
+}
+
+/// The same element travelled the other way.
+fn reversed(element: Element) -> Element {
+    match element {
+        Element::Line { from, to } => Element::Line { from: to, to: from },
+        Element::Arc { from, to, center, sweep } => Element::Arc { from: to, to: from, center, sweep: -sweep },
+    }
+}
+
+/// Puts the chamfers and roundings in.
+fn cut_corners(parts: Vec<Part>) -> Result<Outline, Flaw> {
+    let mut edges: Vec<Edge> = Vec::new();
+    let mut parts = parts.into_iter().filter(|part| part.element.length() > SAME_POINT).peekable();
+    let mut cut_from: Option<Point2> = None;
+    while let Some(part) = parts.next() {
+        let mut element = part.element;
+        if let Some(from) = cut_from.take() {
+            element = element.starting_at(from);
+        }
+        let edge = |element, corner| Edge { element, number: part.mark.number, corner, form: part.form };
+        let size = match part.transition {
+            Transition::Open | Transition::Sharp => {
+                edges.push(edge(element, false));
+                continue;
+            }
+            Transition::Rounding(r) | Transition::Chamfer(r) => r,
+        };
+        let Some(next) = parts.peek() else {
+            let message = "the last element of the contour has a chamfer or rounding, and no element follows it";
+            return Err(Flaw::new(codes::T3005, part.mark.loc, message));
+        };
+        let result = match part.transition {
+            Transition::Rounding(_) => corner::rounding(&element, &next.element, size, SHORT),
+            _ => corner::chamfer(&element, &next.element, size, SHORT),
+        };
+        let made = result.map_err(|why| Flaw::new(codes::T3005, part.mark.loc, no_cut(why)))?;
+        let before = element.ending_at(made.leave);
+        if before.length() > SAME_POINT {
+            edges.push(edge(before, false));
+        }
+        if distance(made.leave, made.join) > SAME_POINT {
+            edges.push(Edge { number: part.corner_of, ..edge(between_cuts(&made), true) });
+        }
+        cut_from = Some(made.join);
+    }
+    edges.retain(|edge| edge.element.length() > SAME_POINT);
+    Ok(Outline { edges })
+}
+
+fn between_cuts(made: &corner::Cut) -> Element {
+    let (from, to) = (made.leave, made.join);
+    match made.arc {
+        Some((center, ccw)) => Element::Arc { from, to, center, sweep: arc::sweep(from, to, center, ccw) },
+        None => Element::Line { from, to },
+    }
+}
+
+fn no_cut(why: NoCut) -> &'static str {
+    match why {
+        NoCut::Straight => "there is no corner to put the chamfer or rounding in",
+        NoCut::Reversal => "the contour turns back on itself at the chamfer or rounding",
+        NoCut::TooLarge => "the chamfer or rounding is larger than a neighbouring element",
+        NoCut::Arc => "a chamfer is possible between straight lines only",
+        NoCut::Degenerate => "an element beside the chamfer or rounding has no length",
+    }
+}
+
+/// The arc of less than half a turn about `center`.
+pub(super) fn minor_arc(from: Point2, to: Point2, center: Point2) -> Element {
+    let (a, b): (Vec2, Vec2) = (from - center, to - center);
+    let ccw = crate::geo::cross(a, b) > 0.0;
+    Element::Arc { from, to, center, sweep: arc::sweep(from, to, center, ccw) }
+}

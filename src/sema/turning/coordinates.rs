@@ -1,0 +1,135 @@
+//! From words to an element with the data it was programmed with.
+
+use crate::diag::codes;
+use crate::machine::{ArcChoice, Axis};
+use crate::text::Span;
+
+use super::chain::{Center, Coord, Partial};
+use super::sections::Family;
+use super::words::{Num, Words};
+use super::{Outcome, Run};
+
+/// Largest radius a control takes, in mm.
+const LARGEST_RADIUS: f64 = 200_000.0;
+
+/// How an element goes over into the next.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) enum Transition {
+    /// B is missing: tangential where the data leaves it open, else whatever the data says.
+    #[default]
+    Open,
+    /// B0
+    Sharp,
+    /// mm
+    Rounding(f64),
+    /// mm cut off each element.
+    Chamfer(f64),
+}
+
+impl Run<'_> {
+    /// A coordinate in mm, X as a radius.
+    #[inline]
+    pub(super) fn coord(&self, num: Option<Num>, axis: Axis) -> Coord {
+        let Some(num) = num else { return Coord::Missing };
+        let mm = self.st.mm() * if axis == Axis::X { 0.5 } else { 1.0 };
+        match (num.unknown, num.incremental) {
+            (true, _) => Coord::Unknown,
+            (_, true) => Coord::By(num.value * mm),
+            _ => Coord::At(num.value * mm),
+        }
+    }
+
+    /// The element that the words of a block describe; `arc`: counter-clockwise, and whether its centre is absolute.
+    pub(super) fn partial(&mut self, w: &Words, arc: Option<(bool, bool)>) -> Outcome<(Partial, Transition)> {
+        let angle = self.one_of(w.get(b'A'), w.long("AN"))?;
+        let transition = self.transition(w)?;
+        let mut partial = Partial {
+            arc: arc.map(|(ccw, _)| ccw),
+            z: self.coord(w.get(b'Z'), Axis::Z),
+            x: self.coord(w.get(b'X'), Axis::X),
+            angle: angle.map(|num| num.value),
+            far: self.far(w, arc.is_some())?,
+            tangential: transition == Transition::Open,
+            ..Partial::default()
+        };
+        if let Some((_, absolute)) = arc {
+            partial.radius = self.arc_radius(w)?;
+            // The centre of the 4110 is written in diameters like every other X value.
+            let share = if self.sections.family() == Family::Basic { 0.5 } else { 1.0 };
+            let mm = self.st.mm();
+            partial.center =
+                Center { z: w.value(b'K').map(|k| k * mm), x: w.value(b'I').map(|i| i * mm * share), absolute };
+        }
+        Ok((partial, transition))
+    }
+
+    fn one_of(&self, a: Option<Num>, b: Option<Num>) -> Outcome<Option<Num>> {
+        match (a, b) {
+            (Some(_), Some(b)) => self.fail(codes::T1002, b.span, "two addresses of the block mean the same"),
+            (a, b) => Ok(a.or(b)),
+        }
+    }
+
+    /// B or BR.
+    pub(super) fn transition(&self, w: &Words) -> Outcome<Transition> {
+        let Some(num) = self.one_of(w.get(b'B'), w.long("BR"))? else { return Ok(Transition::Open) };
+        Ok(transition_of(num.value * self.st.mm()))
+    }
+
+    fn arc_radius(&self, w: &Words) -> Outcome<Option<f64>> {
+        let Some(num) = w.get(b'R') else { return Ok(None) };
+        let radius = num.value * self.st.mm();
+        if radius == 0.0 || radius.abs() > LARGEST_RADIUS {
+            return self.fail(codes::T1007, num.span, format!("R{} is no radius", num.value));
+        }
+        Ok(Some(radius))
+    }
+
+    /// Q: which of two solutions. The manuals disagree on arcs.
+    fn far(&self, w: &Words, arc: bool) -> Outcome<bool> {
+        let q = match w.get(b'Q') {
+            None => 0.0,
+            Some(num) if num.value == 0.0 || num.value == 1.0 => num.value,
+            Some(num) => return self.fail(codes::T1007, num.span, format!("Q{} is neither 0 nor 1", num.value)),
+        };
+        let swapped = arc && self.job.settings.control.turning.arc_choice == ArcChoice::ZeroIsFar;
+        Ok((q == 1.0) != swapped)
+    }
+
+    /// A whole number in a range, or the default where the word is missing.
+    pub(super) fn choice(&self, w: &Words, letter: u8, default: u32, most: u32) -> Outcome<u32> {
+        let Some(num) = w.get(letter) else { return Ok(default) };
+        if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
+            return Ok(num.value as u32);
+        }
+        self.fail(codes::T1007, num.span, format!("{}{} is none of 0 to {most}", letter as char, num.value))
+    }
+
+    /// A length in mm that is above zero.
+    pub(super) fn above_zero(&self, num: Num, what: &str) -> Outcome<f64> {
+        let length = num.value * self.st.mm();
+        if length > 0.0 {
+            return Ok(length);
+        }
+        self.fail(codes::T1007, num.span, format!("{what} has to be above zero"))
+    }
+
+    /// The word that a function cannot do without.
+    pub(super) fn needed(&self, w: &Words, letter: u8, what: &str, span: Span) -> Outcome<Num> {
+        match w.get(letter) {
+            Some(num) => Ok(num),
+            None => self.fail(codes::T1005, span, format!("{} is missing: {what}", letter as char)),
+        }
+    }
+}
+
+/// What a B value in mm means.
+pub(super) fn transition_of(b: f64) -> Transition {
+    if b > 0.0 {
+        Transition::Rounding(b)
+    } else if b < 0.0 {
+        Transition::Chamfer(-b)
+    } else {
+        Transition::Sharp
+    }
+}

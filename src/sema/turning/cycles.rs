@@ -1,0 +1,86 @@
+//! Cycles: from their words to the arguments that `lower::cycles` makes moves of.
+
+use crate::diag::codes;
+use crate::ir::cycle::Cycle;
+
+use super::contour::{Edge, MOST_EDGES, Outline};
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// A cycle with all it needs.
+    pub(super) fn cycle(&mut self, number: u16, name: &str, w: &Words, outline: Option<&Outline>) -> Outcome {
+        match number {
+            31 => self.thread_cycle(w, outline),
+            81 | 82 => self.rectangle(w, number == 81),
+            810 | 817..=819 | 820 | 827..=829 => self.contour_roughing(w, outline, number),
+            869 => self.recess_turning(w, outline),
+            _ => {
+                self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
+                Err(Reported)
+            }
+        }
+    }
+
+    /// Sends a cycle; the tool stands where the cycle leaves it.
+    pub(super) fn send_cycle(&mut self, cycle: &Cycle) {
+        self.out.cycle(cycle, &self.st.ctx, &self.here.origin);
+        self.st.pos = cycle.leaves(&self.st.pos);
+        self.st.last = None;
+        self.st.moved = true;
+    }
+
+    /// The contour of a cycle: the blocks behind it, or those of a geometry section that NS and NE name.
+    pub(super) fn contour_of(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Vec<Edge>> {
+        let edges = match outline {
+            Some(outline) => outline.edges.clone(),
+            None => self.referenced(w)?,
+        };
+        if edges.len() > MOST_EDGES {
+            let message = format!("the contour of a cycle has more than {MOST_EDGES} elements");
+            return self.fail(codes::T3003, self.block_span(), message);
+        }
+        Ok(edges)
+    }
+
+    fn referenced(&self, w: &Words) -> Outcome<Vec<Edge>> {
+        let span = self.block_span();
+        let Some(first) = w.long("NS") else {
+            return self.fail(codes::T1005, span, "the cycle has neither NS nor a contour behind it");
+        };
+        let number = |value: f64| (value.fract() == 0.0 && (0.0..=99_999.0).contains(&value)).then_some(value as u32);
+        let last = w.long("NE");
+        let (Some(ns), Some(ne)) = (number(first.value), number(last.map_or(first.value, |num| num.value))) else {
+            return self.fail(codes::T1007, first.span, "NS and NE are block numbers");
+        };
+        let mut missing = ns;
+        let mut found = Vec::new();
+        for described in &self.geometry.contours {
+            match described.outline.between(ns, last.map(|_| ne)) {
+                Ok(edges) => found.push(edges),
+                Err(number) if number != ns => missing = number,
+                Err(_) => {}
+            }
+        }
+        if found.len() > 1 {
+            return self.fail_help(
+                codes::T2019,
+                first.span,
+                format!("the block number {ns} stands in two contours"),
+                "number the blocks of the geometry sections so that each number stands once",
+            );
+        }
+        if let Some(edges) = found.pop() {
+            return Ok(edges);
+        }
+        if self.geometry.contours.iter().any(|described| described.broken) {
+            return Err(Reported);
+        }
+        self.fail_help(
+            codes::T2019,
+            first.span,
+            format!("no element of a contour has the block number {missing}"),
+            "NS and NE name blocks of the geometry sections; each number may stand there once",
+        )
+    }
+}

@@ -1,0 +1,254 @@
+//! Program flow: IF, WHILE, SWITCH. Branches that are not taken are read and passed.
+//!
+//! Source: reference section 13.3. A CASE that is reached from the one before, which some languages allow, is refused.
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::turning::ast::{Block, Formula, Stmt};
+use crate::text::blocks::Place;
+use crate::text::{Loc, Next};
+
+use super::sections::Part;
+use super::{Outcome, Parsed, Reported, Run};
+
+/// Deepest nesting of structures.
+const DEEPEST: usize = 100;
+
+/// An open structure.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nest {
+    pub kind: NestKind,
+    pub loc: Loc,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum NestKind {
+    If,
+    /// Its ELSE was met.
+    Else,
+    /// Where its condition stands.
+    While(Place),
+    Switch,
+}
+
+impl Run<'_> {
+    /// An assignment or a block of a control structure.
+    pub(super) fn flow_block(&mut self, block: &Block) -> Outcome {
+        self.settle_chain()?;
+        if !matches!(self.sections.part, Part::Start | Part::Machining) || self.capture.is_some() {
+            return self.fail(
+                codes::T1008,
+                block.span,
+                "variables and program flow belong into the section MACHINING, not into a contour",
+            );
+        }
+        self.sections.settle_family();
+        self.level().begun = true;
+        match block.stmt {
+            Stmt::Assign(var, formula) => self.assign(var, block, formula),
+            Stmt::If(condition) => self.if_block(block, condition),
+            Stmt::Else => match self.top() {
+                Some(NestKind::If) => self.pass(&[Stmt::EndIf], 0),
+                _ => self.misplaced("ELSE", "IF"),
+            },
+            Stmt::EndIf => match self.top() {
+                Some(NestKind::If | NestKind::Else) => self.close(),
+                _ => self.misplaced("ENDIF", "IF"),
+            },
+            Stmt::While(condition) => self.while_block(block, condition),
+            Stmt::EndWhile => match self.top() {
+                Some(NestKind::While(place)) => {
+                    self.close()?;
+                    self.budget.jump(self.here.origin.loc);
+                    self.seek(place)
+                }
+                _ => self.misplaced("ENDWHILE", "WHILE"),
+            },
+            Stmt::Switch(value) => self.switch_block(block, value),
+            Stmt::Case(_) | Stmt::Default => match self.top() {
+                Some(NestKind::Switch) => {
+                    self.report(
+                        Diagnostic::new(codes::T2020, self.here.origin.loc, "the branch before has no BREAK")
+                            .help("end every branch of SWITCH with BREAK"),
+                    );
+                    self.pass(&[Stmt::EndSwitch], 0)
+                }
+                _ => self.misplaced("CASE", "SWITCH"),
+            },
+            Stmt::Break => self.break_block(),
+            Stmt::EndSwitch => match self.top() {
+                Some(NestKind::Switch) => self.close(),
+                _ => self.misplaced("ENDSWITCH", "SWITCH"),
+            },
+            _ => Ok(()),
+        }
+    }
+
+    fn top(&mut self) -> Option<NestKind> {
+        self.level().nests.last().map(|nest| nest.kind)
+    }
+
+    fn close(&mut self) -> Outcome {
+        self.level().nests.pop();
+        Ok(())
+    }
+
+    fn open_nest(&mut self, kind: NestKind) -> Outcome {
+        let loc = self.here.origin.loc;
+        let nests = &mut self.level().nests;
+        nests.push(Nest { kind, loc });
+        if nests.len() <= DEEPEST {
+            return Ok(());
+        }
+        self.ended = true;
+        self.fail(codes::T1009, self.block_span(), format!("structures are nested deeper than {DEEPEST} levels"))
+    }
+
+    fn misplaced(&mut self, what: &str, needs: &str) -> Outcome {
+        self.ended = true;
+        self.fail(codes::T1009, self.block_span(), format!("{what} stands outside of {needs}"))
+    }
+
+    /// A condition; if it cannot be computed, nobody knows which blocks run.
+    fn condition(&mut self, block: &Block, formula: Formula) -> Outcome<f64> {
+        let value = self.formula(block, formula);
+        self.ended |= value.is_err();
+        value
+    }
+
+    fn if_block(&mut self, block: &Block, condition: Formula) -> Outcome {
+        let holds = self.condition(block, condition)? != 0.0;
+        self.open_nest(NestKind::If)?;
+        if holds {
+            return Ok(());
+        }
+        self.pass(&[Stmt::Else, Stmt::EndIf], 0)
+    }
+
+    fn while_block(&mut self, block: &Block, condition: Formula) -> Outcome {
+        let place = Place { at: self.here.at, line: self.here.line };
+        let sources = self.job.sources;
+        if self.program().cursor.load(sources).is_err() {
+            self.ended = true;
+            return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
+        }
+        let holds = self.condition(block, condition)? != 0.0;
+        self.open_nest(NestKind::While(place))?;
+        if holds {
+            return Ok(());
+        }
+        self.pass(&[Stmt::EndWhile], 0)
+    }
+
+    /// Goes to the branch of this value, or to DEFAULT.
+    fn switch_block(&mut self, block: &Block, value: Formula) -> Outcome {
+        let value = self.condition(block, value)?;
+        self.open_nest(NestKind::Switch)?;
+        let sources = self.job.sources;
+        if self.program().cursor.load(sources).is_err() {
+            self.ended = true;
+            return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
+        }
+        let here = self.here;
+        let mut default = None;
+        let mut depth = 0;
+        loop {
+            let parsed = self.next_passed(here.origin.loc)?;
+            match parsed.block.stmt {
+                Stmt::If(_) | Stmt::While(_) | Stmt::Switch(_) => depth += 1,
+                Stmt::EndIf | Stmt::EndWhile | Stmt::EndSwitch if depth > 0 => depth -= 1,
+                Stmt::Case(case) if depth == 0 && self.condition(&parsed.block, case)? == value => return Ok(()),
+                Stmt::Default if depth == 0 => default = Some(self.program().cursor.place()),
+                Stmt::EndSwitch => break,
+                _ => {}
+            }
+        }
+        match default {
+            Some(place) => self.seek(place),
+            None => self.close(),
+        }
+    }
+
+    fn break_block(&mut self) -> Outcome {
+        let nests = &self.level().nests;
+        let inner = nests.iter().rev().take_while(|nest| matches!(nest.kind, NestKind::If | NestKind::Else)).count();
+        let at = nests.len() - inner;
+        if at == 0 || nests[at - 1].kind != NestKind::Switch {
+            return self.misplaced("BREAK", "SWITCH");
+        }
+        self.level().nests.truncate(at);
+        self.pass(&[Stmt::EndSwitch], inner)
+    }
+
+    /// Passes blocks up to one of `ends`, inside of which `depth` structures are open.
+    fn pass(&mut self, ends: &[Stmt], mut depth: usize) -> Outcome {
+        let from = self.here.origin.loc;
+        loop {
+            let parsed = self.next_passed(from)?;
+            let stmt = parsed.block.stmt;
+            if depth == 0 && ends.contains(&stmt) {
+                if stmt == Stmt::Else {
+                    if let Some(nest) = self.level().nests.last_mut() {
+                        nest.kind = NestKind::Else;
+                    }
+                    return Ok(());
+                }
+                return self.close();
+            }
+            match stmt {
+                Stmt::If(_) | Stmt::While(_) | Stmt::Switch(_) => depth += 1,
+                Stmt::EndIf | Stmt::EndWhile | Stmt::EndSwitch => match depth.checked_sub(1) {
+                    Some(less) => depth = less,
+                    None => return self.unclosed(from),
+                },
+                _ => {}
+            }
+        }
+    }
+
+    /// The next block of a branch that is passed; what is wrong with it does not matter here.
+    fn next_passed(&mut self, from: Loc) -> Outcome<Parsed> {
+        let sources = self.job.sources;
+        let (at, call) = (self.level().program, self.level().call);
+        if !self.budget.step() {
+            self.job.diags.push(self.budget.exceeded(from, call));
+            self.ended = true;
+            return Err(Reported);
+        }
+        let mut parsed = Parsed::default();
+        let program = &mut self.programs[at];
+        let place = program.cursor.place();
+        match program.cursor.next(sources) {
+            Ok(Next::Block(found)) => {
+                let mut ignored = Vec::new();
+                crate::parser::turning::parse_block(found.text, &mut parsed.block, &mut ignored);
+                self.here = super::Here::new(program.file, place.at, place.line, found.lines, call);
+                self.here.origin.loc.span = parsed.block.span.shifted(self.here.at);
+            }
+            Ok(Next::TooLong { .. }) => {}
+            Ok(Next::End) | Err(_) => return self.unclosed(from),
+        }
+        match parsed.block.stmt {
+            Stmt::Section(..) => self.unclosed(from),
+            _ => Ok(parsed),
+        }
+    }
+
+    fn unclosed<T>(&mut self, from: Loc) -> Outcome<T> {
+        self.ended = true;
+        self.report(
+            Diagnostic::new(codes::T1009, from, "this structure is not closed")
+                .help("close it with ENDIF, ENDWHILE or ENDSWITCH"),
+        );
+        Err(Reported)
+    }
+
+    pub(super) fn seek(&mut self, place: Place) -> Outcome {
+        let sources = self.job.sources;
+        if let Err(error) = self.program().cursor.seek(sources, place) {
+            self.error(codes::P0105, format!("the file cannot be read: {error}"));
+            self.ended = true;
+            return Err(Reported);
+        }
+        Ok(())
+    }
+}

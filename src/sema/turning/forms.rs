@@ -1,0 +1,102 @@
+//! Recesses on a straight element: G22-Geo and G23-Geo.
+//!
+//! Source: reference section 6.3 and worked example 11.
+
+use crate::geo::{Element, Point2, SAME_DIRECTION, Vec2, direction, left};
+
+use super::chain::Solved;
+use super::coordinates::Transition;
+
+/// How far the reference element may be from an axis-parallel line, in mm.
+const PARALLEL: f64 = 1e-6;
+
+/// A recess as programmed; mm, X as a radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Recess {
+    /// G22 with Z: in a cylinder, from `first` to `second` along Z, floor at the radius `floor`.
+    Cylinder { first: f64, second: f64, floor: f64, top: Transition, base: f64 },
+    /// G22 with X: in a face, from `first` to `second` along X, floor at the Z `floor`.
+    Face { first: f64, second: f64, floor: f64, top: Transition, base: f64 },
+    /// G23: symmetric, with upright flanks.
+    Centered { at: Along, width: f64, depth: f64, near: Transition, far: Transition, base: f64 },
+}
+
+/// Where the middle of a recess lies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Along {
+    Z(f64),
+    X(f64),
+}
+
+/// A recess on its element.
+#[derive(Debug, Clone)]
+pub(super) struct Made {
+    /// Where the element is left, and where it goes on.
+    pub from: Point2,
+    pub to: Point2,
+    /// How it goes over at both top edges.
+    pub edges: (Transition, Transition),
+    pub elements: Vec<(Element, Transition)>,
+}
+
+/// Puts the recess on the element.
+pub(super) fn build(recess: &Recess, line: &Solved) -> Result<Made, &'static str> {
+    let Some(u) = direction(line.to - line.from, 0.0).filter(|_| line.arc.is_none()) else {
+        return Err("a recess belongs to a straight element before it");
+    };
+    match *recess {
+        Recess::Cylinder { first, second, floor, top, base } => {
+            if u.y.abs() > PARALLEL {
+                return Err("a recess with Z needs a line parallel to Z before it");
+            }
+            let r = line.from.y;
+            let (a, b) = in_order(first, second, u.x);
+            let p = Point2::new;
+            made([p(a, r), p(a, floor), p(b, floor), p(b, r)], top, top, base)
+        }
+        Recess::Face { first, second, floor, top, base } => {
+            if u.x.abs() > PARALLEL {
+                return Err("a recess with X needs a line parallel to X before it");
+            }
+            let z = line.from.x;
+            let (a, b) = in_order(first, second, u.y);
+            let p = |x, z| Point2::new(z, x);
+            made([p(a, z), p(a, floor), p(b, floor), p(b, z)], top, top, base)
+        }
+        Recess::Centered { at, width, depth, near, far, base } => {
+            let middle = middle(at, line.from, u).ok_or("the middle of the recess does not lie on the element")?;
+            // A positive depth lies right of the element, seen in its direction.
+            let down = -left(u) * depth;
+            let half: Vec2 = u * (width / 2.0);
+            made([middle - half, middle - half + down, middle + half + down, middle + half], near, far, base)
+        }
+    }
+}
+
+fn in_order(a: f64, b: f64, sense: f64) -> (f64, f64) {
+    if (b - a) * sense >= 0.0 { (a, b) } else { (b, a) }
+}
+
+fn middle(at: Along, from: Point2, u: Vec2) -> Option<Point2> {
+    let t = match at {
+        Along::Z(z) if u.x.abs() > SAME_DIRECTION => (z - from.x) / u.x,
+        Along::X(x) if u.y.abs() > SAME_DIRECTION => (x - from.y) / u.y,
+        _ => return None,
+    };
+    Some(from + u * t)
+}
+
+fn made(corners: [Point2; 4], near: Transition, far: Transition, base: f64) -> Result<Made, &'static str> {
+    let [a, b, c, d] = corners;
+    if crate::geo::distance(a, b) <= PARALLEL || crate::geo::distance(b, c) <= PARALLEL {
+        return Err("the recess has no depth or no width");
+    }
+    let round = if base > 0.0 { Transition::Rounding(base) } else { Transition::Sharp };
+    let line = |from, to| Element::Line { from, to };
+    Ok(Made {
+        from: a,
+        to: d,
+        edges: (near, far),
+        elements: vec![(line(a, b), round), (line(b, c), round), (line(c, d), far)],
+    })
+}

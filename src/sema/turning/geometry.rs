@@ -1,0 +1,421 @@
+//! The sections that describe shape: blank, finished part, auxiliary contours. Nothing moves here.
+//!
+//! Source: reference section 6.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Point2;
+use crate::machine::{Axis, RecessDepth};
+use crate::parser::turning::ast::Block;
+
+use super::chain::Coord;
+use super::contour::{Builder, Flaw, Mark, Outline};
+use super::coordinates::{Transition, transition_of};
+use super::forms::{Along, Recess};
+use super::undercuts::{self, LEAN_509, SLOPE_76, SLOPE_509, Undercut};
+use super::words::{Fun, Letters, Words, letters};
+use super::{Outcome, Reported, Run};
+
+/// Raw stock.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Blank {
+    /// G20: radius, length, Z of the right face, radius of the bore.
+    Bar { radius: f64, length: f64, right: f64, bore: f64 },
+    /// G21: oversize on the finished contour, with a bore or without.
+    Casting { oversize: f64, bore: bool },
+}
+
+/// A described contour.
+#[derive(Debug)]
+pub(super) struct Described {
+    builder: Builder,
+    pub outline: Outline,
+    /// Something of it was refused.
+    pub broken: bool,
+}
+
+/// All that the geometry sections describe.
+#[derive(Debug, Default)]
+pub(super) struct Geometry {
+    pub blank: Option<Blank>,
+    pub contours: Vec<Described>,
+    open: bool,
+}
+
+/// What a block of a contour may hold.
+const ELEMENT: Letters = letters("XZABQRIK");
+
+impl Run<'_> {
+    pub(super) fn begin_contour(&mut self) {
+        self.geometry.contours.push(Described {
+            builder: Builder::default(),
+            outline: Outline::default(),
+            broken: false,
+        });
+        self.geometry.open = true;
+    }
+
+    /// The section ends: the contour is complete.
+    pub(super) fn finish_contour(&mut self) {
+        if !std::mem::take(&mut self.geometry.open) {
+            return;
+        }
+        let Some(described) = self.geometry.contours.last_mut() else { return };
+        let result = described.builder.settle().and_then(|()| described.builder.outline());
+        match result {
+            Ok(outline) => described.outline = outline,
+            Err(_) if described.broken => {}
+            Err(flaw) => {
+                described.broken = true;
+                self.flaw(&flaw);
+            }
+        }
+    }
+
+    pub(super) fn flaw(&self, flaw: &Flaw) {
+        let found = Diagnostic::new(flaw.code, flaw.loc, flaw.message.clone());
+        self.report(found.help("check this block and the blocks beside it"));
+    }
+
+    /// A block of a geometry section.
+    pub(super) fn geometry_block(&mut self, w: &Words, block: &Block) -> Outcome {
+        let mut builder = match self.geometry.contours.last_mut() {
+            Some(described) => std::mem::take(&mut described.builder),
+            None => return Err(Reported),
+        };
+        let result = self.shape_block(w, block, &mut builder);
+        if let Some(described) = self.geometry.contours.last_mut() {
+            described.builder = builder;
+            described.broken |= result.is_err();
+        }
+        result
+    }
+
+    fn shape_block(&mut self, w: &Words, block: &Block, builder: &mut Builder) -> Outcome {
+        let [fun] = *w.g() else {
+            return self.fail_help(
+                codes::T1008,
+                block.span,
+                "a block of a contour holds one G function",
+                "write one element in each block: G1 X50 Z-20",
+            );
+        };
+        match fun.number {
+            20 => self.bar(w),
+            21 => self.casting(w),
+            // Exact stop on the contour: the path is the same without.
+            7..=9 => self.only(w, 0, &[]),
+            _ => self.contour_element(w, block, fun, builder),
+        }
+    }
+
+    /// An element or form of a contour, in a geometry section or behind a cycle.
+    pub(super) fn contour_element(&mut self, w: &Words, block: &Block, fun: Fun, builder: &mut Builder) -> Outcome {
+        let mark = Mark { number: block.number, loc: self.here.origin.loc, transition: Transition::Open };
+        match fun.number {
+            0 => self.contour_start(w, builder),
+            1 => self.element(w, None, mark, builder),
+            2 => self.element(w, Some((false, false)), mark, builder),
+            3 => self.element(w, Some((true, false)), mark, builder),
+            12 => self.element(w, Some((false, true)), mark, builder),
+            13 => self.element(w, Some((true, true)), mark, builder),
+            22 => self.standard_recess(w, mark, builder),
+            23 => self.general_recess(w, mark, builder),
+            25 => self.undercut(w, mark, builder),
+            34 => self.thread_mark(w, builder),
+            49 => self.only(w, letters("BPWRUEIJKFVAO"), &[]),
+            10 | 38 | 39 | 52 | 95 | 149 => self.fail_help(
+                codes::T9001,
+                fun.span,
+                format!("the attribute G{} of contour elements is not supported", fun.number),
+                "remove it, and put feeds and oversizes into the cycle",
+            ),
+            24 | 37 => self.fail_help(
+                codes::T9001,
+                fun.span,
+                format!("G{} in a contour is not supported", fun.number),
+                "describe the thread with G34 and the undercut with G25",
+            ),
+            number => self.fail(codes::T9001, fun.span, format!("G{number} is no element of a contour")),
+        }
+    }
+
+    /// Only these words may stand in the block.
+    fn only(&self, w: &Words, allowed: Letters, longs: &[&str]) -> Outcome {
+        let stray = w.present() & !allowed;
+        if stray != 0 {
+            let letter = b'A' + stray.trailing_zeros() as u8;
+            let span = w.span(letter, self.block_span());
+            let why = if letter == b'E' { "the feed of a corner is set in the cycle" } else { "remove the word" };
+            let message = format!("{} has no place in this block of a contour", letter as char);
+            return self.fail_help(codes::T1003, span, message, why);
+        }
+        if let Some(m) = w.m().first() {
+            return self.fail(codes::T1003, m.span, "an M function has no place in a contour");
+        }
+        if let Some((addr, span)) = w.texts().first() {
+            return self.fail(codes::T1003, *span, format!("{addr} has no place in a contour"));
+        }
+        for (addr, num) in w.longs() {
+            if num.unknown || !longs.contains(&addr.to_string().as_str()) {
+                return self.fail(codes::T1003, num.span, format!("{addr} is not supported in a contour"));
+            }
+        }
+        for letter in b'A'..=b'Z' {
+            let Some(num) = w.get(letter) else { continue };
+            let relative = matches!(letter, b'X' | b'Z' | b'I' | b'K');
+            if (num.incremental && !relative) || (num.unknown && !matches!(letter, b'X' | b'Z')) {
+                return self.fail(codes::T1003, num.span, format!("{} takes a plain number here", letter as char));
+            }
+        }
+        Ok(())
+    }
+
+    fn contour_start(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
+        self.only(w, letters("XZ"), &[])?;
+        if builder.has_start() {
+            return self.fail(codes::T3003, self.block_span(), "a contour starts once, with G0");
+        }
+        match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
+            (Coord::At(x), Coord::At(z)) => {
+                builder.start(Point2::new(z, x));
+                Ok(())
+            }
+            _ => self.fail(codes::T1005, self.block_span(), "the start of a contour needs absolute X and Z"),
+        }
+    }
+
+    fn element(&mut self, w: &Words, arc: Option<(bool, bool)>, mark: Mark, builder: &mut Builder) -> Outcome {
+        let allowed = if arc.is_some() { ELEMENT & !letters("A") } else { ELEMENT & !letters("RIK") };
+        self.only(w, allowed, if arc.is_some() { &["BR"] } else { &["AN", "BR"] })?;
+        if let Some(num) = [w.get(b'I'), w.get(b'K')].into_iter().flatten().find(|num| num.incremental) {
+            return self.fail(codes::T1003, num.span, "I and K take plain numbers here");
+        }
+        if !builder.has_start() {
+            return self.fail_help(
+                codes::T3003,
+                self.block_span(),
+                "the contour does not say where it starts",
+                "program `G0 X… Z…` as the first element",
+            );
+        }
+        let (partial, transition) = self.partial(w, arc)?;
+        let pushed = builder.push(partial, Mark { transition, ..mark });
+        self.checked(pushed)
+    }
+
+    fn checked(&self, result: Result<(), Flaw>) -> Outcome {
+        result.map_err(|flaw| {
+            self.flaw(&flaw);
+            Reported
+        })
+    }
+
+    // Blanks.
+
+    fn bar(&mut self, w: &Words) -> Outcome {
+        self.only(w, letters("XZKI"), &[])?;
+        let span = self.block_span();
+        let mm = self.st.mm();
+        let diameter = self.needed(w, b'X', "the diameter of the bar", span)?;
+        let diameter = self.above_zero(diameter, "the diameter of the bar")?;
+        let length = self.needed(w, b'Z', "the length of the bar", span)?;
+        let length = self.above_zero(length, "the length of the bar")?;
+        let bore = w.value(b'I').unwrap_or(0.0) * mm;
+        if bore < 0.0 || bore >= diameter {
+            return self.fail(codes::T1007, w.span(b'I', span), "the bore of a tube is smaller than the tube");
+        }
+        let right = w.value(b'K').unwrap_or(0.0) * mm;
+        self.geometry.blank = Some(Blank::Bar { radius: diameter / 2.0, length, right, bore: bore / 2.0 });
+        Ok(())
+    }
+
+    fn casting(&mut self, w: &Words) -> Outcome {
+        self.only(w, letters("PQ"), &[])?;
+        let num = self.needed(w, b'P', "the oversize of the casting", self.block_span())?;
+        let oversize = self.above_zero(num, "the oversize of the casting")?;
+        let bore = self.choice(w, b'Q', 0, 1)? == 1;
+        self.geometry.blank = Some(Blank::Casting { oversize, bore });
+        Ok(())
+    }
+
+    // Forms.
+
+    /// The last element, complete; forms belong to it.
+    fn reference<'b>(&self, builder: &'b mut Builder, what: &str) -> Outcome<&'b mut super::contour::Piece> {
+        let settled = builder.settle();
+        self.checked(settled)?;
+        match builder.pieces.last_mut() {
+            Some(piece) => Ok(piece),
+            None => {
+                self.fail(codes::T3004, self.block_span(), format!("{what} stands behind an element of the contour"))
+            }
+        }
+    }
+
+    /// G22: a recess in a line parallel to an axis.
+    fn standard_recess(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
+        self.only(w, letters("XZIKBR"), &[])?;
+        let span = self.block_span();
+        let (in_face, start) = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
+            (Coord::Missing, Coord::At(z)) => (false, z),
+            (Coord::At(x), Coord::Missing) => (true, x),
+            _ => {
+                return self.fail_help(
+                    codes::T1005,
+                    span,
+                    "a recess names either X or Z, as an absolute value",
+                    "program Z for a recess in a cylinder, X for one in a face",
+                );
+            }
+        };
+        let i = self.needed(w, b'I', "the floor of the recess, or its end in a face", span)?;
+        let k = self.needed(w, b'K', "the end of the recess, or its floor in a face", span)?;
+        let piece = self.reference(builder, "a recess")?;
+        let line = piece.solved;
+        let mm = self.st.mm();
+        // An incremental I is the difference of two diameters, as far as any manual says.
+        let radius = self.job.settings.control.turning.recess_depth == RecessDepth::Radius;
+        let step = i.value * mm * if radius { 1.0 } else { 0.5 };
+        let x = |base: f64| if i.incremental { base + step } else { i.value * mm * 0.5 };
+        let z = |base: f64| if k.incremental { base + k.value * mm } else { k.value * mm };
+        let top = self.transition(w)?;
+        let base = w.value(b'R').unwrap_or(0.0) * mm;
+        let recess = if in_face {
+            Recess::Face { first: start, second: x(start), floor: z(line.from.x), top, base }
+        } else {
+            Recess::Cylinder { first: start, second: z(start), floor: x(line.from.y), top, base }
+        };
+        piece.recesses.push((recess, mark));
+        Ok(())
+    }
+
+    /// G23: a recess in any line, with upright flanks.
+    fn general_recess(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
+        self.only(w, letters("HXZIKUABPR"), &[])?;
+        let span = self.block_span();
+        let unclear = |letter: u8| w.get(letter).filter(|num| num.value != 0.0);
+        if let Some(num) = unclear(b'H').or(unclear(b'A')) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "a relief turn, or flanks at an angle: how it is measured is shown in a picture only",
+                "describe the recess with G1 blocks",
+            );
+        }
+        let at = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
+            (Coord::At(x), Coord::Missing) => Along::X(x),
+            (Coord::Missing, Coord::At(z)) => Along::Z(z),
+            _ => {
+                return self.fail(
+                    codes::T1005,
+                    span,
+                    "the middle of the recess is missing: X in a face, Z in a cylinder",
+                );
+            }
+        };
+        let mm = self.st.mm();
+        let width = self.needed(w, b'K', "the width of the recess", span)?;
+        let width = self.above_zero(width, "the width of the recess")?;
+        let piece = self.reference(builder, "a recess")?;
+        let line = piece.solved;
+        let depth = match (w.get(b'I'), w.get(b'U')) {
+            (Some(i), None) if !i.incremental && i.value != 0.0 => i.value * mm,
+            (None, Some(u)) if (line.to.y - line.from.y).abs() < 1e-9 => {
+                // Right of the line lies towards the axis where it runs towards +Z.
+                let down = line.from.y - u.value * mm * 0.5;
+                if line.to.x > line.from.x { down } else { -down }
+            }
+            (None, Some(u)) => {
+                return self.fail(codes::T3004, u.span, "U needs a line parallel to Z before the recess");
+            }
+            _ => return self.fail(codes::T1005, span, "the recess needs either its depth I or its floor U"),
+        };
+        let edge = |letter: u8| w.value(letter).map_or(Transition::Sharp, |b| transition_of(b * mm));
+        let (near, far) = (edge(b'B'), edge(b'P'));
+        let base = w.value(b'R').unwrap_or(0.0) * mm;
+        piece.recesses.push((Recess::Centered { at, width, depth, near, far, base }, mark));
+        Ok(())
+    }
+
+    /// G25: an undercut in the corner between the element before and the next one.
+    fn undercut(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
+        self.only(w, letters("HIKRPWA"), &["FP"])?;
+        let span = self.block_span();
+        let form = self.needed(w, b'H', "the form of the undercut", span)?;
+        let piece = self.reference(builder, "an undercut")?;
+        // The table goes by the diameter of the cylinder.
+        let diameter = 2.0 * piece.solved.to.y;
+        let undercut = self.undercut_of(w, form.value, diameter)?;
+        piece.undercut = Some((undercut, mark));
+        Ok(())
+    }
+
+    fn undercut_of(&self, w: &Words, form: f64, diameter: f64) -> Outcome<Undercut> {
+        let span = self.block_span();
+        let mm = self.st.mm();
+        let size = |letter: u8, default: f64| w.value(letter).map_or(default, |v| v * mm);
+        let angle = |letter: u8, default: f64| w.value(letter).unwrap_or(default);
+        let needed =
+            |letter: u8, what: &str| self.needed(w, letter, what, span).and_then(|num| self.above_zero(num, what));
+        let [depth, width, radius, face] = undercuts::din_509(diameter, false);
+        Ok(match form as i32 {
+            4 if form == 4.0 => Undercut::U {
+                depth: needed(b'I', "the depth of the undercut")?,
+                width: needed(b'K', "the width of the undercut")?,
+                base: size(b'R', 0.0),
+                edge: transition_of(size(b'P', 0.0)),
+            },
+            0 | 5 if form.fract() == 0.0 => Undercut::E {
+                depth: size(b'I', depth),
+                width: size(b'K', width),
+                radius: size(b'R', radius),
+                slope: angle(b'W', SLOPE_509),
+            },
+            6 if form == 6.0 => Undercut::F {
+                depth: size(b'I', depth),
+                width: size(b'K', width),
+                radius: size(b'R', radius),
+                slope: angle(b'W', SLOPE_509),
+                face: size(b'P', face),
+                lean: angle(b'A', LEAN_509),
+            },
+            7 if form == 7.0 => {
+                let table = w.long("FP").and_then(|pitch| undercuts::din_76_external(pitch.value * mm));
+                let value = |letter: u8, at: usize, what: &str| match (w.get(letter), table) {
+                    (Some(num), _) => self.above_zero(num, what),
+                    (None, Some(row)) => Ok(row[at]),
+                    (None, None) => self.fail_help(
+                        codes::T1005,
+                        span,
+                        format!("{} is missing: {what}", letter as char),
+                        "give it, or the pitch FP of an external thread that is in the table of DIN 76",
+                    ),
+                };
+                Undercut::E {
+                    depth: value(b'I', 0, "the depth of the undercut")?,
+                    width: value(b'K', 1, "the width of the undercut")?,
+                    radius: value(b'R', 2, "the radius of the undercut")?,
+                    slope: angle(b'W', SLOPE_76),
+                }
+            }
+            8 | 9 if form.fract() == 0.0 => {
+                return self.fail_help(
+                    codes::T9007,
+                    w.span(b'H', span),
+                    "the undercuts H and K are shown in pictures only",
+                    "describe the undercut with G1 and G2 blocks",
+                );
+            }
+            _ => return self.fail(codes::T1007, w.span(b'H', span), format!("H{form} is no form of an undercut")),
+        })
+    }
+
+    /// G34: the element before is a thread.
+    fn thread_mark(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
+        self.only(w, letters("F"), &[])?;
+        let num = self.needed(w, b'F', "the pitch of the thread", self.block_span())?;
+        let pitch = self.above_zero(num, "the pitch of the thread")?;
+        self.reference(builder, "a thread")?.thread = Some(pitch);
+        Ok(())
+    }
+}

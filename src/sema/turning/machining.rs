@@ -1,0 +1,331 @@
+//! Blocks of words: which function takes which word, and in which order they act.
+//!
+//! A block acts in this order: tool, spindle, feed, M functions at the start, modal functions, the move or cycle, M
+//! functions at the end.
+
+use crate::diag::codes;
+use crate::ir::{Function as Item, Side};
+use crate::parser::turning::ast::Block;
+
+use super::functions::{Function, Kind, find};
+use super::sections::Part;
+use super::state::{FeedMode, SpeedMode};
+use super::words::{Fun, Letters, Words, letters};
+use super::{Outcome, Reported, Run};
+
+/// Words that need no function.
+const GENERAL: Letters = letters("TFS");
+
+impl Run<'_> {
+    pub(super) fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let result = self.gather(block).and_then(|w| {
+            let result = self.words_of_part(&w, block, text);
+            self.put_back(w);
+            result
+        });
+        if result.is_err() && matches!(self.sections.part, Part::Start | Part::Machining) {
+            self.lose_all();
+        }
+        result
+    }
+
+    #[inline]
+    fn words_of_part(&mut self, w: &Words, block: &Block, text: &[u8]) -> Outcome {
+        match self.sections.part {
+            Part::Start | Part::Machining if self.capture.is_none() => self.machine(w, text),
+            Part::Start | Part::Machining => self.capture_block(w, block),
+            Part::Contour => self.geometry_block(w, block),
+            Part::Turret => self.turret_line(w, text),
+            Part::Unread => Ok(()),
+            Part::Head | Part::Names | Part::Between => self.fail_help(
+                codes::T1008,
+                block.span,
+                "words have no place in this section",
+                "blocks that machine stand in the section MACHINING",
+            ),
+        }
+    }
+
+    /// A block that is executed.
+    fn machine(&mut self, w: &Words, text: &[u8]) -> Outcome {
+        self.sections.settle_family();
+        self.level().begun = true;
+        if let Some(name) = w.text("L") {
+            self.settle_chain()?;
+            return self.call(w, name, text);
+        }
+        let plan = self.plan(w)?;
+        self.check_m(w)?;
+        let only_moves = plan.only_path && w.m().is_empty() && w.present() & GENERAL == 0;
+        if !only_moves {
+            self.settle_chain()?;
+            self.before_motion(w, &plan, text)?;
+        }
+        if let Some((function, fun)) = plan.motion {
+            self.motion(function, fun, w)?;
+        }
+        if only_moves || self.ended {
+            return Ok(());
+        }
+        if !w.m().is_empty() && self.capture.is_none() {
+            self.settle_chain_if_ends(w)?;
+            self.m_at_end(w)?;
+        }
+        Ok(())
+    }
+
+    /// M functions at the end of a block whose move waits for the next one cannot be kept in order.
+    fn settle_chain_if_ends(&mut self, w: &Words) -> Outcome {
+        let ends = w.m().iter().any(|m| !matches!(m.number, 3 | 4 | 8));
+        if ends { self.settle_chain() } else { Ok(()) }
+    }
+
+    /// Looks the functions up and gives every word to one of them.
+    fn plan(&mut self, w: &Words) -> Outcome<Plan> {
+        let mut plan = Plan { motion: None, claimed: 0, only_path: true };
+        let mut longs: [&'static [&'static str]; 4] = [&[]; 4];
+        for (i, fun) in w.g().iter().enumerate() {
+            let function = self.function_of(*fun)?;
+            self.check_same(w, i)?;
+            let both = plan.claimed & function.letters & w.present();
+            if both != 0 {
+                let letter = (b'A' + both.trailing_zeros() as u8) as char;
+                return self.fail_help(
+                    codes::T1006,
+                    fun.span,
+                    format!("two functions of the block take {letter}"),
+                    "put the second function into a block of its own",
+                );
+            }
+            plan.claimed |= function.letters;
+            if let Some(slot) = longs.get_mut(i) {
+                *slot = function.longs;
+            }
+            plan.only_path &= function.kind.is_path();
+            if function.kind.is_motion() && plan.motion.replace((function, *fun)).is_some() {
+                return self.fail_help(
+                    codes::T1006,
+                    fun.span,
+                    format!("G{} and another move or cycle stand in one block", fun.number),
+                    "put the second one into a block of its own",
+                );
+            }
+        }
+        self.check_words(w, &plan, &longs)?;
+        Ok(plan)
+    }
+
+    #[inline]
+    fn function_of(&self, fun: Fun) -> Outcome<&'static Function> {
+        match find(fun.number) {
+            Some(function) if function.kind != Kind::Refused => Ok(function),
+            Some(function) => {
+                self.fail(codes::T9001, fun.span, format!("G{} ({}) is not supported", fun.number, function.name))
+            }
+            None => self.fail_help(
+                codes::T9001,
+                fun.span,
+                format!("G{} is not known", fun.number),
+                "check the number; functions of other controls have to be converted",
+            ),
+        }
+    }
+
+    fn check_same(&self, w: &Words, i: usize) -> Outcome {
+        let fun = w.g()[i];
+        if w.g()[..i].iter().any(|other| other.number == fun.number) {
+            return self.fail(codes::T1002, fun.span, format!("G{} stands twice in the block", fun.number));
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn check_words(&self, w: &Words, plan: &Plan, longs: &[&[&str]]) -> Outcome {
+        let stray = w.present() & !(plan.claimed | GENERAL);
+        if stray != 0 {
+            return self.stray_letter(w, stray, plan.motion.is_some());
+        }
+        let marked = |letter: u8| w.get(letter).filter(|num| num.incremental || num.unknown);
+        let free = letters("XZ");
+        let mut rest = w.present() & !free;
+        while rest != 0 {
+            let letter = b'A' + rest.trailing_zeros() as u8;
+            if let Some(num) = marked(letter) {
+                return self.fail_help(
+                    codes::T1003,
+                    num.span,
+                    format!("{} takes a plain number here", letter as char),
+                    "only X and Z can be incremental or left open with `?`",
+                );
+            }
+            rest &= rest - 1;
+        }
+        for (addr, num) in w.longs() {
+            let name = addr.to_string();
+            if !longs.iter().any(|list| list.contains(&name.as_str())) {
+                return self.fail_help(
+                    codes::T1003,
+                    num.span,
+                    format!("no function of the block takes {name}"),
+                    "remove the word, or put it where it belongs",
+                );
+            }
+            if num.unknown {
+                return self.fail(codes::T1003, num.span, format!("{name} takes a number"));
+            }
+        }
+        match w.texts().first() {
+            Some((addr, span)) => {
+                self.fail(codes::T1003, *span, format!("no function of the block takes a text at {addr}"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    #[cold]
+    fn stray_letter(&self, w: &Words, stray: Letters, moves: bool) -> Outcome {
+        let letter = b'A' + stray.trailing_zeros() as u8;
+        let span = w.span(letter, self.block_span());
+        let letter = letter as char;
+        if !moves && matches!(letter, 'X' | 'Z') {
+            return self.fail_help(
+                codes::T2001,
+                span,
+                "the block has coordinates and no function that moves",
+                "write G0 or G1 into the block",
+            );
+        }
+        if matches!(letter, 'C' | 'Y' | 'U' | 'W') {
+            return self.fail(
+                codes::T9004,
+                span,
+                format!("{letter} belongs to the C axis, the Y axis or a second slide, which are not supported here"),
+            );
+        }
+        self.fail_help(
+            codes::T1003,
+            span,
+            format!("no function of the block takes {letter}"),
+            "remove the word, or put it where it belongs",
+        )
+    }
+
+    fn before_motion(&mut self, w: &Words, plan: &Plan, text: &[u8]) -> Outcome {
+        if let Some(num) = w.get(b'T') {
+            self.tool_word(num, text)?;
+        }
+        for fun in w.g() {
+            let function = self.function_of(*fun)?;
+            self.modal_function(function.kind, *fun, w)?;
+        }
+        if let Some(num) = w.get(b'S').filter(|_| plan.claimed & letters("S") == 0) {
+            self.speed_word(num)?;
+        }
+        if let Some(num) = w.get(b'F').filter(|_| plan.claimed & letters("F") == 0) {
+            self.feed_word(num)?;
+        }
+        self.m_at_start(w)
+    }
+
+    fn modal_function(&mut self, kind: Kind, fun: Fun, w: &Words) -> Outcome {
+        match kind {
+            Kind::SpeedLimit => self.speed_limit(w),
+            Kind::CuttingSpeed => self.speed_mode(SpeedMode::Cutting, w),
+            Kind::Revolutions => self.speed_mode(SpeedMode::Revolutions, w),
+            Kind::PerMinute => self.feed_mode(FeedMode::PerMinute, w, true),
+            Kind::PerRevolution => self.feed_mode(FeedMode::PerRevolution, w, true),
+            Kind::CompensationOff => self.compensation(Side::None, fun),
+            Kind::CompensationLeft => self.compensation(Side::Left, fun),
+            Kind::CompensationRight => self.compensation(Side::Right, fun),
+            Kind::ShiftRelative | Kind::ShiftAdditive | Kind::ShiftAbsolute => self.shift(kind, w),
+            Kind::Clearance => self.clearance(w),
+            Kind::OversizeParaxial => self.oversize(w, false),
+            Kind::OversizeEquidistant => self.oversize(w, true),
+            Kind::OversizeOff => {
+                self.st.oversize = None;
+                Ok(())
+            }
+            Kind::Nothing
+            | Kind::Rapid
+            | Kind::Line
+            | Kind::Arc { .. }
+            | Kind::MachineRapid
+            | Kind::ChangePoint
+            | Kind::Dwell
+            | Kind::SingleThread
+            | Kind::EndOfContour
+            | Kind::Cycle(_)
+            | Kind::Refused => Ok(()),
+        }
+    }
+
+    #[inline]
+    fn motion(&mut self, function: &Function, fun: Fun, w: &Words) -> Outcome {
+        match function.kind {
+            Kind::Rapid => return self.straight(w, true),
+            Kind::Line => return self.straight(w, false),
+            Kind::Arc { ccw, absolute } => return self.arc(w, ccw, absolute),
+            _ => {}
+        }
+        if self.st.side != Side::None && function.kind != Kind::Dwell {
+            return self.fail_help(
+                codes::T2021,
+                fun.span,
+                format!("G{} stands under nose radius compensation", fun.number),
+                "program G40 with a straight move before it",
+            );
+        }
+        match function.kind {
+            Kind::MachineRapid => self.machine_rapid(w),
+            Kind::ChangePoint => self.change_point(w),
+            Kind::Dwell => self.dwell(w),
+            Kind::SingleThread => self.single_thread(w),
+            Kind::EndOfContour => self.fail_help(
+                codes::T3003,
+                fun.span,
+                "G80 ends a contour, and none was begun",
+                "a cycle such as G817 or G31 begins the contour",
+            ),
+            Kind::Cycle(number) => self.begin_cycle(number, function.name, w),
+            _ => Err(Reported),
+        }
+    }
+
+    /// G4
+    fn dwell(&mut self, w: &Words) -> Outcome {
+        let num = self.needed(w, b'F', "the time in seconds", self.block_span())?;
+        if num.value < 0.0 {
+            return self.fail(codes::T1007, num.span, "a dwell time is not negative");
+        }
+        self.function(Item::Dwell(num.value));
+        Ok(())
+    }
+}
+
+/// Which function takes which words.
+#[derive(Debug)]
+struct Plan {
+    motion: Option<(&'static Function, Fun)>,
+    claimed: Letters,
+    /// G0 to G3, G12, G13 and nothing else.
+    only_path: bool,
+}
+
+impl Kind {
+    fn is_path(self) -> bool {
+        matches!(self, Kind::Rapid | Kind::Line | Kind::Arc { .. })
+    }
+
+    fn is_motion(self) -> bool {
+        self.is_path()
+            || matches!(
+                self,
+                Kind::MachineRapid
+                    | Kind::ChangePoint
+                    | Kind::Dwell
+                    | Kind::SingleThread
+                    | Kind::EndOfContour
+                    | Kind::Cycle(_)
+            )
+    }
+}

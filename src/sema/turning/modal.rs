@@ -1,0 +1,273 @@
+//! Feeds, spindle, tools, oversizes: what holds until it is changed.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::function::{CutterData, Spindle, Turn};
+use crate::ir::{Feed, Function, Side};
+use crate::machine::{Compensation, Unit};
+use crate::text::{Span, decode::readable};
+
+use super::state::{ActiveTool, FeedMode, Oversize, SpeedMode};
+use super::words::{Fun, Num, Words};
+use super::{Outcome, Reported, Run};
+
+/// Metres in a foot.
+const FOOT: f64 = 0.3048;
+
+impl Run<'_> {
+    // Feed.
+
+    /// G94 and G95.
+    pub(super) fn feed_mode(&mut self, mode: FeedMode, w: &Words, claims_f: bool) -> Outcome {
+        self.st.feed_mode = Some(mode);
+        match w.get(b'F').filter(|_| claims_f) {
+            Some(num) => self.feed_word(num),
+            None => {
+                // A feed of the other kind is no feed any more.
+                let same = matches!(
+                    (mode, self.st.feed),
+                    (FeedMode::PerMinute, Some(Feed::PerMinute(_)))
+                        | (FeedMode::PerRevolution, Some(Feed::PerRevolution(_)))
+                );
+                if !same {
+                    self.st.feed = None;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    pub(super) fn feed_word(&mut self, num: Num) -> Outcome {
+        let value = num.value * self.st.mm();
+        if value <= 0.0 {
+            return self.fail(codes::O1001, num.span, format!("the feed is {}", num.value));
+        }
+        self.st.feed = Some(match self.st.feed_mode {
+            Some(FeedMode::PerMinute) => Feed::PerMinute(value),
+            Some(FeedMode::PerRevolution) => Feed::PerRevolution(value),
+            None => {
+                return self.fail_help(
+                    codes::T2003,
+                    num.span,
+                    "neither G94 nor G95 says what F counts",
+                    "program `G95 F…` for mm per revolution or `G94 F…` for mm per minute",
+                );
+            }
+        });
+        Ok(())
+    }
+
+    /// Feed of a move that cuts.
+    #[inline]
+    pub(super) fn cutting_feed(&mut self) -> Outcome<Feed> {
+        match self.st.feed {
+            Some(feed) => Ok(feed),
+            None => self.feed_missing(),
+        }
+    }
+
+    #[cold]
+    fn feed_missing(&mut self) -> Outcome<Feed> {
+        self.report(
+            Diagnostic::new(codes::T2003, self.here.origin.loc, "no feed is programmed before this cutting move")
+                .help("program `G95 F…` or `G94 F…` before it"),
+        );
+        // One report is enough.
+        self.st.feed = Some(Feed::PerMinute(1.0));
+        Err(Reported)
+    }
+
+    // Spindle.
+
+    /// G26: highest speed.
+    pub(super) fn speed_limit(&mut self, w: &Words) -> Outcome {
+        let num = self.needed(w, b'S', "the highest speed in revolutions per minute", self.block_span())?;
+        if num.value <= 0.0 {
+            return self.fail(codes::T1007, num.span, "a speed limit is above zero");
+        }
+        self.st.speed_limit = Some(num.value);
+        self.send_speed(num.span);
+        Ok(())
+    }
+
+    /// G96 and G97.
+    pub(super) fn speed_mode(&mut self, mode: SpeedMode, w: &Words) -> Outcome {
+        if self.st.speed_mode != Some(mode) {
+            self.st.speed = None;
+        }
+        self.st.speed_mode = Some(mode);
+        match w.get(b'S') {
+            Some(num) => self.speed_word(num),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn speed_word(&mut self, num: Num) -> Outcome {
+        if num.value < 0.0 {
+            return self.fail(codes::O9002, num.span, format!("the speed is {}", num.value));
+        }
+        match self.st.speed_mode {
+            None => {
+                return self.fail_help(
+                    codes::T2004,
+                    num.span,
+                    "neither G96 nor G97 says what S means",
+                    "program `G97 S…` for revolutions per minute or `G96 S…` for a constant cutting speed",
+                );
+            }
+            Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => self.st.speed = Some(num.value * FOOT),
+            Some(_) => self.st.speed = Some(num.value),
+        }
+        self.send_speed(num.span);
+        Ok(())
+    }
+
+    /// Prints the speed in force, kept under the limit.
+    fn send_speed(&mut self, span: Span) {
+        let Some(speed) = self.st.speed else { return };
+        let limit = self.st.speed_limit;
+        let spindle = match self.st.speed_mode {
+            Some(SpeedMode::Cutting) => Spindle::CuttingSpeed { speed, limit },
+            _ => match limit.filter(|limit| speed > *limit) {
+                Some(limit) => {
+                    let message = format!("the speed {speed} is lowered to the limit {limit} of G26");
+                    self.report(Diagnostic::new(codes::T2005, self.loc(span), message));
+                    Spindle::Speed(limit)
+                }
+                None => Spindle::Speed(speed),
+            },
+        };
+        self.function(Function::Spindle(spindle));
+    }
+
+    pub(super) fn turn_spindle(&mut self, turn: Option<Turn>) {
+        self.st.spindle = turn;
+        self.function(Function::Spindle(match turn {
+            Some(turn) => Spindle::Start(turn),
+            None => Spindle::Stop,
+        }));
+    }
+
+    // Compensation of the nose radius.
+
+    pub(super) fn compensation(&mut self, side: Side, fun: Fun) -> Outcome {
+        if side != Side::None {
+            if self.job.settings.output.compensation == Compensation::Resolve {
+                return self.fail_help(
+                    codes::T9005,
+                    fun.span,
+                    "nose radius compensation cannot be computed yet",
+                    "set `[output] compensation = \"control\"` to print G41/G42",
+                );
+            }
+            if self.st.side != Side::None && self.st.side != side {
+                return self.fail_help(
+                    codes::T2021,
+                    fun.span,
+                    "G41 and G42 follow each other without G40",
+                    "program G40 with a straight move between them",
+                );
+            }
+        }
+        self.st.side_fresh = side != self.st.side;
+        self.st.side = side;
+        Ok(())
+    }
+
+    // Tool.
+
+    /// T: `T3`, `T3.1`, or the four digits of a tool and its offset.
+    pub(super) fn tool_word(&mut self, num: Num, text: &[u8]) -> Outcome {
+        let written = num.span.of(text);
+        let (number, edge) = self.tool_number(num, written)?;
+        if self.st.tool.as_ref().is_some_and(|tool| tool.number == number && tool.edge == edge) {
+            return Ok(());
+        }
+        if self.st.side != Side::None {
+            return self.fail_help(
+                codes::T2021,
+                num.span,
+                "the tool changes under nose radius compensation",
+                "program G40 with a straight move before the tool change",
+            );
+        }
+        let name = self.sections.tool_name(number, edge);
+        let known = self.job.settings.tools.by_number(number, edge);
+        let known = known.map(|tool| tool.number).or_else(|| {
+            let (own, tool) = self.job.settings.tools.by_name(name.as_deref()?)?;
+            Some(own.or(tool.number))
+        });
+        let printed = match (known.flatten(), edge) {
+            (Some(printed), _) => printed,
+            (None, 0) => number,
+            (None, _) => {
+                return self.fail_help(
+                    codes::T2007,
+                    num.span,
+                    format!("edge {edge} of tool {number} has no tool number to print"),
+                    format!("add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml"),
+                );
+            }
+        };
+        self.function(Function::ToolChange { number: printed });
+        self.function(Function::Cutter(CutterData { number: printed, radius: None }));
+        self.st.tool = Some(ActiveTool { number, edge, name });
+        self.st.forget();
+        Ok(())
+    }
+
+    fn tool_number(&self, num: Num, written: &[u8]) -> Outcome<(u32, u8)> {
+        let unclear = |why: &str, help: &str| {
+            let word = readable(written).into_owned();
+            self.fail_help(codes::T2007, num.span, format!("`{word}` {why}"), help)
+        };
+        let digits = written.get(1..).unwrap_or_default();
+        let (whole, fraction) = match digits.iter().position(|b| *b == b'.') {
+            Some(at) => (&digits[..at], &digits[at + 1..]),
+            None => (digits, &[][..]),
+        };
+        let read = |text: &[u8]| std::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
+        let whole_digits = !whole.is_empty() && whole.iter().all(u8::is_ascii_digit);
+        let number =
+            if whole_digits { read(whole) } else { Some(num.value).filter(|n| n.fract() == 0.0).map(|n| n as u32) };
+        let Some(number) = number.filter(|_| (0.0..=99_999.0).contains(&num.value)) else {
+            return unclear("is no tool", "write the position in the turret: T3");
+        };
+        if !whole_digits || whole.len() < 4 {
+            let edge = if whole_digits && !fraction.is_empty() { read(fraction) } else { Some(0) };
+            return match edge.and_then(|edge| u8::try_from(edge).ok()) {
+                Some(edge) => Ok((number, edge)),
+                None => unclear("is no edge of a tool", "write the edge with one digit: T3.1"),
+            };
+        }
+        match (number / 100, number % 100) {
+            (tool, offset) if tool == offset && whole.len() == 4 && fraction.is_empty() => Ok((tool, 0)),
+            _ => unclear(
+                "names a tool and the offset of another, which the target cannot select",
+                "write the tool alone: T3",
+            ),
+        }
+    }
+
+    // What the next cycles use.
+
+    pub(super) fn clearance(&mut self, w: &Words) -> Outcome {
+        self.st.clearance = match w.get(b'P') {
+            Some(num) => Some(self.above_zero(num, "the clearance")?),
+            None => None,
+        };
+        Ok(())
+    }
+
+    pub(super) fn oversize(&mut self, w: &Words, equidistant: bool) -> Outcome {
+        let mm = self.st.mm();
+        let oversize = if equidistant {
+            let num = self.needed(w, b'P', "the oversize", self.block_span())?;
+            Oversize::Equidistant(num.value * mm)
+        } else {
+            let value = |letter| w.value(letter).unwrap_or(0.0) * mm;
+            Oversize::Paraxial { x: value(b'X'), z: value(b'Z') }
+        };
+        self.st.oversize = Some((oversize, self.here.origin.loc));
+        Ok(())
+    }
+}

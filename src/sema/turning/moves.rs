@@ -1,0 +1,351 @@
+//! Path blocks: straight moves, arcs, moves in machine coordinates.
+//!
+//! Source: reference sections 4 and 5.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
+use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Thread};
+use crate::ir::{Feed, Origin, Pos, Side};
+use crate::machine::Axis;
+use crate::text::Span;
+
+use super::chain::{AGREES, Coord, Fault, Partial, Solved};
+use super::coordinates::Transition;
+use super::sections::Family;
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+/// What is known of the block of an element besides its geometry.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tag {
+    feed: Option<Feed>,
+    side: Side,
+    transition: Transition,
+    corner_feed: Option<Feed>,
+    origin: Origin,
+}
+
+impl Run<'_> {
+    /// G0 and G1.
+    #[inline]
+    pub(super) fn straight(&mut self, w: &Words, rapid: bool) -> Outcome {
+        let feed = if rapid { None } else { Some(self.cutting_feed()?) };
+        self.st.side_fresh = false;
+        let (partial, transition) = self.partial(w, None)?;
+        let open = partial.angle.is_some() || partial.z == Coord::Unknown || partial.x == Coord::Unknown;
+        if open || !self.chain.is_empty() {
+            return self.chained(partial, transition, feed, w);
+        }
+        let mut end = Pos::UNKNOWN;
+        self.end_on(Axis::X, partial.x, w, &mut end)?;
+        self.end_on(Axis::Z, partial.z, w, &mut end)?;
+        if end.known().is_empty() {
+            return self.fail(codes::T1005, self.block_span(), "the block names no end point");
+        }
+        let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
+        // A corner needs the direction of its first element, so its start.
+        let from = if corner { Some(self.stand()?) } else { self.st.at() };
+        let path = if rapid { Path::Rapid } else { Path::Line };
+        let (side, coords) = (self.st.side, Coords::Frame);
+        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords });
+        self.st.pos.update(&end);
+        self.st.moved = true;
+        let to = self.st.at();
+        self.st.lost &= to.is_none();
+        match (from, to) {
+            (Some(from), Some(to)) => self.follow(Solved { from, to, arc: None }, transition),
+            _ => self.st.last = None,
+        }
+        if corner {
+            let corner_feed = self.corner_feed(w)?;
+            let origin = self.here.origin;
+            self.send_corner(transition, corner_feed, &origin);
+        } else if w.has(b'E') {
+            return self.stray_e(w);
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn end_on(&mut self, axis: Axis, coord: Coord, w: &Words, end: &mut Pos) -> Outcome {
+        match coord {
+            Coord::At(v) => end.set(axis, v),
+            Coord::By(d) => {
+                let from = self.position_of(axis, w.span(axis.letter() as u8, self.block_span()))?;
+                end.set(axis, from + d);
+            }
+            Coord::Missing | Coord::Unknown => {}
+        }
+        Ok(())
+    }
+
+    /// Where the tool stands on an axis.
+    pub(super) fn position_of(&self, axis: Axis, span: Span) -> Outcome<f64> {
+        match self.st.pos.get(axis) {
+            Some(v) => Ok(v),
+            None if self.st.lost => Err(Reported),
+            None => self.fail_help(
+                codes::T2002,
+                span,
+                format!("it is not known where the tool stands in {}", axis.letter()),
+                format!("program {} once as an absolute value after the tool change", axis.letter()),
+            ),
+        }
+    }
+
+    /// Where the tool stands, as (Z, X).
+    pub(super) fn stand(&self) -> Outcome<Point2> {
+        let span = self.block_span();
+        let z = self.position_of(Axis::Z, span)?;
+        let x = self.position_of(Axis::X, span)?;
+        Ok(Point2::new(z, x))
+    }
+
+    /// G2, G3, G12, G13.
+    pub(super) fn arc(&mut self, w: &Words, ccw: bool, absolute: bool) -> Outcome {
+        if self.st.side_fresh {
+            return self.fail_help(
+                codes::T2021,
+                self.block_span(),
+                "nose radius compensation begins or ends on an arc",
+                "program a straight move with G40, G41 or G42, or behind it",
+            );
+        }
+        let feed = Some(self.cutting_feed()?);
+        let (partial, transition) = self.partial(w, Some((ccw, absolute)))?;
+        self.chained(partial, transition, feed, w)
+    }
+
+    /// An element that may need the next one.
+    fn chained(&mut self, partial: Partial, transition: Transition, feed: Option<Feed>, w: &Words) -> Outcome {
+        self.stand()?;
+        let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
+        if w.has(b'E') && !corner {
+            return self.stray_e(w);
+        }
+        let corner_feed = if corner { self.corner_feed(w)? } else { None };
+        let tag = Tag { feed, side: self.st.side, transition, corner_feed, origin: self.here.origin };
+        self.chain.push(partial, tag);
+        self.drain_chain(false)
+    }
+
+    fn stray_e(&self, w: &Words) -> Outcome {
+        self.fail_help(
+            codes::T1003,
+            w.span(b'E', self.block_span()),
+            "E is the feed of a chamfer or rounding, and the block has none",
+            "program B with the radius or the width, or leave out E",
+        )
+    }
+
+    /// Sends the elements that can be completed by now.
+    fn drain_chain(&mut self, closed: bool) -> Outcome {
+        while !self.chain.is_empty() {
+            let at = self.stand()?;
+            let dir = self.direction();
+            match self.chain.next(at, dir, closed) {
+                Ok(Some((solved, tag))) => self.send_solved(solved, &tag),
+                Ok(None) => return Ok(()),
+                Err((fault, tag)) => {
+                    self.chain.clear();
+                    self.report(fault_of(fault, &tag.origin));
+                    self.lose_all();
+                    return Err(Reported);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Something other than a path element follows: what waits has to be complete.
+    #[inline]
+    pub(super) fn settle_chain(&mut self) -> Outcome {
+        if self.chain.is_empty() { Ok(()) } else { self.drain_chain(true) }
+    }
+
+    /// The direction in which a tangential element goes on.
+    fn direction(&self) -> Option<Vec2> {
+        if self.st.cornered { None } else { self.st.last.and_then(|last| last.end_direction()) }
+    }
+
+    #[inline]
+    fn follow(&mut self, solved: Solved, transition: Transition) {
+        if solved.arc.is_some() || distance(solved.from, solved.to) > SAME_POINT {
+            self.st.last = Some(solved);
+        }
+        self.st.cornered = transition != Transition::Open;
+    }
+
+    fn send_solved(&mut self, solved: Solved, tag: &Tag) {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(Plane::Zx, solved.to);
+        let path = match (solved.arc, tag.feed) {
+            (None, None) => Path::Rapid,
+            (None, Some(_)) => Path::Line,
+            (Some((center, ccw)), _) => {
+                Path::Arc(Arc { plane: Plane::Zx, shape: ArcShape::Center { center, ccw, tol: AGREES }, turns: 0 })
+            }
+        };
+        let mv = Move { end: EndPoint::Cartesian(end), path, feed: tag.feed, side: tag.side, coords: Coords::Frame };
+        self.out.movement(&mv, &self.st.ctx, &tag.origin);
+        self.st.stands(solved.to);
+        self.st.lost = false;
+        self.st.moved = true;
+        self.follow(solved, tag.transition);
+        self.send_corner(tag.transition, tag.corner_feed, &tag.origin);
+    }
+
+    fn send_corner(&mut self, transition: Transition, feed: Option<Feed>, origin: &Origin) {
+        let shape = match transition {
+            Transition::Open | Transition::Sharp => return,
+            Transition::Rounding(radius) => CornerShape::Rounding { radius },
+            Transition::Chamfer(side) => CornerShape::Chamfer { side },
+        };
+        self.out.corner(&Corner { shape, feed, early: false, modal: false }, &self.st.ctx, origin);
+    }
+
+    /// E: feed of a chamfer or rounding on the 4110, its share of the feed on later controls.
+    fn corner_feed(&mut self, w: &Words) -> Outcome<Option<Feed>> {
+        let feed = self.cutting_feed()?;
+        let Some(num) = w.get(b'E') else { return Ok(Some(feed)) };
+        if num.value <= 0.0 {
+            return self.fail(codes::T1007, num.span, "E has to be above zero");
+        }
+        if self.sections.family() == Family::Basic {
+            let unit = self.st.mm();
+            return Ok(Some(feed.with_value(num.value * unit)));
+        }
+        if num.value > 1.0 {
+            return self.fail_help(
+                codes::T1007,
+                num.span,
+                format!("E{} is no share of the feed", num.value),
+                "on this control E is a factor above 0 and up to 1",
+            );
+        }
+        Ok(Some(feed.with_value(feed.value() * num.value)))
+    }
+
+    /// G33: one thread cut, from where the tool stands.
+    pub(super) fn single_thread(&mut self, w: &Words) -> Outcome {
+        for (letter, what) in [(b'C', "start angle of a thread"), (b'E', "variable pitch")] {
+            if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
+                return self.fail(codes::T9007, num.span, format!("the target cannot cut a {what}"));
+            }
+        }
+        let from = self.stand()?;
+        let span = self.block_span();
+        let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
+        let lead = self.above_zero(pitch, "the pitch of the thread")?;
+        let (x, z) = (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z));
+        let mut end = Pos::UNKNOWN;
+        self.end_on(Axis::X, x, w, &mut end)?;
+        self.end_on(Axis::Z, z, w, &mut end)?;
+        let to = Point2::new(end.get(Axis::Z).unwrap_or(from.x), end.get(Axis::X).unwrap_or(from.y));
+        if x == Coord::Unknown || z == Coord::Unknown || distance(from, to) <= SAME_POINT {
+            return self.fail(codes::T1005, span, "a thread needs an end point");
+        }
+        // The pitch counts along the axis that moves most, so the target and the control agree on it.
+        let way = to - from;
+        let along = match self.choice(w, b'H', 0, 3)? {
+            0 if way.y.abs() <= way.x.abs() + AGREES => Some(Axis::Z),
+            1 if way.x.abs() <= way.y.abs() + AGREES => Some(Axis::X),
+            3 => None,
+            2 => return self.fail(codes::T1007, w.span(b'H', span), "H is 0 for Z, 1 for X, or 3 for along the path"),
+            _ => {
+                return self.fail_help(
+                    codes::T1007,
+                    w.span(b'H', span),
+                    "the thread leans more than 45 degrees out of the axis of its pitch",
+                    "program H0 for a pitch along Z, H1 for one along X",
+                );
+            }
+        };
+        end.set_in_plane(Plane::Zx, to);
+        let (side, coords) = (self.st.side, Coords::Frame);
+        let path = Path::Thread(Thread { lead, along });
+        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed: None, side, coords });
+        self.st.stands(to);
+        self.st.moved = true;
+        self.follow(Solved { from, to, arc: None }, Transition::Sharp);
+        Ok(())
+    }
+
+    /// G701: rapid traverse in machine coordinates.
+    pub(super) fn machine_rapid(&mut self, w: &Words) -> Outcome {
+        let mut end = Pos::UNKNOWN;
+        for axis in [Axis::X, Axis::Z] {
+            match self.coord(w.get(axis.letter() as u8), axis) {
+                Coord::At(v) => end.set(axis, v),
+                Coord::Missing => {}
+                Coord::By(_) | Coord::Unknown => {
+                    let span = w.span(axis.letter() as u8, self.block_span());
+                    return self.fail(codes::T1007, span, "G701 takes absolute machine coordinates");
+                }
+            }
+        }
+        if end.known().is_empty() {
+            return self.fail(codes::T1005, self.block_span(), "the block names no end point");
+        }
+        self.machine_move(end);
+        Ok(())
+    }
+
+    /// A rapid move in machine coordinates: afterwards the workpiece position of its axes is not known.
+    fn machine_move(&mut self, end: Pos) {
+        let (side, coords) = (self.st.side, Coords::Machine);
+        self.movement(&Move { end: EndPoint::Cartesian(end), path: Path::Rapid, feed: None, side, coords });
+        for axis in end.known().iter() {
+            self.st.pos.forget(axis);
+        }
+        self.st.last = None;
+        self.st.moved = true;
+    }
+
+    /// G14: to the tool change point, which only the machine knows.
+    pub(super) fn change_point(&mut self, w: &Words) -> Outcome {
+        let order = self.choice(w, b'Q', 0, 4)?;
+        if let Some(num) = w.get(b'D').filter(|num| num.value != 0.0) {
+            return self.fail(codes::T2006, num.span, "only the first tool change point is known");
+        }
+        let Some((x, z)) = self.job.settings.control.turning.change_point else {
+            return self.fail_help(
+                codes::T2006,
+                self.block_span(),
+                "where the tool change point lies only the machine knows",
+                "set its machine coordinates in partc.toml: `[control] tool_change_point = { X = 300.0, Z = 400.0 }`",
+            );
+        };
+        let on = |axes: &[(Axis, f64)]| {
+            let mut end = Pos::UNKNOWN;
+            for (axis, v) in axes {
+                end.set(*axis, *v);
+            }
+            end
+        };
+        let (x, z) = ((Axis::X, x / 2.0), (Axis::Z, z));
+        let steps: &[Pos] = match order {
+            0 => &[on(&[x, z])],
+            1 => &[on(&[x]), on(&[z])],
+            2 => &[on(&[z]), on(&[x])],
+            3 => &[on(&[x])],
+            _ => &[on(&[z])],
+        };
+        for step in steps {
+            self.machine_move(*step);
+        }
+        Ok(())
+    }
+}
+
+/// The finding for an element that cannot be completed.
+pub(super) fn fault_of(fault: Fault, origin: &Origin) -> Diagnostic {
+    let (code, why, help) = match fault {
+        Fault::Open(why) => (codes::T3001, why, "give its end point, its angle or its centre"),
+        Fault::Impossible(why) => {
+            (codes::T3002, why, "check the end points, angles and radii of this and the next block")
+        }
+        Fault::Contradiction(why) => (codes::T3006, why, "leave out one of the values, or correct it"),
+    };
+    Diagnostic::new(code, origin.loc, format!("the element is not determined: {why}")).help(help).called(origin.call)
+}

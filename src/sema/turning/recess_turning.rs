@@ -1,0 +1,190 @@
+//! G869, recess turning along a contour: its parameters and their defaults.
+//!
+//! Source: reference section 8.8, worked example 6.
+
+use crate::diag::codes;
+use crate::geo::Element;
+use crate::ir::Feed;
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTool, RecessTurning};
+use crate::ir::cycle::turning::Towards;
+use crate::machine::Tool;
+use crate::machine::tools::Corner;
+
+use super::contour::Outline;
+use super::geometry::Blank;
+use super::words::Words;
+use super::{Outcome, Run};
+
+/// Clearance where neither G47 nor the configuration sets one, in mm.
+const CLEARANCE: f64 = 1.0;
+
+impl Run<'_> {
+    pub(super) fn recess_turning(&mut self, w: &Words, outline: Option<&Outline>) -> Outcome {
+        let at = self.stand()?;
+        let span = self.block_span();
+        self.refuse_limits(w)?;
+        let most = self.needed(w, b'P', "the greatest infeed", span)?;
+        let most = self.above_zero(most, "the greatest infeed")?;
+        let (tool, radial) = self.recess_tool()?;
+        let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let into = direction(&contour, radial);
+        let clearance = self.cycle_clearance();
+        let turn = self.cutting_feed()?;
+        let recess = RecessTurning {
+            blank: self.blank_height(w, into, &contour, into.depth_coordinate(at), clearance)?,
+            contour,
+            into,
+            tool,
+            most,
+            oversize: self.contour_oversize(w)?,
+            offset_width: self.length(w, "B")?,
+            compensation: if w.long("RB").is_some() { self.length(w, "RB")? } else { self.length(w, "R")? },
+            passes: if self.choice(w, b'U', 0, 1)? == 1 { Passes::OneWay } else { Passes::BothWays },
+            operation: match self.choice(w, b'Q', 0, 2)? {
+                0 => Operation::RoughAndFinish,
+                1 => Operation::Rough,
+                _ => Operation::Finish,
+            },
+            clearance,
+            feeds: RecessFeeds { plunge: self.own_feed(w, b'O', turn)?, turn, finish: self.own_feed(w, b'E', turn)? },
+            end: match self.choice(w, b'H', 0, 2)? {
+                0 => RecessEnd::Start,
+                1 => RecessEnd::Front,
+                _ => RecessEnd::Lift,
+            },
+        };
+        self.send_cycle(&Cycle::RecessTurning(recess));
+        self.st.oversize = None;
+        Ok(())
+    }
+
+    /// Words whose effect on the path no text at hand describes.
+    fn refuse_limits(&self, w: &Words) -> Outcome {
+        for letter in [b'X', b'Z', b'A', b'W'] {
+            if let Some(num) = w.get(letter) {
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    format!("{} of G869 (cutting limit, approach or departure angle) is not supported", letter as char),
+                    "leave it out, and end the contour where the recess ends",
+                );
+            }
+        }
+        if let Some(num) = w.get(b'V').filter(|num| num.value != 0.0) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "V of G869 leaves out chamfers at the ends of the contour, which is not supported",
+                "leave V out, and write the contour without the chamfers",
+            );
+        }
+        match w.long("RI").or(w.long("RK")) {
+            Some(num) => self.fail_help(
+                codes::T9007,
+                num.span,
+                "whether RI counts as a diameter no manual at hand says",
+                "program the corner of the blank with XA and ZA",
+            ),
+            None => Ok(()),
+        }
+    }
+
+    /// A length that is not negative, 0 where it is missing.
+    fn length(&self, w: &Words, name: &str) -> Outcome<f64> {
+        let num = match name.as_bytes() {
+            [letter] => w.get(*letter),
+            _ => w.long(name),
+        };
+        match num {
+            None => Ok(0.0),
+            Some(num) if num.value >= 0.0 => Ok(num.value * self.st.mm()),
+            Some(num) => self.fail(codes::T1007, num.span, format!("{name} is not negative")),
+        }
+    }
+
+    /// A feed of the cycle in the mode in force.
+    fn own_feed(&self, w: &Words, letter: u8, active: Feed) -> Outcome<Feed> {
+        let Some(num) = w.get(letter) else { return Ok(active) };
+        Ok(active.with_value(self.above_zero(num, "a feed")?))
+    }
+
+    pub(super) fn cycle_clearance(&self) -> f64 {
+        self.st.clearance.or(self.job.settings.control.turning.clearance).unwrap_or(CLEARANCE)
+    }
+
+    /// The tool in the cutting position as a recessing tool, and whether it cuts radially.
+    fn recess_tool(&self) -> Outcome<(RecessTool, bool)> {
+        let span = self.block_span();
+        let Some(active) = &self.st.tool else {
+            return self.fail_help(
+                codes::T2024,
+                span,
+                "no tool is in the cutting position",
+                "program T in front of the cycle",
+            );
+        };
+        let tools = &self.job.settings.tools;
+        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
+        let known: Option<&Tool> = tools.by_number(active.number, active.edge).or_else(by_name);
+        let radial = match known.and_then(|tool| tool.kind.as_deref()) {
+            Some("recess-radial") => Some(true),
+            Some("recess-axial") => Some(false),
+            _ => None,
+        };
+        let data = known.and_then(|tool| Some((tool.width?, tool.radius?, tool.reference)));
+        let (Some(radial), Some((width, nose, reference))) = (radial, data) else {
+            let number = active.number;
+            return self.fail_help(
+                codes::T2024,
+                span,
+                format!("kind, width or nose radius of the recessing tool {number} is not known"),
+                format!(
+                    "add `[tools.{number}]` with `kind = \"recess-radial\"` or `\"recess-axial\"`, `width` and `radius` to partc.toml"
+                ),
+            );
+        };
+        let edge = match reference {
+            Corner::Minus => 0.0,
+            Corner::Plus => -width,
+            Corner::Middle => -width / 2.0,
+        };
+        Ok((RecessTool { width, nose, edge }, radial))
+    }
+
+    /// How high the blank stands: XA or ZA, the bar of the section BLANK, or up to the clearance below the tool.
+    fn blank_height(&self, w: &Words, into: Towards, contour: &[Element], tool: f64, clearance: f64) -> Outcome<f64> {
+        let mm = self.st.mm();
+        let out = -(into.unit().x + into.unit().y);
+        let ends = contour.iter().flat_map(|element| [element.from(), element.to()]);
+        let rim = ends.map(|p| into.depth_coordinate(p) * out).fold(f64::NEG_INFINITY, f64::max);
+        let corner = match into.is_radial() {
+            true => w.long("XA").map(|num| num.value * mm / 2.0),
+            false => w.long("ZA").map(|num| num.value * mm),
+        };
+        let stock = match (self.geometry.blank, into) {
+            (Some(Blank::Bar { radius, .. }), Towards::MinusX) => Some(radius),
+            (Some(Blank::Bar { bore, .. }), Towards::PlusX) if bore > 0.0 => Some(bore),
+            (Some(Blank::Bar { right, .. }), Towards::MinusZ) => Some(right),
+            _ => None,
+        };
+        let height = corner.or(stock).map_or(tool * out - clearance, |height| height * out);
+        Ok(height.max(rim) * out)
+    }
+}
+
+/// Into the material: from the rim of the contour to its floor.
+fn direction(contour: &[Element], radial: bool) -> Towards {
+    let height = |element: &Element| {
+        let (from, to) = (element.from(), element.to());
+        if radial { from.y + to.y } else { from.x + to.x }
+    };
+    let rim = contour.first().map_or(0.0, |first| if radial { 2.0 * first.from().y } else { 2.0 * first.from().x });
+    let sum: f64 = contour.iter().map(|element| height(element) - rim).sum();
+    match (radial, sum > 0.0) {
+        (true, false) => Towards::MinusX,
+        (true, true) => Towards::PlusX,
+        (false, false) => Towards::MinusZ,
+        (false, true) => Towards::PlusZ,
+    }
+}

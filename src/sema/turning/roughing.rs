@@ -1,0 +1,222 @@
+//! Roughing in parallel cuts: G81 and G82, G817 to G829 with the contour behind them, G810 and G820 along a contour.
+//!
+//! Source: reference sections 7, 8.1 and 8.2, worked examples 8, 12 and 13.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::cycle::roughing::{Falling, RoughingEnd, Smoothing};
+use crate::ir::cycle::turning::Towards;
+use crate::ir::cycle::{Cycle, Roughing};
+use crate::machine::Axis;
+
+use super::chain::Coord;
+use super::contour::Outline;
+use super::geometry::Blank;
+use super::state::Oversize;
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// G81 along Z, G82 along X: a rectangle between the tool and a corner.
+    pub(super) fn rectangle(&mut self, w: &Words, along_z: bool) -> Outcome {
+        let at = self.stand()?;
+        let span = self.block_span();
+        let corner = self.corner_of(w, at)?;
+        let (infeed, offset) = if along_z { (b'I', b'K') } else { (b'K', b'I') };
+        if let Some(num) = w.get(offset).filter(|num| num.value != 0.0) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                format!("to which side {} makes the end oblique is shown in a picture only", offset as char),
+                "rough along a contour with G817 or G827",
+            );
+        }
+        let num = self.needed(w, infeed, "the greatest infeed", span)?;
+        let most = num.value.abs() * self.st.mm();
+        if most == 0.0 {
+            return self.fail(codes::T1007, num.span, "the greatest infeed is not zero");
+        }
+        let into = match along_z {
+            true if corner.y < at.y => Towards::MinusX,
+            true => Towards::PlusX,
+            false if corner.x < at.x => Towards::MinusZ,
+            false => Towards::PlusZ,
+        };
+        let feed = self.cutting_feed()?;
+        let entry = if self.choice(w, b'Q', 0, 1)? == 1 { Some(feed) } else { None };
+        let back = self.choice(w, b'V', 0, 1)? == 1;
+        let roughing = Roughing {
+            oversize: self.rectangle_oversize(into)?,
+            entry,
+            end: if back { RoughingEnd::Start } else { RoughingEnd::Beside },
+            ..Roughing::rectangle(at, corner, into, most, 0.0, feed)
+        };
+        self.send_cycle(&Cycle::Roughing(roughing));
+        Ok(())
+    }
+
+    fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
+        let ordinate = |coord: Coord, from: f64| match coord {
+            Coord::At(v) => Some(v),
+            Coord::By(d) => Some(from + d),
+            Coord::Missing | Coord::Unknown => None,
+        };
+        let x = ordinate(self.coord(w.get(b'X'), Axis::X), at.y);
+        let z = ordinate(self.coord(w.get(b'Z'), Axis::Z), at.x);
+        match (x, z) {
+            (Some(x), Some(z)) => Ok(Point2::new(z, x)),
+            _ => self.fail(codes::T1005, self.block_span(), "the cycle needs X and Z of the corner that stays"),
+        }
+    }
+
+    /// G57 holds for G81 and G82 and stays in force; G58 does not belong to them.
+    fn rectangle_oversize(&self, into: Towards) -> Outcome<Vec2> {
+        match self.st.oversize {
+            None => Ok(Vec2::zeros()),
+            // Inside, X of G57 is entered with a minus sign.
+            Some((Oversize::Paraxial { x, z }, _)) if into == Towards::PlusX && x <= 0.0 && z >= 0.0 => {
+                Ok(Vec2::new(z, -x / 2.0))
+            }
+            Some((Oversize::Paraxial { x, z }, _)) if into != Towards::PlusX && x >= 0.0 && z >= 0.0 => {
+                Ok(Vec2::new(z, x / 2.0))
+            }
+            Some((_, loc)) => self.oversize_refused(loc, "this oversize does not fit the cycle behind it"),
+        }
+    }
+
+    fn oversize_refused<T>(&self, loc: crate::text::Loc, message: &str) -> Outcome<T> {
+        let found = Diagnostic::new(codes::T9007, loc, message);
+        self.report(
+            found.also(self.here.origin.loc, "the cycle").help("program I and K in the cycle, or G50 before it"),
+        );
+        Err(Reported)
+    }
+
+    /// G817 to G829, G810, G820: along a contour. `along_z`: the cuts run along Z.
+    pub(super) fn contour_roughing(&mut self, w: &Words, outline: Option<&Outline>, number: u16) -> Outcome {
+        let at = self.stand()?;
+        let span = self.block_span();
+        let along_z = number / 10 == 81;
+        for letter in [b'X', b'Z', b'A', b'W', b'D'] {
+            if let Some(num) = w.get(letter) {
+                let message = format!("{} of G{number} is not supported", letter as char);
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    message,
+                    "leave it out, and end the contour where the cuts shall end",
+                );
+            }
+        }
+        if let Some(num) = [w.get(b'V'), w.get(b'Q')].into_iter().flatten().find(|num| num.value != 0.0) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "only the value 0 of this word is supported",
+                "leave it out",
+            );
+        }
+        if let Some(num) = w.long("XA").or(w.long("ZA")) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "the corner of the blank is taken from the tool",
+                "leave it out, and position the tool at the corner",
+            );
+        }
+        let most = self.needed(w, b'P', "the greatest infeed", span)?;
+        let most = self.above_zero(most, "the greatest infeed")?;
+        let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let into = towards(&contour, at, along_z);
+        self.check_side(&contour, at, into, number)?;
+        let plunges = matches!(number, 819 | 829);
+        let idle = w.get(b'E').is_some_and(|num| num.value == 0.0);
+        if let Some(num) = w.get(b'E').filter(|num| num.value != 0.0) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "plunging behind a part that stands higher is not supported",
+                "program E0, or use a recess cycle",
+            );
+        }
+        let beside = matches!(number, 817 | 827);
+        let feed = self.cutting_feed()?;
+        let corner = if into.is_radial() { Point2::new(at.x - 1.0, at.y) } else { Point2::new(at.x, at.y - 1.0) };
+        let roughing = Roughing {
+            contour,
+            blank: into.depth_coordinate(at),
+            oversize: self.contour_oversize(w)?,
+            smoothing: match self.choice(w, b'H', 1, 2)? {
+                0 => Smoothing::EachCut,
+                1 => Smoothing::LastCut,
+                _ => Smoothing::Never,
+            },
+            falling: if plunges && !idle { Falling::Refused } else { Falling::Bridged },
+            lift: self.cycle_clearance(),
+            end: if beside { RoughingEnd::Beside } else { RoughingEnd::Start },
+            ..Roughing::rectangle(at, corner, into, most, 0.0, feed)
+        };
+        self.send_cycle(&Cycle::Roughing(roughing));
+        self.st.oversize = None;
+        Ok(())
+    }
+
+    /// From the tool the contour has to rise; a tool on the wrong side would cut into the finished part.
+    fn check_side(&self, contour: &[Element], at: Point2, into: Towards, number: u16) -> Outcome {
+        let bored = match self.geometry.blank {
+            Some(Blank::Bar { bore, .. }) => bore > 0.0,
+            Some(Blank::Casting { bore, .. }) => bore,
+            None => false,
+        };
+        let inside = into == Towards::PlusX;
+        let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return Ok(()) };
+        let (a, b) = (first.from(), last.to());
+        let along = |p: Point2| if into.is_radial() { (p.x - at.x).abs() } else { (p.y - at.y).abs() };
+        let (near, far) = if along(a) <= along(b) { (a, b) } else { (b, a) };
+        let out = -(into.unit().x + into.unit().y);
+        let falls = (into.depth_coordinate(far) - into.depth_coordinate(near)) * out < -1e-6;
+        if falls || (inside && !bored && matches!(number, 810 | 820)) {
+            return self.fail_help(
+                codes::T2025,
+                self.block_span(),
+                "the tool does not stand outside of the contour on the side from which it is roughed",
+                "position the tool at the corner of the blank, beyond the highest point of the contour; a bore is given with I of G20",
+            );
+        }
+        Ok(())
+    }
+
+    /// I and K of the cycle, else G57.
+    pub(super) fn contour_oversize(&self, w: &Words) -> Outcome<Vec2> {
+        let mm = self.st.mm();
+        let length = |letter: u8| match w.get(letter) {
+            Some(num) if num.value < 0.0 => self.fail(codes::T1007, num.span, "an oversize is not negative"),
+            num => Ok(num.map_or(0.0, |num| num.value * mm)),
+        };
+        if w.has(b'I') || w.has(b'K') {
+            return Ok(Vec2::new(length(b'K')?, length(b'I')? / 2.0));
+        }
+        match self.st.oversize {
+            None => Ok(Vec2::zeros()),
+            Some((Oversize::Paraxial { x, z }, _)) if x >= 0.0 && z >= 0.0 => Ok(Vec2::new(z, x / 2.0)),
+            Some((_, loc)) => self.oversize_refused(loc, "an equidistant or negative oversize is not supported here"),
+        }
+    }
+}
+
+/// Into the material: from the tool to the contour.
+fn towards(contour: &[Element], at: Point2, along_z: bool) -> Towards {
+    let points = contour.iter().flat_map(|element| [element.from(), element.to()]);
+    let (mut below, mut above) = (0.0_f64, 0.0_f64);
+    for p in points {
+        let off = if along_z { p.y - at.y } else { p.x - at.x };
+        below = below.max(-off);
+        above = above.max(off);
+    }
+    match (along_z, above > below) {
+        (true, false) => Towards::MinusX,
+        (true, true) => Towards::PlusX,
+        (false, false) => Towards::MinusZ,
+        (false, true) => Towards::PlusZ,
+    }
+}

@@ -1,0 +1,397 @@
+//! Sections of a program, header lines, units; which control a program was written for.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Function;
+use crate::machine::{Settings, Unit};
+use crate::parser::turning::ast::{Block, Section, Stmt, Value};
+use crate::parser::turning::parse_block;
+use crate::text::{Loc, Next, Span, decode::readable};
+
+use super::subprograms::LevelKind;
+use super::words::{Words, letters};
+use super::{Outcome, Reported, Run};
+
+/// The two families of controls, which read the same words differently.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Family {
+    /// MANUALplus 4110: no sections.
+    Basic,
+    /// CNC PILOT and MANUALplus 620: DIN PLUS and smart.Turn.
+    DinPlus,
+}
+
+/// What the blocks are read as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// No section yet: blocks are executed.
+    Start,
+    Head,
+    Turret,
+    /// Belongs to something that turning does not need.
+    Unread,
+    Names,
+    Contour,
+    Machining,
+    /// Behind RETURN: a section has to follow.
+    Between,
+}
+
+/// The sections met so far.
+#[derive(Debug)]
+pub(super) struct Sections {
+    configured: Option<Family>,
+    family: Option<Family>,
+    pub part: Part,
+    /// Position, edge and name of the tools of the turret.
+    tools: Vec<(u32, u8, String)>,
+    unit_said: bool,
+    unit_open: bool,
+    /// The file has a name line or sections, so it has to have an end.
+    framed: bool,
+    /// The section of a subprogram is being passed.
+    passing: bool,
+}
+
+impl Sections {
+    pub fn new(settings: &Settings) -> Sections {
+        let configured = match settings.control.heidenhain_turning.as_str() {
+            "manualplus4110" => Some(Family::Basic),
+            "" => None,
+            _ => Some(Family::DinPlus),
+        };
+        Sections {
+            configured,
+            family: configured,
+            part: Part::Start,
+            tools: Vec::new(),
+            unit_said: false,
+            unit_open: false,
+            framed: false,
+            passing: false,
+        }
+    }
+
+    /// The family; a program without sections is one of the 4110.
+    #[inline]
+    pub fn family(&self) -> Family {
+        self.family.unwrap_or(Family::Basic)
+    }
+
+    /// A block runs: from now on the family does not change.
+    #[inline]
+    pub fn settle_family(&mut self) {
+        if self.family.is_none() {
+            self.family = Some(Family::Basic);
+        }
+    }
+
+    #[inline]
+    pub fn is_unread(&self) -> bool {
+        self.part == Part::Unread
+    }
+
+    pub fn tool_name(&self, number: u32, edge: u8) -> Option<String> {
+        self.tools.iter().find(|tool| (tool.0, tool.1) == (number, edge)).map(|tool| tool.2.clone())
+    }
+}
+
+impl Run<'_> {
+    /// `%name.nc`
+    pub(super) fn program_line(&mut self) -> Outcome {
+        if self.level().begun {
+            return self.fail_help(
+                codes::T1008,
+                self.block_span(),
+                "a program name stands in the middle of the program",
+                "one file holds one program: put the second one into a file of its own",
+            );
+        }
+        self.level().begun = true;
+        self.sections.framed = true;
+        Ok(())
+    }
+
+    /// A section or header line of DIN PLUS.
+    fn enter_din_plus(&mut self) -> Outcome {
+        self.sections.framed = true;
+        match (self.sections.configured, self.sections.family) {
+            (Some(Family::Basic), _) => {
+                // Once is enough; what follows is read as what it is.
+                self.sections.configured = Some(Family::DinPlus);
+                self.sections.family = Some(Family::DinPlus);
+                self.fail_help(
+                    codes::T2017,
+                    self.block_span(),
+                    "programs of the MANUALplus 4110 have no sections",
+                    "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs",
+                )
+            }
+            (None, Some(Family::Basic)) => self.fail_help(
+                codes::T1008,
+                self.block_span(),
+                "a section begins behind blocks that ran already",
+                "put the blocks into the section MACHINING",
+            ),
+            _ => {
+                self.sections.family = Some(Family::DinPlus);
+                Ok(())
+            }
+        }
+    }
+
+    /// `#UNIT METRIC`
+    pub(super) fn head_line(&mut self, key: &[u8], value: &[u8], span: Span) -> Outcome {
+        self.enter_din_plus()?;
+        if !matches!(self.sections.part, Part::Start | Part::Head) {
+            return self.fail(codes::T1008, self.block_span(), "header lines stand in the section HEADER");
+        }
+        let key = key.to_ascii_uppercase();
+        let value = readable(value).trim().to_ascii_uppercase();
+        match key.as_slice() {
+            b"UNIT" | b"EINHEIT" => self.unit_line(&value, span),
+            b"SLIDE" | b"SCHLITTEN" => {
+                if value.split(|c: char| !c.is_alphanumeric() && c != '$').any(|slide| slide == "$1" || slide == "1") {
+                    return Ok(());
+                }
+                self.fail_help(
+                    codes::T2022,
+                    span,
+                    format!("the program is for slide {value}, not for slide $1"),
+                    "only programs of the first slide are compiled",
+                )
+            }
+            // Free text.
+            _ => Ok(()),
+        }
+    }
+
+    fn unit_line(&mut self, value: &str, span: Span) -> Outcome {
+        self.sections.unit_said = true;
+        let unit = match value.trim_start_matches('/') {
+            "METRIC" | "METRISCH" | "MM" => Unit::Mm,
+            "INCH" | "ZOLL" => Unit::Inch,
+            _ => {
+                return self.fail_help(
+                    codes::T1014,
+                    span,
+                    format!("`{value}` is no unit"),
+                    "write `#UNIT METRIC` or `#UNIT INCH`",
+                );
+            }
+        };
+        self.st.unit = unit;
+        Ok(())
+    }
+
+    pub(super) fn section(&mut self, section: Section, rest: Span, text: &[u8]) -> Outcome {
+        self.settle_chain()?;
+        match section {
+            Section::Return => return self.return_section(),
+            Section::End if self.sections.passing => {
+                return self.fail(codes::T1008, self.block_span(), "a subprogram ends with RETURN, not with END");
+            }
+            Section::End => return self.end_of_job(false),
+            _ => {}
+        }
+        if self.levels.len() > 1 {
+            return self.fail(codes::T1008, self.block_span(), "a section begins inside a subprogram");
+        }
+        self.enter_din_plus()?;
+        if let Some(nest) = self.level().nests.last() {
+            let loc = nest.loc;
+            self.report(
+                Diagnostic::new(codes::T1009, loc, "this is not closed when the next section begins")
+                    .also(self.here.origin.loc, "the section"),
+            );
+            self.level().nests.clear();
+        }
+        self.level().begun = true;
+        self.finish_contour();
+        self.sections.part = match section {
+            Section::Head => Part::Head,
+            Section::Turret => Part::Turret,
+            Section::Clamping | Section::AuxiliaryBlank | Section::Milling => Part::Unread,
+            Section::Contours => self.contours(rest, text)?,
+            Section::Blank | Section::Finished | Section::AuxiliaryContour => {
+                self.begin_contour();
+                Part::Contour
+            }
+            Section::Machining => Part::Machining,
+            Section::Assignment => {
+                self.assignment(rest, text)?;
+                Part::Machining
+            }
+            Section::Names => Part::Names,
+            Section::Subprogram => {
+                self.sections.passing = true;
+                Part::Unread
+            }
+            Section::Return | Section::End => self.sections.part,
+        };
+        Ok(())
+    }
+
+    /// `CONTOUR Q1 X0 Z0`: one part at the workpiece zero is what every program means.
+    fn contours(&mut self, rest: Span, text: &[u8]) -> Outcome<Part> {
+        let mut block = Block::default();
+        parse_block(rest.of(text), &mut block, &mut self.problems);
+        let plain = block.words.iter().all(|word| match (word.address.addr.letter(), word.value) {
+            (Some(b'Q'), Value::Number { value, .. }) => value == 1.0,
+            (Some(b'X' | b'Z'), Value::Number { value, .. }) => value == 0.0,
+            _ => false,
+        });
+        if !self.problems.is_empty() || !plain {
+            self.problems.clear();
+            return self.fail_help(
+                codes::T9002,
+                self.block_span(),
+                "several contours on one bar are not supported",
+                "compile a program with one part at the workpiece zero",
+            );
+        }
+        Ok(Part::Between)
+    }
+
+    fn assignment(&mut self, rest: Span, text: &[u8]) -> Outcome {
+        let rest = rest.of(text).trim_ascii();
+        if rest == b"$1" {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::T2022,
+            self.block_span(),
+            "these blocks are for other slides than $1",
+            "only programs of the first slide are compiled",
+        )
+    }
+
+    /// `$1` in front of blocks.
+    pub(super) fn slide(&mut self, number: u32) -> Outcome {
+        if number == 1 {
+            return Ok(());
+        }
+        self.lose_all();
+        self.fail(codes::T2022, self.block_span(), format!("the block is for slide ${number}"))
+    }
+
+    /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full.
+    pub(super) fn unit(&mut self, opens: bool) -> Outcome {
+        self.settle_chain()?;
+        if self.sections.unit_open == opens {
+            let message = if opens { "a unit begins inside another one" } else { "a unit ends that did not begin" };
+            self.report(
+                Diagnostic::new(codes::T1012, self.here.origin.loc, message)
+                    .help("the file may have been edited by hand: check that no block is lost"),
+            );
+        }
+        self.sections.unit_open = opens;
+        Ok(())
+    }
+
+    /// `T1 ID"…"`
+    pub(super) fn turret_line(&mut self, w: &Words, text: &[u8]) -> Outcome {
+        let Some(num) = w.get(b'T') else {
+            return self.fail(codes::T1005, self.block_span(), "a line of the turret section names a position: T1");
+        };
+        if w.present() & !letters("T") != 0 || !w.longs().is_empty() || !w.g().is_empty() {
+            let found = Diagnostic::new(
+                codes::T2023,
+                self.here.origin.loc,
+                "the data of this tool is not used: tool data comes from partc.toml",
+            );
+            self.report(found.help(format!("add `[tools.{}]` with `radius`, `width` and `orientation`", num.value)));
+        }
+        let name = w.text("ID").map(|span| readable(span.of(text)).into_owned());
+        let digits = num.span.of(text);
+        let edge = digits.iter().position(|b| *b == b'.').and_then(|at| digits.get(at + 1)).map_or(0, |b| b - b'0');
+        if let Some(name) = name {
+            self.sections.tools.push((num.value as u32, edge, name));
+        }
+        Ok(())
+    }
+
+    fn return_section(&mut self) -> Outcome {
+        if self.sections.passing {
+            self.sections.passing = false;
+            self.sections.part = Part::Between;
+            return Ok(());
+        }
+        match self.level().kind {
+            LevelKind::Main => self.end_of_job(false),
+            _ => self.return_from_subprogram(),
+        }
+    }
+
+    /// END, RETURN of a macro, M30.
+    pub(super) fn end_of_job(&mut self, rewind: bool) -> Outcome {
+        if self.levels.len() > 1 {
+            self.error(codes::T2013, "a subprogram ends the job");
+            self.ended = true;
+            return Err(Reported);
+        }
+        if let Some(nest) = self.level().nests.last() {
+            let loc = nest.loc;
+            self.report(Diagnostic::new(codes::T1009, loc, "this is not closed when the program ends"));
+        }
+        self.finish_contour();
+        if self.sections.family() == Family::DinPlus
+            && !self.sections.unit_said
+            && self.job.settings.control.unit.is_none()
+        {
+            let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
+            self.job.diags.push(
+                Diagnostic::new(codes::T1013, loc, "no #UNIT line: lengths are taken as millimetres")
+                    .help("set `[control] unit` in partc.toml, or add `#UNIT METRIC`"),
+            );
+        }
+        self.function(Function::End { rewind });
+        self.ended = true;
+        if !rewind && self.level().kind == LevelKind::Main {
+            self.look_behind_end();
+        }
+        Ok(())
+    }
+
+    /// Warns about blocks behind END; local subprograms may stand there.
+    fn look_behind_end(&mut self) {
+        let sources = self.job.sources;
+        let program = self.program();
+        let file = program.file;
+        let mut block = Block::default();
+        let mut ignored = Vec::new();
+        let found = loop {
+            let Ok(Next::Block(text)) = program.cursor.next(sources) else { return };
+            parse_block(text.text, &mut block, &mut ignored);
+            ignored.clear();
+            match block.stmt {
+                Stmt::Empty => {}
+                Stmt::Section(Section::Subprogram, _) => return,
+                _ => break Loc { file, line: text.line, span: block.span.shifted(text.at) },
+            }
+        };
+        self.report(Diagnostic::new(
+            codes::T1011,
+            found,
+            "this stands behind the end of the program and is not part of it",
+        ));
+    }
+
+    /// The file ends without END or RETURN.
+    pub(super) fn end_of_file(&mut self) {
+        let _ = self.settle_chain();
+        let called = self.levels.len() > 1;
+        if called || self.sections.framed || self.sections.passing {
+            let program = self.program();
+            let place = program.cursor.place();
+            let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
+            let what = if called || self.sections.passing { "RETURN" } else { "END" };
+            self.report(
+                Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))
+                    .help(format!("the file may have been cut off in transfer; if it is complete, add {what}")),
+            );
+            self.ended = true;
+            return;
+        }
+        let _ = self.end_of_job(false);
+    }
+}

@@ -1,0 +1,157 @@
+//! Modal state of a turning program.
+
+use std::rc::Rc;
+
+use crate::geo::{Plane, Point2};
+use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::function::Turn;
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::{Axis, Settings, Unit};
+use crate::text::Loc;
+
+use super::chain::Solved;
+
+/// Whether F counts per minute or per revolution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FeedMode {
+    PerMinute,
+    PerRevolution,
+}
+
+/// What S means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SpeedMode {
+    /// G96: cutting speed.
+    Cutting,
+    /// G97: revolutions per minute.
+    Revolutions,
+}
+
+/// Oversize of the next cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Oversize {
+    /// G57: X as a diameter, Z, in mm.
+    Paraxial { x: f64, z: f64 },
+    /// G58: normal distance in mm.
+    Equidistant(f64),
+}
+
+/// Everything that one block leaves to the next. Positions are millimetres, X is a radius.
+#[derive(Debug)]
+pub(super) struct State {
+    pub unit: Unit,
+    /// Programmed position.
+    pub pos: Pos,
+    /// The position is unknown because an error was reported: not worth another one.
+    pub lost: bool,
+    /// The last path element, for its direction.
+    pub last: Option<Solved>,
+    /// The last element ended in a chamfer, a rounding or B0: nothing is tangential to it.
+    pub cornered: bool,
+    pub feed_mode: Option<FeedMode>,
+    pub feed: Option<Feed>,
+    pub side: Side,
+    /// The side changed, and nothing moved since.
+    pub side_fresh: bool,
+    /// Number of the tool in the cutting position.
+    pub tool: Option<ActiveTool>,
+    pub speed_mode: Option<SpeedMode>,
+    /// S in the unit of its mode: m/min or rev/min.
+    pub speed: Option<f64>,
+    /// G26, rev/min.
+    pub speed_limit: Option<f64>,
+    pub spindle: Option<Turn>,
+    /// G47: clearance of the next cycles in mm.
+    pub clearance: Option<f64>,
+    pub oversize: Option<(Oversize, Loc)>,
+    pub shift: Shift,
+    /// Something moved already.
+    pub moved: bool,
+    pub ctx: CtxRef,
+}
+
+/// The tool in the cutting position.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ActiveTool {
+    pub number: u32,
+    /// Its edge: 0 for the only one.
+    pub edge: u8,
+    /// Its name of the turret section.
+    pub name: Option<String>,
+}
+
+/// Shifts of the workpiece zero along Z in mm.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Shift {
+    /// First G59, from which the output counts.
+    pub base: Option<f64>,
+    /// Last G59.
+    pub absolute: Option<f64>,
+    /// G51.
+    pub relative: f64,
+    /// Sum of G56.
+    pub additive: f64,
+}
+
+impl Shift {
+    pub fn total(&self) -> f64 {
+        let absolute = self.absolute.unwrap_or(0.0) - self.base.unwrap_or(0.0);
+        absolute + self.relative + self.additive
+    }
+}
+
+impl State {
+    pub fn new(settings: &Settings) -> State {
+        State {
+            unit: settings.control.unit.unwrap_or_default(),
+            pos: Pos::UNKNOWN,
+            lost: false,
+            last: None,
+            cornered: false,
+            feed_mode: None,
+            feed: settings.control.feed.map(Feed::PerMinute),
+            side: Side::None,
+            side_fresh: false,
+            tool: None,
+            speed_mode: None,
+            speed: None,
+            speed_limit: None,
+            spindle: None,
+            clearance: None,
+            oversize: None,
+            shift: Shift::default(),
+            moved: false,
+            ctx: Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() }),
+        }
+    }
+
+    /// Millimetres in a unit of the program.
+    pub fn mm(&self) -> f64 {
+        self.unit.mm()
+    }
+
+    /// Where the tool stands, as (Z, X).
+    #[inline]
+    pub fn at(&self) -> Option<Point2> {
+        self.pos.in_plane(Plane::Zx)
+    }
+
+    /// The tool stands at `p`.
+    #[inline]
+    pub fn stands(&mut self, p: Point2) {
+        self.pos.set_in_plane(Plane::Zx, p);
+    }
+
+    /// The tool stands somewhere, for a good reason.
+    pub fn forget(&mut self) {
+        self.pos.forget(Axis::X);
+        self.pos.forget(Axis::Z);
+        self.last = None;
+    }
+
+    /// The tool stands somewhere because an error was reported.
+    pub fn lose(&mut self) {
+        self.forget();
+        self.lost = true;
+    }
+}

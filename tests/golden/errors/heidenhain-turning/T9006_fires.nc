@@ -1,0 +1,6 @@
+%1.nc
+[part]
+N1 G94 F100
+N2 G0 X50 Z2
+N3 G74 Z-30 P5
+END

@@ -1,0 +1,10 @@
+%1.nc
+[G97 turns with a fixed speed]
+N1 G97 S1200 M4
+N2 G95 F0.2
+N3 G0 X50 Z2
+N4 G1 Z-5
+N5 S800
+N6 G1 Z-10
+N7 M5
+END

@@ -1,0 +1,11 @@
+HEADER
+#UNIT METRIC
+MACHINING
+N1 G94 F50
+N2 G0 X50 Z-10
+N3 L"GROOVE"
+END
+SUBPROGRAM "GROOVE"
+[a local subprogram may stand behind the end]
+N4 G1 Xi-4
+RETURN

@@ -1,0 +1,13 @@
+PROGRAMMKOPF
+#EINHEIT METRISCH
+[R0.05: while the floor is turned in finishing the tool stands 0.05 higher: X48.1]
+BEARBEITUNG
+N1 T5 G95 F0.2 G97 S800 M3
+N2 G0 X62 Z-23.1
+N3 G869 P3 Q2 R0.05
+N4 G0 X60 Z-20
+N5 G1 X48
+N6 G1 Z-32
+N7 G1 X60
+N8 G80
+ENDE

@@ -1,0 +1,13 @@
+PROGRAMMKOPF
+#EINHEIT METRISCH
+[worked example 6: levels X56.1333 52.2667 48.4, walls Z-23.1 and -31.9, 0.3 less on each side from the second level on]
+BEARBEITUNG
+N1 T5 G95 F0.2 G97 S800 M3
+N2 G0 X62 Z-23.1
+N3 G869 P2 I0.4 K0.1 B0.3 U0 Q1
+N4 G0 X60 Z-20
+N5 G1 X48
+N6 G1 Z-32
+N7 G1 X60
+N8 G80
+ENDE

@@ -1,0 +1,16 @@
+HEADER
+#UNIT METRIC
+MACHINING
+[a unit of smart.Turn: the blocks between its frame are compiled]
+N1 UNIT ID"G869_G80" [recess turning]
+N2 T5
+N3 G97 S800 G95 F0.2 M3
+N4 G0 X62 Z-23.1
+N5 G869 P2 I0.4 K0.1 RB0 B0.3 U0 Q1
+N6 G0 X60 Z-20
+N7 G1 X48
+N8 G1 Z-32
+N9 G1 X60
+N10 G80
+END_OF_UNIT 1234
+END

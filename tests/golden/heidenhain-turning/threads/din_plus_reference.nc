@@ -1,0 +1,14 @@
+HEADER
+#UNIT METRIC
+FINISHED PART
+N1 G0 X16 Z0
+N2 G1 X20 B-1
+N3 G1 Z-25
+N4 G25 H7 I1.15 K5.2 R0.8
+N5 G1 X30
+MACHINING
+[NS3: the thread runs along the cylinder up to its undercut, 4 cuts]
+N6 G97 S800 M3
+N7 G0 X26 Z5
+N8 G31 NS3 F1.5 U-0.92 IC4 B3 P2 V1
+END

@@ -1,0 +1,10 @@
+%1.nc
+[worked example 14: cuts X29.2 to X33.2 to X33.6 Z-42, then 28.4, 27.6]
+N1 G97 S800 M3
+N2 G0 X40 Z6
+N3 G31 F2 U-1.2 I0.4 V1 B4 P2
+N4 G0 X30 Z0
+N5 G1 Z-20
+N6 G1 X34 Z-40
+N7 G80
+END
