@@ -8,6 +8,7 @@ mod chain;
 mod contour;
 mod coordinates;
 mod cycles;
+mod drilling;
 mod eval;
 mod flow;
 mod forms;
