@@ -127,7 +127,7 @@ pub(super) struct Config {
 #[derive(Debug, ClapArgs)]
 pub(super) struct Common {
     /// Language of the input
-    #[arg(long, default_value = "auto", value_parser = ["auto", "klartext", "mtc200"])]
+    #[arg(long, default_value = "auto", value_parser = ["auto", "heidenhain-turning", "klartext", "mtc200"])]
     pub dialect: String,
     /// Control that shall run the output
     #[arg(long, value_name = "TARGET", value_parser = ["linuxcnc"])]

@@ -25,6 +25,7 @@ mod shifts;
 mod state;
 mod subprograms;
 mod threads;
+mod undercut_cycle;
 mod undercuts;
 mod vars;
 mod words;
