@@ -155,6 +155,10 @@ T2025 Error "turning-side" "tool stands on the wrong side of the contour"
 "Roughing removes what lies between the contour and the tool. Here the contour falls away from the tool, so the tool stands where the finished \
 part will be, or it is not clear whether the cycle works outside or inside. Nothing is written: position the tool at the corner of the blank."
 
+T2026 Note "turning-left-standing" "falling parts of the contour are left standing"
+"Parts of the contour that fall behind a higher one can only be reached by plunging, which this cycle does not do on the control either. The cuts \
+end as if the contour went on level. Rough these parts with a cycle of their own."
+
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
 `B0` a corner; a line by angle is fixed by one coordinate or by the next element."

@@ -595,12 +595,12 @@ mod tests {
             tangential: true,
             ..Partial::default()
         };
-        let second = Partial { arc: Some(true), radius: Some(30.0), ..line_to(100.0, -60.0) };
+        let second = Partial { arc: Some(true), radius: Some(30.0), ..line_to(80.0, -40.0) };
         let solved = {
             let mut chain = Chain::default();
             chain.push(first, ());
             chain.push(second, ());
-            let one = chain.next(p(40.0, 0.0), Some(Vec2::new(0.0, 1.0)), true).unwrap().unwrap().0;
+            let one = chain.next(p(40.0, 0.0), Some(Vec2::new(-1.0, 0.0)), true).unwrap().unwrap().0;
             let two = chain.next(one.to, one.end_direction(), true).unwrap().unwrap().0;
             [one, two]
         };

@@ -12,8 +12,10 @@ impl Run<'_> {
     pub(super) fn cycle(&mut self, number: u16, name: &str, w: &Words, outline: Option<&Outline>) -> Outcome {
         match number {
             31 => self.thread_cycle(w, outline),
+            71 | 74 => self.drilling(w, number == 74),
             81 | 82 => self.rectangle(w, number == 81),
             810 | 817..=819 | 820 | 827..=829 => self.contour_roughing(w, outline, number),
+            85 => self.undercut_cycle(w),
             869 => self.recess_turning(w, outline),
             _ => {
                 self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));

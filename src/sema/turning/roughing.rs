@@ -129,6 +129,7 @@ impl Run<'_> {
         let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
         let into = towards(&contour, at, along_z);
         self.check_side(&contour, at, into, number)?;
+        self.note_bridged(&contour, at, into, number);
         let plunges = matches!(number, 819 | 829);
         let idle = w.get(b'E').is_some_and(|num| num.value == 0.0);
         if let Some(num) = w.get(b'E').filter(|num| num.value != 0.0) {
@@ -159,6 +160,24 @@ impl Run<'_> {
         self.send_cycle(&Cycle::Roughing(roughing));
         self.st.oversize = None;
         Ok(())
+    }
+
+    /// Parts that fall behind a higher one are left standing: worth a word.
+    fn note_bridged(&self, contour: &[Element], at: Point2, into: Towards, number: u16) {
+        let out = -(into.unit().x + into.unit().y);
+        let mut points: Vec<Point2> = contour.iter().map(Element::from).collect();
+        points.extend(contour.last().map(Element::to));
+        let along = |p: &Point2| if into.is_radial() { (p.x - at.x).abs() } else { (p.y - at.y).abs() };
+        if points.first().map(along) > points.last().map(along) {
+            points.reverse();
+        }
+        let falls = points
+            .windows(2)
+            .any(|pair| (into.depth_coordinate(pair[1]) - into.depth_coordinate(pair[0])) * out < -1e-6);
+        if falls {
+            let message = format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
+            self.report(Diagnostic::new(codes::T2026, self.here.origin.loc, message));
+        }
     }
 
     /// From the tool the contour has to rise; a tool on the wrong side would cut into the finished part.

@@ -93,6 +93,11 @@ pub(super) fn din_76_external(pitch: f64) -> Option<[f64; 3]> {
     Some([row[1] / 2.0, row[2], row[3]])
 }
 
+/// Radius of the external DIN 76 undercut of this width.
+pub(super) fn din_76_radius(width: f64) -> Option<f64> {
+    DIN_76.iter().find(|row| (row[2] - width).abs() < 1e-9).map(|row| row[3])
+}
+
 /// Puts the undercut between the reference element, parallel to Z, and the shoulder, parallel to X, in either order.
 pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>) -> Result<Made, &'static str> {
     let Some(after) = after else { return Err("no element follows the undercut") };

@@ -1,0 +1,114 @@
+//! G71 and G74: drilling along Z from where the tool stands.
+//!
+//! Source: reference section 9.
+
+use crate::diag::codes;
+use crate::ir::Feed;
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::drilling::{Degression, Drilling, Levels, Method, Peck, Removal};
+use crate::machine::Axis;
+
+use super::chain::Coord;
+use super::words::Words;
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    pub(super) fn drilling(&mut self, w: &Words, pecks: bool) -> Outcome {
+        let at = self.stand()?;
+        let span = self.block_span();
+        let feed = self.cutting_feed()?;
+        match self.coord(w.get(b'X'), Axis::X) {
+            Coord::Missing => {}
+            Coord::At(x) if (x - at.y).abs() <= 1e-6 => {}
+            _ => {
+                return self.fail_help(
+                    codes::T9007,
+                    w.span(b'X', span),
+                    "drilling along X is not supported",
+                    "position the tool over the hole, and program Z of its bottom",
+                );
+            }
+        }
+        let bottom = match self.coord(w.get(b'Z'), Axis::Z) {
+            Coord::At(z) => z,
+            Coord::By(d) => at.x + d,
+            _ => return self.fail(codes::T1005, span, "Z is missing: the bottom of the hole"),
+        };
+        if bottom >= at.x {
+            return self.fail(
+                codes::T1007,
+                w.span(b'Z', span),
+                "the hole does not lie in front of the tool, towards -Z",
+            );
+        }
+        if let Some(num) = w.get(b'V').filter(|num| num.value != 0.0) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "by how much V lowers the feed at entry and exit no manual at hand says",
+                "leave V out, and program the feed for the whole hole",
+            );
+        }
+        let dwell = self.not_negative(w, b'E')?;
+        let out_at_feed = self.choice(w, b'D', 0, 1)? == 1;
+        let method = match (pecks, out_at_feed) {
+            (false, false) => Method::Drill { dwell },
+            (false, true) => Method::Ream { dwell, back: feed },
+            (true, false) => Method::Peck(self.pecks(w, at.x - bottom, dwell)?),
+            (true, true) => {
+                return self.fail(
+                    codes::T9007,
+                    w.span(b'D', span),
+                    "deep-hole drilling with retraction at feed is not supported",
+                );
+            }
+        };
+        self.send_drilling(at.x, bottom, feed, method);
+        Ok(())
+    }
+
+    fn send_drilling(&mut self, start: f64, depth: f64, feed: Feed, method: Method) {
+        let levels = Levels { retract: start, reference: start, clearance: 0.0, depth };
+        self.send_cycle(&Cycle::Drilling(Drilling { axis: Axis::Z, levels, feed, method }));
+    }
+
+    fn not_negative(&self, w: &Words, letter: u8) -> Outcome<f64> {
+        match w.get(letter) {
+            Some(num) if num.value < 0.0 => {
+                self.fail(codes::T1007, num.span, format!("{} is not negative", letter as char))
+            }
+            num => Ok(num.map_or(0.0, |num| num.value)),
+        }
+    }
+
+    /// P, I, J and B: the steps of a deep hole.
+    fn pecks(&self, w: &Words, depth: f64, dwell: f64) -> Outcome<Peck> {
+        let mm = self.st.mm();
+        let first = match w.get(b'P') {
+            Some(num) => self.above_zero(num, "the first depth")?.min(depth),
+            None => depth,
+        };
+        let less = self.not_negative(w, b'I')? * mm;
+        let least = match w.get(b'J') {
+            Some(num) => self.above_zero(num, "the least depth")?,
+            None => first / 10.0,
+        };
+        let degression = if less == 0.0 {
+            Degression::Factor { factor: 1.0, least: least.min(first) }
+        } else if (less - least).abs() <= 1e-9 {
+            Degression::Amount(less)
+        } else {
+            return self.fail_help(
+                codes::T9007,
+                w.span(b'I', self.block_span()),
+                "steps that become shorter by I down to another least depth J are not supported",
+                "program J with the same value as I, or leave I out",
+            );
+        };
+        let removal = match w.get(b'B') {
+            Some(num) => Removal::Break { way: self.above_zero(num, "the return distance")? },
+            None => Removal::Clear { dwell: 0.0, ahead: None },
+        };
+        Ok(Peck { first, degression, dwell: 0.0, dwell_at_bottom: dwell, first_feed: 1.0, removal })
+    }
+}
