@@ -30,6 +30,8 @@ pub struct Thread {
     pub run_in: f64,
     /// Way behind the end on the extension of the last part, measured along the cutting axis.
     pub run_out: f64,
+    /// With a flank infeed only the start of a pass is shifted; otherwise its end moves along.
+    pub fixed_end: bool,
     /// Number of starts, 1 or more. A part's `lead` is that of one start.
     pub starts: u32,
     /// Spindle angle of the first start. The target cannot start at an angle, so the way of the angle is
@@ -241,6 +243,7 @@ pub(crate) mod tests {
             air_cuts: 0,
             run_in: 3.0,
             run_out: 1.0,
+            fixed_end: false,
             starts: 1,
             start_angle: Deg(0.0),
             retract: 13.0,

@@ -48,7 +48,7 @@ pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Re
             let begin = line.before(thread.run_in - shift + turn * line.first_lead());
             track.rapid(Point2::new(begin.x, track.at().y));
             track.rapid(Point2::new(begin.x, begin.y - depth));
-            line.cut(&mut track, depth, thread.run_out + shift);
+            line.cut(&mut track, depth, thread.run_out + if thread.fixed_end { 0.0 } else { shift });
             track.rapid(Point2::new(track.at().x, retract));
         }
     }
@@ -410,6 +410,7 @@ mod tests {
                 air_cuts,
                 run_in,
                 run_out,
+                fixed_end: false,
                 starts,
                 start_angle: Deg(0.0),
                 retract: into.depth_coordinate(park),

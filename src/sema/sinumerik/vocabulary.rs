@@ -327,6 +327,8 @@ const CYCLES: &[&str] = &[
     "CYCLE97",
     "CYCLE98",
     "CYCLE99",
+    "CYCLE801",
+    "CYCLE802",
     "CYCLE210",
     "CYCLE830",
     "CYCLE840",

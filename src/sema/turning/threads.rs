@@ -58,6 +58,7 @@ impl Run<'_> {
             air_cuts: self.choice(w, b'Q', 0, MOST_AIR_CUTS)?,
             run_in: self.run_way(w, b'B', "run-in", lead)?,
             run_out: self.run_way(w, b'P', "run-out", lead)?,
+            fixed_end: false,
             starts: 1,
             start_angle: Deg(w.value(b'C').unwrap_or(0.0)),
             retract: at.y,

@@ -118,6 +118,9 @@ impl Run<'_> {
         if amode != 0 && args.digit(amode, 0) > 1 {
             return self.not_built(args, amode, "this reading of the depth (`_AMODE`)");
         }
+        if amode != 0 && args.digit(amode, 1) > 1 {
+            return self.not_built(args, amode, "this unit of the dwell (`_AMODE`)");
+        }
         Ok(axis)
     }
 

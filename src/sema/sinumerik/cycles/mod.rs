@@ -328,11 +328,12 @@ fn most_arguments(name: &str) -> usize {
         "CYCLE94" | "CYCLE96" => 4,
         "CYCLE940" => 22,
         "CYCLE97" => 17,
-        "CYCLE98" => 30,
+        "CYCLE98" => 31,
         "CYCLE99" => 30,
         "HOLES1" => 11,
         "HOLES2" => 13,
         "CYCLE801" => 14,
+        "CYCLE802" => 33,
         _ => 31,
     }
 }

@@ -25,6 +25,7 @@ impl Run<'_> {
                 "call it before: MCALL CYCLE81(…)",
             );
         }
+        self.pattern_modes(args)?;
         let positions = self.positions(args)?;
         if self.modal_cycle.is_none() {
             return self.not_built(args, 1, "a pattern with a modal program of one's own");
@@ -33,6 +34,35 @@ impl Run<'_> {
             let end = self.moved_in_plane(position);
             self.send(&end, Path::Rapid, None);
             self.drill_modal()?;
+        }
+        Ok(())
+    }
+
+    /// Arguments that leave positions out or change their order.
+    fn pattern_modes(&self, args: &Arguments) -> Outcome {
+        let (vari, hide, start, plane) = match args.name.as_str() {
+            "HOLES1" => (7, 9, 10, 11),
+            "HOLES2" => (7, 9, 10, 11),
+            "CYCLE801" => (0, 12, 13, 14),
+            _ => (21, 0, 0, 23),
+        };
+        if vari != 0 && args.or_zero(vari) != 0.0 {
+            return self.not_built(args, vari, "a variant of the pattern (`_VARI`)");
+        }
+        if hide != 0 && args.text(hide).is_some_and(|text| !text.is_empty() && text != "0") {
+            return self.not_built(args, hide, "hidden positions (`_HIDE`)");
+        }
+        if start != 0 && args.or_zero(start) != 0.0 {
+            return self.not_built(args, start, "another first position (`_NSP`)");
+        }
+        let digit = args.digit(plane, 0);
+        if digit != 0 && digit != i32::from(self.st.groups[6]) {
+            return self.not_built(args, plane, "a plane other than the active one (`_DMODE`)");
+        }
+        for place in 24..=33 {
+            if args.name == "CYCLE802" && args.or_zero(place) != 0.0 {
+                return self.not_built(args, place, "further arguments of CYCLE802");
+            }
         }
         Ok(())
     }
@@ -105,7 +135,14 @@ impl Run<'_> {
                 }
                 continue;
             };
-            let absolute = |mask: usize| args.digit(mask, (POSITIONS - 1 - at) as u32) == 1;
+            // One digit for each position, all alike as the editor writes them: 1 absolute, 2 incremental.
+            for mask in [1, 2] {
+                let digits = args.or_zero(mask);
+                if digits != 111_111_111.0 && digits != 222_222_222.0 {
+                    return self.not_built(args, mask, "a mixed or missing mask (`_XA`, `_YA`)");
+                }
+            }
+            let absolute = |mask: usize| args.digit(mask, 0) == 1;
             let from = |absolute: bool, last: f64| if absolute { 0.0 } else { last };
             last = Point2::new(from(absolute(1), last.x) + x * unit, from(absolute(2), last.y) + y * unit);
             positions.push(last);

@@ -83,6 +83,14 @@ impl Run<'_> {
                 for place in [17, 18, 19] {
                     leads.push(self.needed_length(args, place, "the pitch")?.abs());
                 }
+                for (place, what) in
+                    [(23, "the first infeed `_MID`"), (24, "`_GDEP`"), (26, "another unit of the pitch (`_PITA`)")]
+                {
+                    let plain = place == 26 && args.or_zero(26) == 1.0;
+                    if args.or_zero(place) != 0.0 && !plain {
+                        return self.not_built(args, place, what);
+                    }
+                }
                 (CYCLE98, points, leads)
             }
             _ => {
@@ -168,6 +176,7 @@ impl Run<'_> {
             air_cuts: idle,
             run_in: self.length_of(args, places.run_in).unwrap_or(0.0).abs(),
             run_out: self.length_of(args, places.run_out).unwrap_or(0.0).abs(),
+            fixed_end: true,
             starts,
             start_angle: Deg(args.or_zero(places.start_angle)),
             retract: 0.0,
