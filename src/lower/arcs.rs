@@ -262,7 +262,9 @@ fn by_center(
     }
     let moved = arc::centered_between(from, to, center);
     let sweep = arc::sweep(from, to, moved, ccw);
-    if deviation(from, moved, sweep, center, r1, r2) <= tol {
+    // A nearly full circle moved onto the line between its ends would shrink to nothing.
+    let same_size = (distance(from, moved) - r1).abs() <= tol;
+    if same_size && deviation(from, moved, sweep, center, r1, r2) <= tol {
         adjusted.note(distance(moved, center), step.origin);
         step.mv.path = Path::Arc(Arc { plane, from, center: moved, sweep });
         return Ok(Extra::None);

@@ -309,6 +309,17 @@ S8025 Note "siemens-tap" "tapping with a tension-compression chuck"
 "The target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
 target has rigid tapping of its own, replace the two moves by it."
 
+S8026 Warning "siemens-contour-differs" "blocks and records of a stored contour differ"
+"The contour editor stores a contour twice: as NC blocks, which run, and as hidden records of what was typed. They make different points here, so one \
+of the two was changed by hand. The blocks are compiled, as the control does."
+
+S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be checked"
+"The hidden records of this contour use elements that cannot be solved here. The NC blocks are compiled; nothing is lost but the check."
+
+S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
+"The NC blocks of a contour of the contour editor are missing. Its hidden records determine it, so the blocks are made from them, at the feed that \
+is modal. Compare the result with the drawing."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -366,5 +377,9 @@ selects are those of the machine, whose values are not known. Between the two no
 S9018 Error "siemens-save-offset" "SAVE and a changed work offset"
 "Whether the return from a program with SAVE brings the work offset back depends on machine datum 10617. Select the offset again in the calling \
 program before the next move, or leave it alone in the subprogram."
+
+S9019 Error "siemens-contour-open" "stored contour cannot be made"
+"The NC blocks of a contour of the contour editor are missing, and its hidden records leave elements open. Open the contour in the editor \
+of the control and accept it again."
 
 }

@@ -338,6 +338,9 @@ impl Run<'_> {
         if corner.modal && self.st.is(Code::G0) {
             return;
         }
+        if self.stored.is_some() {
+            self.note_stored_corner(&corner);
+        }
         self.out.corner(&corner, &self.st.ctx, &self.here.origin);
         if !corner.modal {
             self.corner_open = Some((self.here.origin.loc, 0));

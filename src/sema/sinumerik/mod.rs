@@ -18,6 +18,7 @@ mod polar;
 mod programs;
 mod special;
 mod state;
+mod stored;
 mod system;
 mod tech;
 mod value;
@@ -127,6 +128,8 @@ struct Run<'a> {
     modal: Option<Modal>,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
+    /// The contour of the contour editor that runs.
+    stored: Option<Box<stored::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,
     axis_feed: BTreeMap<Axis, f64>,
@@ -184,6 +187,7 @@ impl<'a> Run<'a> {
             modal: None,
             modal_cycle: None,
             pending: None,
+            stored: None,
             lead: None,
             axis_feed: BTreeMap::new(),
             compensation_starts: false,
@@ -327,10 +331,17 @@ impl<'a> Run<'a> {
         {
             return;
         }
-        if self.job.settings.output.comments
-            && let Some(comment) = block.comment
-        {
-            self.comment(comment.of(text));
+        if let Some(comment) = block.comment {
+            let comment = comment.of(text);
+            if self.job.settings.output.comments {
+                self.comment(comment);
+            }
+            if block.stmt == Stmt::Empty && (self.stored.is_some() || comment.starts_with(b"#")) {
+                if let Some(span) = block.comment {
+                    self.here.origin.loc.span = span.shifted(self.here.at);
+                }
+                let _ = self.stored_record(comment);
+            }
         }
         if block.stmt == Stmt::Empty {
             return;

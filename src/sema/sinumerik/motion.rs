@@ -487,6 +487,9 @@ impl Run<'_> {
         if self.st.machine_coordinates {
             return self.send_in_machine(end, path, feed);
         }
+        if self.stored.is_some() {
+            self.note_stored(end, &path);
+        }
         let mv = Move { end: end_point, path, feed, side: self.st.side(), coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);

@@ -244,9 +244,11 @@ impl Run<'_> {
         };
         let by_size = match args.number(size).filter(|size| *size != 0.0) {
             Some(diameter) => match coarse_pitch(diameter.abs()) {
-                Some(coarse) => Some(coarse.copysign(diameter)),
-                None => {
-                    let message = format!("there is no metric thread M{}", diameter.abs());
+                Some(coarse) if (3.0..=if args.name == "CYCLE97" { 60.0 } else { 48.0 }).contains(&diameter.abs()) => {
+                    Some(coarse.copysign(diameter))
+                }
+                _ => {
+                    let message = format!("M{} is no size of this cycle", diameter.abs());
                     return self.cycle_fault(args, args.span_of(size), 61001, &message, "give the pitch instead");
                 }
             },

@@ -228,6 +228,22 @@ impl Run<'_> {
                 return self.not_built(args, place, what);
             }
         }
+        let (angle, flank) = (args.or_zero(9), args.or_zero(23));
+        let tangent = libm::tan(angle.abs().to_radians());
+        if flank != 0.0 && (flank.abs() - args.or_zero(7).abs() * tangent).abs() > 0.01 {
+            let message = "the flank infeed `_IFLANK` contradicts the angle `_IANG`";
+            return self.cycle_fault(
+                args,
+                args.span_of(23),
+                0,
+                message,
+                "give the angle, and the length as the editor computes it",
+            );
+        }
+        let plane = args.digit(28, 0);
+        if plane != 0 && plane != i32::from(self.st.groups[6]) {
+            return self.not_built(args, 28, "a plane other than the active one (`_DMODE`)");
+        }
         self.note_once(
             codes::S8020,
             args.span_of(14),

@@ -71,6 +71,21 @@ impl Run<'_> {
             return self.not_built(args, 21, "a plane other than the active one (`_DMODE`)");
         }
         let form = args.text(3).unwrap_or_default();
+        let internal = args.or_zero(4) >= 2.0;
+        if matches!(form.as_str(), "A" | "B") && internal || matches!(form.as_str(), "C" | "D") && !internal {
+            let help = "forms A and B are external, C and D internal";
+            return self.cycle_fault(args, args.span_of(4), 61613, "the position contradicts the form", help);
+        }
+        if !matches!(form.as_str(), "E" | "F") && !(1..=3).contains(&args.digit(7, 0)) {
+            let help = "1 roughs, 2 finishes, 3 does both";
+            return self.cycle_fault(args, args.span_of(7), 61002, "`_VARI` is 1, 2 or 3", help);
+        }
+        if args.number(12) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
+            return self.cycle_fault(args, args.span_of(12), 0, "the entry angle `_STA` is 0", "give 30 to 90 degrees");
+        }
+        if args.or_zero(15) != 0.0 && args.or_zero(16) != 0.0 {
+            return self.not_built(args, 16, "two finishing allowances (`_FAL` and `_FALX`)");
+        }
         let form_e = form == "E" || form == "F";
         for (place, name) in [(8, "_EPD"), (9, "_EPL")] {
             let negative = args.digit(22, place as u32 - 8) == 1 && args.or_zero(place) < 0.0;
@@ -197,7 +212,12 @@ impl Run<'_> {
             }
             CallFault::Size => {
                 let at = args.span_of(if new { 18 } else { 1 });
-                self.cycle_fault(args, at, 61001, "the table has no such size or pitch", "add it under [undercut]")
+                let help = if new {
+                    "`_PITI` is 0 to 9 for forms E and F, 0 to 23 for A to D"
+                } else {
+                    "add it under [undercut]"
+                };
+                self.cycle_fault(args, at, 61001, "the table has no such size or pitch", help)
             }
             CallFault::RoughingAllowance => self.not_built(args, 17, "an allowance along Z while roughing (`_FALZ`)"),
         }

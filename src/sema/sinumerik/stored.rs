@@ -1,0 +1,178 @@
+//! Contours of the contour editor: the NC blocks are what runs, the hidden records behind them are checked against
+//! them. Where the NC blocks are missing they are made from the records.
+//!
+//! Source: `reference/sinumerik-contours-undercuts-cycles` section 1.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::ir::contour::{Arc, ArcShape, Corner, CornerShape, Path};
+use crate::parser::sinumerik::records::{Record, read};
+use crate::sema::records::{Block, CornerWord, Difference, compare, solve};
+use crate::text::{Loc, Span};
+
+use super::state::Diameter;
+use super::{Outcome, Run};
+
+/// How far blocks and records may differ, in mm.
+const TOLERANCE: f64 = 0.001;
+/// Most blocks and records of a contour.
+const MOST: usize = 2000;
+
+/// A stored contour while its blocks run.
+#[derive(Debug)]
+pub(super) struct Stored {
+    start: Option<crate::geo::Point2>,
+    blocks: Vec<Block>,
+    /// Where each block stands.
+    places: Vec<Loc>,
+    records: Vec<Record>,
+    begin: Loc,
+}
+
+impl Run<'_> {
+    /// A comment line: perhaps a record. `text` is without its semicolon.
+    pub(super) fn stored_record(&mut self, text: &[u8]) -> Outcome {
+        if self.stored.is_none() && !text.starts_with(b"#") {
+            return Ok(());
+        }
+        let line = [b";", text].concat();
+        match read(&line) {
+            Some(Record::Begin) => {
+                self.stored = Some(Box::new(Stored {
+                    start: None,
+                    blocks: Vec::new(),
+                    places: Vec::new(),
+                    records: Vec::new(),
+                    begin: self.here.origin.loc,
+                }));
+                Ok(())
+            }
+            Some(Record::End) => match self.stored.take() {
+                Some(stored) => self.check_stored(&stored),
+                None => Ok(()),
+            },
+            Some(record) => {
+                if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() < MOST) {
+                    stored.records.push(record);
+                }
+                Ok(())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Notes a move of a stored contour.
+    pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
+        let plane = self.st.plane();
+        let mut all = self.st.pos;
+        all.update(end);
+        let Some(stored) = self.stored.as_mut() else { return };
+        let Some(to) = all.in_plane(plane) else { return };
+        if stored.start.is_none() {
+            stored.start = Some(to);
+            return;
+        }
+        if stored.blocks.len() >= MOST {
+            return;
+        }
+        let arc = match path {
+            Path::Arc(Arc { shape: ArcShape::Center { center, ccw, .. }, .. }) => Some((*center, *ccw)),
+            _ => None,
+        };
+        stored.blocks.push(Block { end: to, arc, corner: None, record: 0 });
+        stored.places.push(self.here.origin.loc);
+    }
+
+    /// Notes the corner at the end of the last block.
+    pub(super) fn note_stored_corner(&mut self, corner: &Corner) {
+        let Some(last) = self.stored.as_mut().and_then(|stored| stored.blocks.last_mut()) else { return };
+        last.corner = match corner.shape {
+            CornerShape::Rounding { radius } => Some(CornerWord::Radius(radius)),
+            CornerShape::Chamfer { side } => Some(CornerWord::Chamfer(side)),
+            _ => None,
+        };
+    }
+
+    fn check_stored(&mut self, stored: &Stored) -> Outcome {
+        let diameter = self.st.diameter_mode() != Diameter::Off;
+        let made = solve(&stored.records, diameter, &self.job.settings.undercut);
+        if stored.blocks.is_empty() {
+            return match made {
+                Ok(made) => self.rebuild(&made),
+                Err(_) => self.fail_help(
+                    codes::S9019,
+                    0,
+                    Span::default(),
+                    "the contour has no blocks, and its records do not determine it",
+                    "open the contour in the editor of the control and accept it again",
+                ),
+            };
+        }
+        let made = match made {
+            Ok(made) => made,
+            Err(_) => {
+                let found =
+                    Diagnostic::new(codes::S8027, stored.begin, "the records of this contour cannot be checked");
+                self.report(found);
+                return Ok(());
+            }
+        };
+        let start = stored.start.unwrap_or(made.start);
+        if let Err(difference) = compare(start, &stored.blocks, &made, TOLERANCE) {
+            let (at, what) = match difference {
+                Difference::Start => (None, "the start point".to_owned()),
+                Difference::Count => (None, "the number of elements".to_owned()),
+                Difference::End(i) => (Some(i), format!("the end of element {}", i + 1)),
+                Difference::Arc(i) => (Some(i), format!("the arc of element {}", i + 1)),
+                Difference::Corner(i) => (Some(i), format!("the corner behind element {}", i + 1)),
+            };
+            let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
+            let message = format!("{what} differs from the records of the contour editor");
+            let found = Diagnostic::new(codes::S8026, place, message);
+            self.report(
+                found.help(
+                    "the blocks are compiled; if they were changed by hand, accept the contour in the editor again",
+                ),
+            );
+        }
+        Ok(())
+    }
+
+    /// The blocks of a contour of which only the records are left.
+    fn rebuild(&mut self, made: &crate::sema::records::Contour) -> Outcome {
+        let plane = self.st.plane();
+        self.note_once(
+            codes::S8028,
+            Span::default(),
+            "the blocks of a stored contour are missing and are made from its records",
+        );
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(plane, made.start);
+        self.send(&end, Path::Rapid, None);
+        let feed = match self.st.feed {
+            Some(feed) => feed,
+            None => {
+                self.st.feed_lost = true;
+                return self.fail(codes::S2040, 10860, Span::default(), "no feed is programmed for the contour");
+            }
+        };
+        for block in &made.blocks {
+            let mut end = Pos::UNKNOWN;
+            end.set_in_plane(plane, block.end);
+            let path = match block.arc {
+                Some((center, ccw)) => {
+                    Path::Arc(Arc { plane, shape: ArcShape::Center { center, ccw, tol: 2.0 * TOLERANCE }, turns: 0 })
+                }
+                None => Path::Line,
+            };
+            self.send(&end, path, Some(feed));
+            let shape = match block.corner {
+                Some(CornerWord::Radius(radius)) if radius > 0.0 => CornerShape::Rounding { radius },
+                Some(CornerWord::Chamfer(side)) if side > 0.0 => CornerShape::Chamfer { side },
+                _ => continue,
+            };
+            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false }));
+        }
+        Ok(())
+    }
+}
