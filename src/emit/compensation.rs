@@ -50,7 +50,7 @@ impl Compensation {
         } else if self.refused {
             return Before::Refuse(None);
         }
-        if let Some((message, help)) = self.obstacle(mv, selected, planes) {
+        if let Some((message, help)) = self.obstacle(mv, selected, planes, in_plane) {
             self.refused = true;
             let mut found = Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call);
             if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
@@ -58,14 +58,25 @@ impl Compensation {
             }
             return Before::Refuse(Some(Box::new(found)));
         }
-        // Compensation begins with the first move in its plane; one of the tool axis comes before.
-        let waits = self.side == Side::None && !in_plane;
-        if mv.side == self.side || waits { Before::Nothing } else { Before::Switch }
+        if mv.side == self.side { Before::Nothing } else { Before::Switch }
     }
 
     /// What is wrong with `mv`, and what to do.
-    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane]) -> Option<(&'static str, &'static str)> {
+    fn obstacle(
+        &self,
+        mv: &Move,
+        selected: Plane,
+        planes: &[Plane],
+        in_plane: bool,
+    ) -> Option<(&'static str, &'static str)> {
         let on = self.side != Side::None;
+        if on != (mv.side != Side::None) && !in_plane {
+            // The first move in the plane would become the way to or from the contour.
+            return Some((
+                "radius compensation begins or ends in a block that does not move in the working plane",
+                "begin and end it in a block that moves from beside the contour to it, or away",
+            ));
+        }
         let resolve = "end the compensation before this block, or set `[output] compensation = \"resolve\"`";
         if mv.side == Side::None {
             let arc = self.leaving || on;

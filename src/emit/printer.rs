@@ -509,6 +509,9 @@ impl<'a> Printer<'a> {
                 self.end_line(origin);
                 // The change may have moved any axis.
                 self.stale = AxisSet::MAIN;
+                if self.settings.tool_length && *number == 0 {
+                    self.words(b"G49", origin);
+                }
                 if self.settings.tool_length && *number != 0 {
                     self.text.word(b"G43").whole(b'H', u64::from(*number));
                     self.end_line(origin);

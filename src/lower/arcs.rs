@@ -18,6 +18,8 @@ use super::step::{Step, plane_axes};
 
 /// Sideways distance under which a tangential end counts as straight ahead, in mm.
 const STRAIGHT: f64 = 1e-6;
+/// Largest angle in rad by which moving the centre may turn an arc at its start: 1.8 degrees, as controls allow.
+const MOST_TURN: f64 = 0.0316;
 /// Shifts of a centre up to this much are rounding of the source and not worth a note, in mm.
 const UNNOTED: f64 = 0.0005;
 
@@ -262,8 +264,9 @@ fn by_center(
     }
     let moved = arc::centered_between(from, to, center);
     let sweep = arc::sweep(from, to, moved, ccw);
-    // A nearly full circle moved onto the line between its ends would shrink to nothing.
-    let same_size = (distance(from, moved) - r1).abs() <= tol;
+    // With ends close together the line between them may lead the centre far away: the arc would shrink, or
+    // start in another direction.
+    let same_size = (distance(from, moved) - r1).abs() <= tol && distance(moved, center) <= MOST_TURN * r1;
     if same_size && deviation(from, moved, sweep, center, r1, r2) <= tol {
         adjusted.note(distance(moved, center), step.origin);
         step.mv.path = Path::Arc(Arc { plane, from, center: moved, sweep });

@@ -95,12 +95,12 @@ impl Run<'_> {
             None => (None, block.words.as_slice()),
         };
         let call = self.call_words(rest, block)?;
-        if self.st.side != Side::None {
+        // The side stays: a contour that goes on compensated behind a tool change is refused.
+        if self.st.side != Side::None && tool.is_some() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "TOOL CALL ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.side = Side::None;
         }
         if call.axis.is_none()
             && self.st.tool_axis.is_none()

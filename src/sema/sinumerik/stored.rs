@@ -96,6 +96,30 @@ impl Run<'_> {
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
         let diameter = self.st.diameter_mode() != Diameter::Off;
         let made = solve(&stored.records, diameter, &self.job.settings.undercut);
+        let [first, second, _] = self.st.roles();
+        let here = (first.letter() as u8, second.letter() as u8);
+        let named = stored.records.iter().find_map(|record| match record {
+            Record::Header { axes } => *axes,
+            _ => None,
+        });
+        let other_plane = named.is_some_and(|axes| axes != here);
+        if other_plane && stored.blocks.is_empty() {
+            return self.fail_help(
+                codes::S9019,
+                0,
+                Span::default(),
+                "the contour has no blocks, and its records are for another plane",
+                "select the plane of the contour in front of it, or accept it in the editor again",
+            );
+        }
+        if other_plane {
+            self.report(Diagnostic::new(
+                codes::S8027,
+                stored.begin,
+                "the records of this contour are for another plane",
+            ));
+            return Ok(());
+        }
         if stored.blocks.is_empty() {
             return match made {
                 Ok(made) => self.rebuild(&made),

@@ -157,7 +157,7 @@ impl Run<'_> {
             self.note_once(
                 codes::S8021,
                 args.span_of(places.angle),
-                "the flank infeed counts from the crest: the manuals leave open which pass stands at the programmed Z",
+                "a flank infeed counts from the crest, an alternating one from the last pass: the manuals leave open which pass stands at the programmed Z",
             );
         }
         let park = self.turning_position(args.span)?;
@@ -183,6 +183,22 @@ impl Run<'_> {
             park,
         };
         thread.retract = self.lift_off(args, &thread, internal);
+        let smallest = points.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
+        let beyond = if internal { thread.retract <= 0.0 } else { depth >= smallest };
+        if beyond {
+            let what = if internal {
+                "the tool would lift off beyond the turning centre"
+            } else {
+                "the thread is deeper than the part"
+            };
+            return self.cycle_fault(
+                args,
+                args.span_of(places.depth),
+                61001,
+                what,
+                "check the diameters, the depth and the lift-off",
+            );
+        }
         if let Err(fault) = thread.check() {
             return self.cycle_fault(args, args.span, 0, &fault.to_string(), "check the arguments of the cycle");
         }

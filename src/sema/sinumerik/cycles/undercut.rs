@@ -20,6 +20,12 @@ const NAMES: [&str; 22] = [
     "_FAL", "_FALX", "_FALZ", "_PITI", "_PTAB", "_PTABA", "_DMODE", "_AMODE",
 ];
 
+/// The form: one letter.
+fn one_letter(args: &Arguments) -> Option<u8> {
+    let form = args.text(3)?;
+    Some(if form.len() == 1 { form.as_bytes()[0] } else { b'?' })
+}
+
 impl Run<'_> {
     pub(super) fn undercut_cycle(&mut self, args: &Arguments) -> Outcome {
         self.undercut_conditions(args)?;
@@ -124,7 +130,7 @@ impl Run<'_> {
         Cycle940 {
             spd: mm(1),
             spl: mm(2),
-            form: args.text(3).and_then(|form| form.bytes().next()),
+            form: one_letter(args),
             lage: args.number(4),
             sdis: mm(5),
             ffp: args.number(6).map(|feed| feed * self.st.feed_unit()),
@@ -162,7 +168,7 @@ impl Run<'_> {
         Ok(Classic {
             diameter: self.needed_length(args, 1, "the diameter")?,
             spl: self.needed_length(args, 2, "the corner along Z")?,
-            form: args.text(3).and_then(|form| form.bytes().next()).unwrap_or(b'?'),
+            form: one_letter(args).unwrap_or(b'?'),
             position,
             feed: self.cycle_feed(args)?,
             clearance: CLEARANCE,
@@ -253,6 +259,13 @@ impl Run<'_> {
                 args.span,
                 "the undercut is cut with the programmed point of the tool: the control would compensate the nose radius",
             );
+        }
+        let internal = cycle.orientation.second < 0.0;
+        let inside = cycle.corner.y - cycle.clearance;
+        let face = cycle.face_end.unwrap_or(cycle.corner.y);
+        if cycle.corner.y <= 0.0 || face < 0.0 || (internal && inside <= 0.0) {
+            let help = "check the diameter, the end of the face and the clearance";
+            return self.cycle_fault(args, args.span, 0, "the cycle would go beyond the turning centre", help);
         }
         if let Err(fault) = cycle.check() {
             return self.cycle_fault(args, args.span, 0, &fault.to_string(), "check the arguments of the cycle");
