@@ -20,11 +20,17 @@ const SAME: f64 = 5e-5;
 /// Most extra turns of a helix.
 const MOST_TURNS: f64 = 999.0;
 
-/// Interpolation parameters by axis.
-const CENTER: [(Address, Axis); 3] = [(Address::I, Axis::X), (Address::J, Axis::Y), (Address::K, Axis::Z)];
-const VIA: [(Address, Axis); 3] = [(Address::I1, Axis::X), (Address::J1, Axis::Y), (Address::K1, Axis::Z)];
+/// Interpolation parameters of a centre and of an intermediate point, by geometry axis.
+const CENTER: [Address; 3] = [Address::I, Address::J, Address::K];
+const VIA: [Address; 3] = [Address::I1, Address::J1, Address::K1];
 
 impl Run<'_> {
+    /// Interpolation parameters with the geometry axes they belong to (MD 20050).
+    fn parameters(&self, names: [Address; 3]) -> [(Address, Axis); 3] {
+        let axes = self.st.geometry_axes;
+        [(names[0], axes[0]), (names[1], axes[1]), (names[2], axes[2])]
+    }
+
     /// The plane of a circle: the working plane, or the one of two axes that are not both in it.
     fn circle_plane(&self, w: &Words, names: &[(Address, Axis); 3]) -> Plane {
         let plane = self.st.plane();
@@ -48,7 +54,7 @@ impl Run<'_> {
         if polar {
             return self.polar_circle(w, ccw);
         }
-        let plane = self.circle_plane(w, &CENTER);
+        let plane = self.circle_plane(w, &self.parameters(CENTER));
         let feed = self.path_feed(w, false)?;
         let turns = self.turns(w)?;
         let mut end = self.targets(w)?;
@@ -183,7 +189,7 @@ impl Run<'_> {
     }
 
     fn arc_span(&self, w: &Words) -> Span {
-        let words = CENTER.iter().map(|(address, _)| *address).chain([Address::Cr, Address::Ar]);
+        let words = CENTER.into_iter().chain([Address::Cr, Address::Ar]);
         words.filter_map(|address| w.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
     }
 
@@ -211,7 +217,7 @@ impl Run<'_> {
 
     /// The centre from I, J, K; `None` if none of them is given.
     fn center(&mut self, w: &mut Words, plane: Plane, start: Point2) -> Outcome<Option<Point2>> {
-        self.point_of(w, &CENTER, plane, start, false)
+        self.point_of(w, &self.parameters(CENTER), plane, start, false)
     }
 
     fn point_of(
@@ -313,11 +319,12 @@ impl Run<'_> {
 
     /// The plane of a circle through a point: the one in which all that is given lies.
     fn via_plane(&mut self, w: &Words) -> Outcome<Plane> {
-        let usual = self.circle_plane(w, &VIA);
+        let usual = self.circle_plane(w, &self.parameters(VIA));
         let [_, _, third] = [usual.axes().0, usual.axes().1, usual.axes().2].map(|i| Axis::ALL[i]);
         let level = |run: &mut Self, axis: Axis| -> Outcome<bool> {
             let Some(at) = run.st.pos.get(axis) else { return Ok(false) };
-            let via = VIA.iter().find(|(_, of)| *of == axis).and_then(|(address, _)| w.get(*address));
+            let via =
+                run.parameters(VIA).into_iter().find(|(_, of)| *of == axis).and_then(|(address, _)| w.get(address));
             for given in [w.axis(axis), via].into_iter().flatten() {
                 if (run.target(axis, given)? - at).abs() > 1e-9 {
                     return Ok(false);
@@ -330,7 +337,11 @@ impl Run<'_> {
         }
         for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
             let (_, _, other) = plane.axes();
-            let via = VIA.iter().find(|(_, of)| *of == Axis::ALL[other]).and_then(|(address, _)| w.get(*address));
+            let via = self
+                .parameters(VIA)
+                .iter()
+                .find(|(_, of)| *of == Axis::ALL[other])
+                .and_then(|(address, _)| w.get(*address));
             if via.is_some() && level(self, Axis::ALL[other])? {
                 return Ok(plane);
             }
@@ -344,11 +355,13 @@ impl Run<'_> {
         let feed = self.path_feed(w, false)?;
         let turns = self.turns(w)?;
         let start = self.start_in(plane, w)?;
-        let span = VIA.iter().filter_map(|(a, _)| w.get(*a)).map(|g| g.span).reduce(Span::to).unwrap_or_default();
+        let span = VIA.into_iter().filter_map(|a| w.get(a)).map(|g| g.span).reduce(Span::to).unwrap_or_default();
         let (_, _, third) = plane.axes();
         let third = Axis::ALL[third];
         // An intermediate point outside the plane: the circle stands obliquely in space.
-        if let Some((address, axis)) = VIA.iter().find(|(address, axis)| *axis == third && w.get(*address).is_some()) {
+        if let Some((address, axis)) =
+            self.parameters(VIA).iter().find(|(address, axis)| *axis == third && w.get(*address).is_some())
+        {
             let given = w.get(*address).unwrap_or_default();
             let at = self.target(*axis, Given { mode: given.mode, ..given })?;
             let level = |pos: Option<f64>| pos.is_none_or(|v| (v - at).abs() < 1e-9);
@@ -370,7 +383,7 @@ impl Run<'_> {
         }
         let mut end = self.targets(w)?;
         let to = self.end_in(&end, plane, start);
-        let Some(point) = self.point_of(w, &VIA, plane, start, true)? else {
+        let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
             return self.fail_help(
                 codes::S3006,
                 14920,

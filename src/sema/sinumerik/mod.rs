@@ -59,6 +59,7 @@ use words::Words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
+    run.set_plane(run.st.groups[6]);
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);

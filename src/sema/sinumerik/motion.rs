@@ -625,7 +625,8 @@ impl Run<'_> {
                 "shift the start point along the thread instead: lead · angle / 360",
             );
         }
-        for (address, axis) in [(Address::I, Axis::X), (Address::J, Axis::Y), (Address::K, Axis::Z)] {
+        let [first, second, third] = self.st.geometry_axes;
+        for (address, axis) in [(Address::I, first), (Address::J, second), (Address::K, third)] {
             if let Some(lead) = w.take(address) {
                 if lead.value == 0.0 {
                     return self.fail(codes::S2081, 16720, lead.span, "the lead of the thread is 0");

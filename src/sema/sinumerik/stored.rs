@@ -94,6 +94,10 @@ impl Run<'_> {
     }
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
+        // Blocks that were refused are not there to be compared.
+        if self.errors.get() > 0 {
+            return Ok(());
+        }
         let diameter = self.st.diameter_mode() != Diameter::Off;
         let made = solve(&stored.records, diameter, &self.job.settings.undercut);
         let [first, second, _] = self.st.roles();
