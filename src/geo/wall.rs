@@ -11,6 +11,7 @@
 //!   ═══════════╰───────────
 //! ```
 
+use super::arc::NEARLY_ONE_POINT;
 use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, direction, distance, intersect, left};
 
 /// An element may rise or lean over by this, mm: what arithmetic loses.
@@ -20,9 +21,9 @@ const SAME_HEIGHT: f64 = 1e-7;
 /// 1e-7 lie 1e-3 apart.
 const SHORTEST_LEG: f64 = 2e-7;
 
-/// Arcs with a shorter chord are lines, mm: they might be taken for full circles. For a nose of 0.1 mm the line
-/// is less than 1e-6 off.
-const SHORTEST_ARC: f64 = 6e-4;
+/// Arcs with a shorter chord are lines, mm: they might be taken for full circles. The limit for that holds for
+/// each axis, so a chord at 45 degrees may be √2 times as long.
+const SHORTEST_ARC: f64 = 1.5 * NEARLY_ONE_POINT;
 
 /// Curves closer than this are one, mm.
 const SAME_CURVE: f64 = 1e-9;
@@ -186,7 +187,8 @@ impl Wall {
         let start = at;
         let mut legs = Vec::new();
         let mut last: Option<usize> = None;
-        let mut leg_start = at;
+        // Where the leg under way starts, and how many legs there were before it.
+        let (mut leg_start, mut before) = (at, 0);
         for pair in self.heights(top, bottom).windows(2) {
             let (high, low) = (pair[0], pair[1]);
             let Some(i) = self.next((high + low) / 2.0, last) else { continue };
@@ -204,11 +206,11 @@ impl Wall {
             }
             let goes_on = last.is_some_and(|last| self.pieces[last].curve.continues(&curve));
             if goes_on {
-                legs.pop();
+                legs.truncate(before);
             } else {
-                leg_start = at;
+                (leg_start, before) = (at, legs.len());
             }
-            legs.push(if distance(to, leg_start) > SHORTEST_ARC { curve.leg(to) } else { Leg::Line { to } });
+            curve.run(leg_start, to, &mut legs);
             last = Some(i);
             at = to;
         }
@@ -268,12 +270,25 @@ impl Curve {
         }
     }
 
-    fn leg(&self, to: Point2) -> Leg {
-        match *self {
-            Curve::Line { .. } => Leg::Line { to },
-            // Downwards on the right half is clockwise.
-            Curve::Circle { center, half, .. } => Leg::Arc { to, center, ccw: half < 0.0 },
+    /// Downwards along the curve from `from` to `to`. A short arc becomes lines that leave material rather than
+    /// gouge: its chord where the material lies outside, else the tangents of its ends.
+    fn run(&self, from: Point2, to: Point2, legs: &mut Vec<Leg>) {
+        if let Curve::Circle { center, radius, half } = *self {
+            let chord = distance(from, to);
+            if chord > SHORTEST_ARC {
+                // Downwards on the right half is clockwise.
+                legs.push(Leg::Arc { to, center, ccw: half < 0.0 });
+                return;
+            }
+            let (a, b) = (from - center, to - center);
+            let square = radius * radius;
+            let reach = square + a.dot(&b);
+            // Within a quarter the ends are never more than a right angle apart, unless arithmetic made them so.
+            if half > 0.0 && chord > super::SAME_POINT && reach > square / 2.0 {
+                legs.push(Leg::Line { to: center + (a + b) * (square / reach) });
+            }
         }
+        legs.push(Leg::Line { to });
     }
 
     /// Heights at which two curves meet.
@@ -380,6 +395,44 @@ mod tests {
         let arc = legs.iter().find(|leg| matches!(leg, Leg::Arc { .. })).unwrap();
         let Leg::Arc { to, center, ccw } = *arc else { unreachable!() };
         assert!(near(to, (0.5, -0.5)) && near(center, (0.0, -0.5)) && !ccw);
+    }
+
+    #[test]
+    fn a_long_arc_with_a_short_rest_stays_an_arc() {
+        // Found by chance: the arc ends where the wall turns upright, in pieces that meet 1e-7 apart.
+        let bulge = Element::Arc {
+            from: Point2::new(-10.76707189016575, 2.1),
+            to: Point2::new(-10.66707189016575, 2.0),
+            center: Point2::new(-10.76707189016575, 2.0),
+            sweep: -core::f64::consts::FRAC_PI_2,
+        };
+        let foot = Point2::new(-10.66707189016575, 0.0);
+        let wall = Wall::new(&[bulge, Element::Line { from: bulge.to(), to: foot }], 0.9168178244483085).unwrap();
+        let (_, legs) = wall.way(3.1, 0.0);
+        let arcs: Vec<&Leg> = legs.iter().filter(|leg| matches!(leg, Leg::Arc { .. })).collect();
+        let end = (foot.x + wall.radius, 2.0 - wall.radius);
+        assert!(
+            matches!(arcs[..], [Leg::Arc { to, .. }] if (*to - Point2::new(end.0, end.1)).norm() < 1e-6),
+            "{legs:?}"
+        );
+    }
+
+    #[test]
+    fn a_short_arc_becomes_lines_that_do_not_gouge() {
+        // A quarter of 5e-4 mm about the edge: its chord would come nearer than the nose is round.
+        let (r, edge) = (5e-4, Point2::new(0.0, 0.0));
+        let wall = Wall::new(&[line((-3.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, -5.0))], r).unwrap();
+        let (start, legs) = wall.way(1.0, -5.0);
+        let mut at = start;
+        for leg in &legs {
+            assert!(matches!(leg, Leg::Line { .. }), "{legs:?}");
+            for i in 0..=1000 {
+                let p = at + (leg.to() - at) * (f64::from(i) / 1000.0);
+                let near = distance(Point2::new(p.x, p.y + r), edge);
+                assert!(near > r - 1e-9, "{near} at {p:?}");
+            }
+            at = leg.to();
+        }
     }
 
     #[test]

@@ -24,7 +24,7 @@ pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
         _ => return false,
     };
     // A head alone is as long as the head; blanks behind it are not part of the block.
-    let mut end = if stmt == Stmt::Pole { from + 2 } else { from + 1 };
+    let mut end = if matches!(stmt, Stmt::Pole) { from + 2 } else { from + 1 };
     let mut first = true;
     loop {
         while let Some(b' ' | b'\t' | b'\r') = text.get(at) {

@@ -20,6 +20,15 @@ impl Run<'_> {
     pub(super) fn number(&mut self, value: Value, span: Span) -> Outcome<f64> {
         match value {
             Value::Number(n) => Ok(n),
+            _ => self.number_of(value, span),
+        }
+    }
+
+    /// The number of a parameter. Kept apart, so that a written number costs no call.
+    #[inline(never)]
+    fn number_of(&mut self, value: Value, span: Span) -> Outcome<f64> {
+        match value {
+            Value::Number(n) => Ok(n),
             Value::Param { negative, q } => {
                 let n = self.parameter(q, span)?;
                 Ok(if negative { -n } else { n })

@@ -381,6 +381,35 @@ fn check_rest(
     Ok(())
 }
 
+/// A groove on which a long arc once became its chord, 0.003 mm too deep at the second wall.
+#[test]
+fn a_small_rounding_above_an_upright_wall_is_not_gouged() {
+    let left = [
+        StepDown::Bulge(0.6403022914171055),
+        StepDown::Line(1.3918015861454755, 0.0),
+        StepDown::Line(1.304413595420839, 0.0),
+    ];
+    let right = [StepDown::Bulge(0.1), StepDown::Line(0.0, 1.5)];
+    let shape = shape(&left, &right, 7.33055456018633);
+    let view = View::new(Towards::MinusX, 1.0);
+    let recess = RecessTurning {
+        contour: moved_by(&shape.contour, Vec2::new(70.0, 50.0)),
+        into: Towards::MinusX,
+        tool: RecessTool { width: 2.248618495190881, nose: 0.9168178244483085, edge: 0.0 },
+        blank: 52.1,
+        most: 0.3,
+        oversize: Vec2::zeros(),
+        offset_width: 0.0,
+        compensation: 0.0,
+        passes: Passes::BothWays,
+        operation: Operation::Rough,
+        clearance: 1.0,
+        end: RecessEnd::Lift,
+        ..groove()
+    };
+    check_cutting(&shape, &recess, &view).expect("no gouge");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
