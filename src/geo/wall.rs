@@ -399,18 +399,18 @@ mod tests {
 
     #[test]
     fn a_long_arc_with_a_short_rest_stays_an_arc() {
-        // Found by chance: the arc ends where the wall turns upright, in pieces that meet 1e-7 apart.
+        // Far from the axes rounding cuts the arc in two where the wall turns upright; the second is next to nothing.
         let bulge = Element::Arc {
-            from: Point2::new(-10.76707189016575, 2.1),
-            to: Point2::new(-10.66707189016575, 2.0),
-            center: Point2::new(-10.76707189016575, 2.0),
+            from: Point2::new(-80.76707189016575, 52.1),
+            to: Point2::new(-80.66707189016574, 52.0),
+            center: Point2::new(-80.76707189016575, 52.0),
             sweep: -core::f64::consts::FRAC_PI_2,
         };
-        let foot = Point2::new(-10.66707189016575, 0.0);
+        let foot = Point2::new(-80.66707189016574, 50.0);
         let wall = Wall::new(&[bulge, Element::Line { from: bulge.to(), to: foot }], 0.9168178244483085).unwrap();
-        let (_, legs) = wall.way(3.1, 0.0);
+        let (_, legs) = wall.way(53.1, 50.0);
         let arcs: Vec<&Leg> = legs.iter().filter(|leg| matches!(leg, Leg::Arc { .. })).collect();
-        let end = (foot.x + wall.radius, 2.0 - wall.radius);
+        let end = (foot.x + wall.radius, 52.0 - wall.radius);
         assert!(
             matches!(arcs[..], [Leg::Arc { to, .. }] if (*to - Point2::new(end.0, end.1)).norm() < 1e-6),
             "{legs:?}"
