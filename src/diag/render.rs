@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use crate::text::{Loc, Sources};
+use crate::text::Sources;
 
-use super::{Diagnostic, Severity, Trail};
+use super::{Diagnostic, Trail};
 
 /// `file:line:column: error[K1001]: message`
 pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
@@ -113,6 +113,9 @@ pub mod terminal {
     use miette::{
         GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceSpan, SpanContents,
     };
+
+    use crate::diag::Severity;
+    use crate::text::Loc;
 
     use super::*;
 
