@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// X Y Z A B C; the stand-alone interpreter has no U V W.
 pub const AXES: usize = 6;
@@ -114,8 +115,12 @@ fn straight_end(numbers: &[f64]) -> Result<[f64; AXES], String> {
     numbers.get(..AXES).and_then(|end| end.try_into().ok()).ok_or_else(|| format!("six numbers in {numbers:?}"))
 }
 
+/// A folder of its own for each run: cases of one name run side by side.
 fn scratch(name: &str) -> PathBuf {
-    let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("rs274-{name}"));
+    static RUNS: AtomicUsize = AtomicUsize::new(0);
+    let run = RUNS.fetch_add(1, Ordering::Relaxed);
+    let own = format!("rs274-{}-{run}-{name}", std::process::id());
+    let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(own);
     fs::create_dir_all(&dir).expect("a writable target folder");
     dir
 }
