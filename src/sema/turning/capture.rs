@@ -114,7 +114,8 @@ impl Run<'_> {
                 "write the contour with G0, G1, G2 and G3 blocks before G80",
             );
         }
-        let outline = capture.builder.settle().and_then(|()| capture.builder.outline());
+        let left_out = if matches!(capture.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
+        let outline = capture.builder.settle().and_then(|()| capture.builder.outline(left_out));
         let empty = capture.builder.is_empty();
         match outline {
             _ if capture.broken => Err(Reported),

@@ -16,6 +16,7 @@ impl Run<'_> {
             81 | 82 => self.rectangle(w, number == 81),
             810 | 817..=819 | 820 | 827..=829 => self.contour_roughing(w, outline, number),
             85 => self.undercut_cycle(w),
+            890 => self.finishing(w, outline),
             869 => self.recess_turning(w, outline),
             _ => {
                 self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
@@ -33,10 +34,10 @@ impl Run<'_> {
     }
 
     /// The contour of a cycle: the blocks behind it, or those of a geometry section that NS and NE name.
-    pub(super) fn contour_of(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Vec<Edge>> {
+    pub(super) fn contour_of(&self, w: &Words, outline: Option<&Outline>, left_out: u32) -> Outcome<Vec<Edge>> {
         let edges = match outline {
             Some(outline) => outline.edges.clone(),
-            None => self.referenced(w)?,
+            None => self.referenced(w, left_out)?,
         };
         if edges.len() > MOST_EDGES {
             let message = format!("the contour of a cycle has more than {MOST_EDGES} elements");
@@ -45,7 +46,35 @@ impl Run<'_> {
         Ok(edges)
     }
 
-    fn referenced(&self, w: &Words) -> Outcome<Vec<Edge>> {
+    /// The same; V leaves out the chamfer or rounding at the first or last element, D recesses and undercuts.
+    pub(super) fn contour_with_ends(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Vec<Edge>> {
+        let (begin, end) = match self.choice(w, b'V', 0, 4)? {
+            0 => (true, true),
+            1 => (true, false),
+            2 => (false, true),
+            3 => (false, false),
+            _ => {
+                return self.fail_help(
+                    codes::T9007,
+                    w.span(b'V', self.block_span()),
+                    "V4 (only the chamfer or rounding of an element) is not supported",
+                    "write the chamfer as an element of its own",
+                );
+            }
+        };
+        let left_out = self.left_out(w)?;
+        let mut edges = self.contour_of(w, outline, left_out)?;
+        let basic = |edge: &Edge| !edge.corner;
+        if !begin && let Some(at) = edges.iter().position(basic) {
+            edges.drain(..at);
+        }
+        if !end && let Some(at) = edges.iter().rposition(basic) {
+            edges.truncate(at + 1);
+        }
+        Ok(edges)
+    }
+
+    fn referenced(&self, w: &Words, left_out: u32) -> Outcome<Vec<Edge>> {
         let span = self.block_span();
         let Some(first) = w.long("NS") else {
             return self.fail(codes::T1005, span, "the cycle has neither NS nor a contour behind it");
@@ -58,7 +87,14 @@ impl Run<'_> {
         let mut missing = ns;
         let mut found = Vec::new();
         for described in &self.geometry.contours {
-            match described.outline.between(ns, last.map(|_| ne)) {
+            let outline = match described.outline_without(left_out) {
+                Ok(outline) => outline,
+                Err(flaw) => {
+                    self.flaw(&flaw);
+                    return Err(Reported);
+                }
+            };
+            match outline.between(ns, last.map(|_| ne)) {
                 Ok(edges) => found.push(edges),
                 Err(number) if number != ns => missing = number,
                 Err(_) => {}

@@ -10,6 +10,7 @@ mod coordinates;
 mod cycles;
 mod drilling;
 mod eval;
+mod finishing;
 mod flow;
 mod forms;
 mod functions;

@@ -8,7 +8,6 @@ use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTool, RecessTurning};
 use crate::ir::cycle::turning::Towards;
-use crate::machine::Tool;
 use crate::machine::tools::Corner;
 
 use super::contour::Outline;
@@ -27,7 +26,7 @@ impl Run<'_> {
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
         let (tool, radial) = self.recess_tool()?;
-        let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.into_iter().map(|edge| edge.element).collect();
         let into = direction(&contour, radial);
         let clearance = self.cycle_clearance();
         let turn = self.cutting_feed()?;
@@ -70,14 +69,6 @@ impl Run<'_> {
                     "leave it out, and end the contour where the recess ends",
                 );
             }
-        }
-        if let Some(num) = w.get(b'V').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "V of G869 leaves out chamfers at the ends of the contour, which is not supported",
-                "leave V out, and write the contour without the chamfers",
-            );
         }
         match w.long("RI").or(w.long("RK")) {
             Some(num) => self.fail_help(
@@ -124,9 +115,7 @@ impl Run<'_> {
                 "program T in front of the cycle",
             );
         };
-        let tools = &self.job.settings.tools;
-        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
-        let known: Option<&Tool> = tools.by_number(active.number, active.edge).or_else(by_name);
+        let known = self.known_tool();
         let radial = match known.and_then(|tool| tool.kind.as_deref()) {
             Some("recess-radial") => Some(true),
             Some("recess-axial") => Some(false),
