@@ -23,6 +23,27 @@ pub fn point_to(p: Point2, element: &Element) -> f64 {
     }
 }
 
+/// On which side of an element `p` lies at the place nearest to it: over 0 to the left, seen in its direction.
+pub fn side_of(p: Point2, element: &Element) -> f64 {
+    match *element {
+        Element::Line { from, to } => direction(to - from, 0.0).map_or(0.0, |u| cross(u, p - from)),
+        Element::Arc { from, center, sweep, .. } => {
+            if on_arc(element, p) {
+                (distance(from, center) - distance(p, center)) * sweep.signum()
+            } else {
+                // Beyond an end: the tangent there.
+                let at_start = distance(p, element.from()) <= distance(p, element.to());
+                let (end, u) = if at_start {
+                    (element.from(), element.start_direction())
+                } else {
+                    (element.to(), element.end_direction())
+                };
+                u.map_or(0.0, |u| cross(u, p - end))
+            }
+        }
+    }
+}
+
 /// Least distance of two elements; 0 where they meet.
 pub fn between(a: &Element, b: &Element) -> f64 {
     if meet(a, b) {

@@ -6,8 +6,11 @@ use super::{Element, Point2, SAME_POINT, Vec2, cross, direction, distance, gap, 
 /// Directions whose sine is below this go on without a corner: what four decimals lose.
 const TANGENTIAL: f64 = 1e-3;
 
+/// Arcs with a shorter chord are lines, mm; the limit for full circles holds for each axis.
+const SHORTEST_ARC: f64 = 1.5 * NEARLY_ONE_POINT;
+
 /// How much nearer than asked the parallel may come, mm: what tangential joints and arithmetic lose.
-const NEARER: f64 = 1e-3;
+pub const NEARER: f64 = 1e-3;
 
 /// Why a contour has no parallel at a distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +50,9 @@ pub fn parallel(chain: &[Element], offset: f64) -> Result<Vec<Part>, NoParallel>
     }
     if made.is_empty() {
         return Err(NoParallel::Empty);
+    }
+    for part in &mut made {
+        part.element = long_enough(part.element);
     }
     let near = |a: &Part| chain.iter().any(|b| gap::between(&a.element, b) < offset.abs() - NEARER);
     if offset != 0.0 && made.iter().any(near) { Err(NoParallel::TooNarrow) } else { Ok(made) }
@@ -118,6 +124,18 @@ fn inner_corner(last: &Element, next: &Element) -> Option<Point2> {
     gap::crossings(last, next).into_iter().filter(touching).max_by(|a, b| last.way_to(*a).total_cmp(&last.way_to(*b)))
 }
 
+/// An arc so short that it might be taken for a full circle becomes a line.
+fn long_enough(element: Element) -> Element {
+    match element {
+        Element::Arc { from, to, sweep, .. }
+            if distance(from, to) <= SHORTEST_ARC && sweep.abs() < core::f64::consts::PI =>
+        {
+            Element::Line { from, to }
+        }
+        other => other,
+    }
+}
+
 /// All elements moved by `by`.
 pub fn shifted(chain: &[Element], by: Vec2) -> Vec<Element> {
     let shift = |element: &Element| match *element {
@@ -152,7 +170,7 @@ mod tests {
         // Travelling to -x, the right side is above: an inner corner, then an outer one.
         let above = parallel(&steps, -1.0).unwrap();
         assert_eq!(ends(&above), [(10.0, 1.0), (6.0, 1.0), (6.0, 5.0), (5.0, 6.0), (0.0, 6.0)]);
-        assert!(matches!(above[2].element, Element::Arc { sweep, .. } if sweep < 0.0));
+        assert!(matches!(above[2].element, Element::Arc { sweep, .. } if sweep > 0.0));
         assert_eq!(above.iter().map(|part| part.of).collect::<Vec<_>>(), [0, 1, 1, 2]);
         let below = parallel(&steps, 1.0).unwrap();
         assert_eq!(ends(&below), [(10.0, -1.0), (5.0, -1.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);

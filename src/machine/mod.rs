@@ -17,7 +17,7 @@ mod values;
 pub use axis::{Axis, AxisSet};
 pub use settings::{
     ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings,
-    PolarMissing, RecessDepth, Settings, ShiftAxes, Unit,
+    PolarMissing, RecessDepth, RecessSide, Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -18,4 +18,5 @@ mod reader;
 mod rs274;
 mod sinumerik;
 mod sweep;
+mod turning_parameters;
 mod undercut;

@@ -167,6 +167,10 @@ T2028 Note "turning-descending-feed" "feed on descending elements is partc's cho
 "Where E is missing the control lowers the feed on descending elements by up to a half, depending on their angle. partc takes half the feed on \
 all of them. Program E to set it."
 
+T2029 Note "turning-strokes-only" "recess is cut in strokes only"
+"G86 finishes a recess, with chamfers at its rims, when an oversize is programmed (I of a radial recess, K of an axial one). Without one partc cuts the \
+strokes to their full depth and leaves the rims sharp."
+
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
 `B0` a corner; a line by angle is fixed by one coordinate or by the next element."

@@ -20,6 +20,10 @@ const SLACK: f64 = 1e-6;
 pub struct Finishing {
     /// In the order of cutting.
     pub contour: Vec<Element>,
+    /// The whole finished contour around it, in its own order, with the tool left of it or right: the ways to the
+    /// contour and from it keep clear of all that. Empty where nothing else is known.
+    pub around: Vec<Element>,
+    pub around_left: bool,
     /// Infeed direction: what goes this way is a descending element.
     pub into: Towards,
     /// The tool is left of the contour, seen in the order of cutting.
@@ -29,7 +33,7 @@ pub struct Finishing {
     pub oversize: f64,
     /// Moves the whole contour.
     pub shift: Vec2,
-    /// Away from the part at both ends, -1, 0 or 1 along Z and X.
+    /// Away from the part at both ends, -1, 0 or 1 along Z and X. Where that is not free, another quadrant is taken.
     pub away: Vec2,
     /// Way along each axis between the contour and where the tool comes down to it and lifts off it, over 0.
     pub clearance: f64,
@@ -129,7 +133,7 @@ impl Finishing {
             && sign(self.nose.tip.y);
         let rules = [
             ((1..=MOST_ELEMENTS).contains(&self.contour.len()), FinishingFault::Elements),
-            (self.contour.iter().all(is_element) && target, FinishingFault::Point),
+            (self.contour.iter().chain(&self.around).all(is_element) && target, FinishingFault::Point),
             (joined(&self.contour), FinishingFault::Gap),
             (nose, FinishingFault::Nose),
             (is_coordinate(self.oversize) && self.distance() >= 0.0, FinishingFault::Oversize),
@@ -163,18 +167,53 @@ impl Finishing {
         Ok(parts)
     }
 
-    /// A place clear of the path, next to its start or end `p`; `None` if there is none.
-    pub fn beside(&self, p: Point2, path: &[Part]) -> Option<Point2> {
+    /// What the ways to the contour and from it keep clear of.
+    fn obstacles(&self) -> (Vec<Element>, bool) {
+        let (list, left) =
+            if self.around.is_empty() { (&self.contour, self.left) } else { (&self.around, self.around_left) };
+        (offset::shifted(list, self.shift), left)
+    }
+
+    /// Least distance of the nose from the finished contour on a straight way of the programmed point.
+    pub fn clear(&self, from: Point2, to: Point2) -> f64 {
+        let center = -self.nose.tip * self.nose.radius;
+        let leg = Element::Line { from: from + center, to: to + center };
+        let (obstacles, _) = self.obstacles();
+        let near = |least: f64, element: &Element| least.min(gap::between(&leg, element));
+        obstacles.iter().fold(f64::INFINITY, near) - self.nose.radius
+    }
+
+    /// Does the nose stand on the free side of the finished contour?
+    fn is_outside(&self, p: Point2) -> bool {
+        let p = p - self.nose.tip * self.nose.radius;
+        let (obstacles, left) = self.obstacles();
+        let least = obstacles.iter().map(|element| gap::point_to(p, element)).fold(f64::INFINITY, f64::min);
+        let mut nearest = obstacles.iter().filter(|element| gap::point_to(p, element) <= least + SLACK);
+        nearest.all(|element| {
+            let side = gap::side_of(p, element);
+            if left { side > -SLACK } else { side < SLACK }
+        })
+    }
+
+    /// A place clear of the contour, next to the start or end `p` of the path; `None` if there is none.
+    pub fn beside(&self, p: Point2) -> Option<Point2> {
         let away = self.away;
-        let ways = [away, Vec2::new(0.0, away.y), Vec2::new(away.x, 0.0)];
+        let ways = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (0.0, 1.0), (1.0, 0.0)];
+        let ways = ways.map(|(z, x)| Vec2::new(away.x * z, away.y * x));
         ways.into_iter().filter(|way| *way != Vec2::zeros()).find_map(|way| {
             let mut to = p + way * self.clearance;
             if p.y >= 0.0 {
                 // Not beyond the turning centre.
                 to.y = to.y.max(0.0);
             }
-            let free = |t: f64| clear_of(p + (to - p) * t, path) >= self.clearance * t - SLACK;
-            (free(0.5) && free(1.0)).then_some(to)
+            // Straight away from `p`: on the whole way as far as it has come.
+            let free = |t: f64| {
+                let at = p + (to - p) * t;
+                self.clear(at, at) >= self.clearance * t + self.oversize.min(0.0) - SLACK
+            };
+            let way_is_free = [1.0, 0.5, 0.25, 0.125].into_iter().all(free);
+            let keeps_off = self.clear(p, to) >= self.oversize - offset::NEARER;
+            (way_is_free && keeps_off && self.is_outside(to)).then_some(to)
         })
     }
 
@@ -183,7 +222,7 @@ impl Finishing {
         let end = || {
             let path = self.path(&self.contour).ok()?;
             let last = path.last()?.element.to();
-            if self.end == FinishingEnd::Stay { Some(last) } else { self.beside(last, &path) }
+            if self.end == FinishingEnd::Stay { Some(last) } else { self.beside(last) }
         };
         match self.end {
             FinishingEnd::Start { .. } => {}
@@ -201,9 +240,4 @@ impl Finishing {
             }
         }
     }
-}
-
-/// Distance of `p` from the path.
-pub fn clear_of(p: Point2, path: &[Part]) -> f64 {
-    path.iter().map(|part| gap::point_to(p, &part.element)).fold(f64::INFINITY, f64::min)
 }

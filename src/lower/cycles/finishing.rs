@@ -9,9 +9,9 @@
 
 use crate::diag::codes;
 use crate::geo::offset::{NoParallel, Part};
-use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance, gap};
+use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Feed;
-use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way, clear_of};
+use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 
 use super::slope::{Slope, reversed};
 use super::track::{Failure, Strokes, Track, View};
@@ -87,10 +87,15 @@ fn feed_on(finishing: &Finishing, element: &Element, of: Option<&Element>) -> Fe
         Descending::Cut { feed } if of.is_some_and(|of| descends(of, finishing.into.unit())) => feed,
         _ => finishing.feed,
     };
-    let (Element::Arc { .. }, ArcFeed::Turns { turns, speed }) = (element, finishing.arcs) else { return feed };
+    // The roundings that the nose makes of outer corners are no arcs of the contour.
+    let (Element::Arc { .. }, Some(of @ Element::Arc { .. }), ArcFeed::Turns { turns, speed }) =
+        (element, of, finishing.arcs)
+    else {
+        return feed;
+    };
     let most = match feed {
-        Feed::PerRevolution(_) => element.length() / turns,
-        Feed::PerMinute(_) => speed.map_or(f64::INFINITY, |speed| element.length() / turns * speed),
+        Feed::PerRevolution(_) => of.length() / turns,
+        Feed::PerMinute(_) => speed.map_or(f64::INFINITY, |speed| of.length() / turns * speed),
     };
     if feed.value() > most && most > 0.0 { feed.with_value(most) } else { feed }
 }
@@ -113,7 +118,7 @@ impl Cutter<'_> {
         if distance(from, start) <= SAME_POINT {
             return Ok(());
         }
-        let beside = self.finishing.beside(start, self.path).ok_or_else(|| {
+        let beside = self.finishing.beside(start).ok_or_else(|| {
             Failure::new(
                 codes::G3048,
                 "there is no room beside the start of the contour for the tool to come down to it",
@@ -140,7 +145,7 @@ impl Cutter<'_> {
         if self.finishing.end == FinishingEnd::Stay {
             return Ok(());
         }
-        let beside = self.finishing.beside(self.track.at(), self.path).ok_or_else(|| {
+        let beside = self.finishing.beside(self.track.at()).ok_or_else(|| {
             Failure::new(
                 codes::G3048,
                 "there is no room beside the end of the contour for the tool to lift off",
@@ -177,14 +182,10 @@ impl Cutter<'_> {
     /// Does the way keep the clearance from the contour, or as much of it as its ends have?
     fn is_free(&self, from: Point2, way: &[Point2]) -> bool {
         let to = way.last().copied().unwrap_or(from);
-        let ends = clear_of(from, self.path).min(clear_of(to, self.path));
-        let least = self.finishing.clearance.min(ends);
+        let clear = |a, b| self.finishing.clear(a, b);
+        let least = self.finishing.clearance.min(clear(from, from)).min(clear(to, to));
         let mut at = from;
-        least > SLACK
-            && way.iter().all(|to| {
-                let leg = Element::Line { from: std::mem::replace(&mut at, *to), to: *to };
-                self.path.iter().all(|part| gap::between(&leg, &part.element) >= least - SLACK)
-            })
+        least > SLACK && way.iter().all(|to| clear(std::mem::replace(&mut at, *to), *to) >= least - SLACK)
     }
 }
 

@@ -235,10 +235,35 @@ pub(super) struct Outline {
     pub edges: Vec<Edge>,
 }
 
+/// A part of an outline, in the order in which it is cut.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Section {
+    pub edges: Vec<Edge>,
+    /// It is cut against the order of the outline.
+    pub backwards: bool,
+    /// The whole outline in its own order.
+    pub whole: Vec<Element>,
+}
+
+impl Section {
+    pub fn elements(&self) -> Vec<Element> {
+        self.edges.iter().map(|edge| edge.element).collect()
+    }
+}
+
 impl Outline {
+    fn elements(&self) -> Vec<Element> {
+        self.edges.iter().map(|edge| edge.element).collect()
+    }
+
+    /// All of it.
+    pub fn all(&self) -> Section {
+        Section { edges: self.edges.clone(), backwards: false, whole: Vec::new() }
+    }
+
     /// The elements from the block `first` to the block `last`, turned around where `last` stands before `first` or
     /// is the same block. The number that is not found is the error.
-    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Vec<Edge>, u32> {
+    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Section, u32> {
         let place = |number: u32| -> Result<(usize, usize), u32> {
             let belongs = |edge: &Edge| edge.number == Some(number);
             let from = self.edges.iter().position(belongs).ok_or(number)?;
@@ -257,7 +282,8 @@ impl Outline {
         let range = first..=to.max(last_to);
         let edges = self.edges[range].iter();
         let turned = |edge: &Edge| Edge { element: reversed(edge.element), ..*edge };
-        Ok(if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() })
+        let edges = if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() };
+        Ok(Section { edges, backwards, whole: self.elements() })
     }
 }
 

@@ -34,7 +34,8 @@ impl Run<'_> {
     pub(super) fn finishing(&mut self, w: &Words, outline: Option<&Outline>) -> Outcome {
         let at = self.stand()?;
         self.refuse_finishing_words(w)?;
-        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let section = self.contour_with_ends(w, outline)?;
+        let contour = section.elements();
         let nose = self.nose_of_tool()?;
         let stance = self.stance(&contour, at, nose)?;
         let feed = self.cutting_feed()?;
@@ -55,6 +56,8 @@ impl Run<'_> {
         let (oversize, shift) = self.finishing_oversize(&contour, &stance)?;
         let finishing = Finishing {
             contour,
+            around_left: stance.left != section.backwards,
+            around: section.whole,
             into: stance.into,
             left: stance.left,
             nose: nose.unwrap_or_default(),

@@ -6,6 +6,7 @@
 mod capture;
 mod chain;
 mod contour;
+mod contour_words;
 mod coordinates;
 mod cycles;
 mod drilling;
@@ -23,6 +24,8 @@ mod recess_turning;
 mod roughing;
 mod sections;
 mod shifts;
+mod simple_recess;
+mod simple_thread;
 mod state;
 mod subprograms;
 mod threads;

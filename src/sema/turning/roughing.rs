@@ -55,7 +55,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
+    pub(super) fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
         let ordinate = |coord: Coord, from: f64| match coord {
             Coord::At(v) => Some(v),
             Coord::By(d) => Some(from + d),
@@ -126,7 +126,7 @@ impl Run<'_> {
         }
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
-        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
         let into = towards(&contour, at, along_z);
         self.check_side(&contour, at, into, number)?;
         self.note_bridged(&contour, at, into, number);

@@ -1,7 +1,7 @@
 //! G32, a thread from where the tool stands to an end point, cut in several passes.
 //!
-//! No manual at hand shows its list of words; they are read as `[control] simple_thread = "documented"` says, which is
-//! the list of the reference, section 10.4.
+//! No manual at hand shows its list of words; they are read as docs/turning.md says, from the reference, section
+//! 10.4; `[control] simple_thread = "refuse"` refuses them.
 
 use crate::diag::codes;
 use crate::geo::{Deg, Point2};
@@ -19,12 +19,12 @@ impl Run<'_> {
     pub(super) fn simple_thread(&mut self, w: &Words) -> Outcome {
         let at = self.stand()?;
         let span = self.block_span();
-        if !self.job.settings.control.turning.simple_thread {
+        if self.job.settings.control.turning.refuse_simple_thread {
             return self.fail_help(
                 codes::T9007,
                 span,
                 "the words of G32 are not confirmed by a manual",
-                "program G31, or set `[control] simple_thread = \"documented\"` in partc.toml after a look at docs/turning.md",
+                "program G31, or set `[control] simple_thread = \"documented\"` in partc.toml",
             );
         }
         for (letter, what) in [(b'W', "the sense of its taper angle"), (b'H', "the angle of its flank offset")] {
