@@ -70,6 +70,14 @@ K1014 Error "m-functions-conflict" "M functions of one block contradict each oth
 "For example M3 with M4, or M8 with M9 in one block. Which one acts last is not defined, so the spindle might turn the wrong way. \
 Keep one, or put them into two blocks."
 
+K1015 Warning "speed-in-path-block" "spindle speed outside TOOL CALL"
+"The control takes S in TOOL CALL only: `TOOL CALL S2500` sets a new speed without a change of tool. Some CAM posts write S into \
+positioning blocks; partc sets the speed in front of the move of such a block, as DIN/ISO does."
+
+K1016 Error "block-in-comment" "comment hides a block behind a lone carriage return"
+"A comment holds a carriage return, and what follows reads as a block. Lines of this file end with a line feed, so for the control the rest still \
+is comment, while many editors show a line of its own. Whether the block shall run cannot be known: end the comment with a line feed, or remove the block."
+
 K2001 Error "position-unknown" "position of an axis is not known here"
 "The block needs the position from which it starts: for an incremental word, an arc, a chamfer or a polar word. No block before gave this axis \
 an absolute position in the workpiece system, or the last one was in machine coordinates (M91), from which the workpiece position \
@@ -118,6 +126,10 @@ so partc adds it to the coordinates of the tool axis. Blocks in machine coordina
 K2012 Error "tool-length-unknown" "length of the tool is not known"
 "The block reads the tool length (Q114 or SYSREAD), and neither the program nor the configuration gives it. Put `TOOL DEF` with L \
 into the program, or the length into the tool table or `[tools.5]` of partc.toml."
+
+K2013 Warning "feed-per-revolution-large" "feed under M136 is far too large for a feed per revolution"
+"M136 acts at the start of its block and makes every F that follows count millimetres per revolution of the spindle, the F of its own block \
+included. A number like 200 was most likely meant per minute. Write the feed per revolution, or M137 first."
 
 K2101 Error "pole-missing" "no circle centre or pole in force"
 "C, CP, LP and CTP refer to the last CC block, and there is none before this block that is still valid. Program `CC X… Y…` first."
@@ -196,6 +208,10 @@ K2210 Warning "label-runs-through" "main program runs into a subprogram"
 "The main program is not ended by M2 or M30 in front of this label, so its blocks run once without being called. \
 That is allowed, but rarely meant."
 
+K2212 Warning "plc-value" "values for the PLC of the machine are left out"
+"FN 19 and FN 29 hand numbers to the machine's own control. The path does not depend on them, and plain G-code has no word for it. What the \
+machine builder makes of them (clamping, coolant pressure) will not happen on the target: see to it there, or use an M function."
+
 K2301 Error "parameter-undefined" "Q parameter has no value"
 "The parameter is read before any block sets it. On the machine it might still hold a value from another program. \
 Set it, or give a start value in partc.toml: `[variables]` with `Q50 = 3.0`."
@@ -231,6 +247,10 @@ many, or the blank behind the number is missing."
 K2309 Error "program-error-stop" "program stops with its own error"
 "The block FN 14 makes the control stop with an error text. The program itself says that something is wrong with its parameters; \
 look at the condition in front of it."
+
+K2310 Error "modulo-sign" "remainder of a negative number is not documented"
+"The manuals show `400 % 360 = 40` and say nothing of negative operands: -400 % 360 may be -40 or 320. Make the operands positive, or say \
+in partc.toml how your control computes: `[control] modulo = \"truncate\"` keeps the sign of the left operand (-40), `\"floor\"` that of the right one (320)."
 
 K2401 Error "cycle-not-defined" "cycle call without a cycle"
 "CYCL CALL, M99, M89 and the pattern cycles 220 and 221 run the machining cycle defined last, and there is none. Put CYCL DEF in \
@@ -333,6 +353,11 @@ K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does
 K2709 Warning "plunge-feed-open" "M103 does not know where the move starts"
 "M103 limits the feed by the share of the way that leads down, and where this move starts was not programmed. partc takes the lowest \
 feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning."
+
+K8001 Warning "block-not-run" "block that does not run could not be compiled"
+"`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
+jump. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` with the code that \
+the text names says why."
 
 K9001 Error "cycle-unsupported" "machining cycle is not supported yet"
 "The cycle is read, but partc cannot compute its path yet, and a path without it would leave out material removal. Nothing is written."

@@ -241,15 +241,13 @@ impl Run<'_> {
         let (job, here) = (self.job, self.here.origin.loc);
         let program = self.program();
         let file = program.file;
-        let labels = program.labels.get_or_insert_with(|| Labels::scan(&job, file, here));
+        let labels = program
+            .labels
+            .get_or_insert_with(|| Labels::scan(&job, file, here, &mut |found| push_unless_known(&job, found)));
         if let Some(place) = labels.place(label) {
             return Ok(place);
         }
-        let found = Diagnostic::new(codes::K2202, here, format!("{label} is not set in this program"));
-        let found = match labels.like(label) {
-            Some(like) => found.help(format!("did you mean `{like}`?")),
-            None => found,
-        };
+        let found = labels.missing(label, here);
         self.report(found);
         Err(Reported)
     }
@@ -265,8 +263,9 @@ impl Run<'_> {
     }
 
     /// `LBL n` in passing.
-    pub(super) fn label(&mut self, label: LabelRef) -> Outcome {
+    pub(super) fn label(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
         let here = self.here.origin.loc;
+        self.note_label(label, text);
         if label != LabelRef::Number(0) {
             self.level().passed = Some(here);
             return Ok(());
@@ -282,6 +281,19 @@ impl Run<'_> {
         };
         self.report(found.help("put M30 or M2 in front of the subprograms, or skip this one with a jump"));
         Ok(())
+    }
+
+    /// In a program without jumps nothing looks for labels: whether one is set twice shows in passing.
+    fn note_label(&mut self, label: LabelRef, text: &[u8]) {
+        let loc = self.here.origin.loc;
+        let place = Place { at: self.here.at, line: self.here.line };
+        let program = self.program();
+        if program.labels.is_some() || label == LabelRef::Number(0) {
+            return;
+        }
+        if let Some(found) = program.passed.add(label, text, place, loc) {
+            self.report(found);
+        }
     }
 
     pub(super) fn call_label(&mut self, label: LabelRef, repeat: Option<Repeat>, text: &[u8]) -> Outcome {
@@ -512,5 +524,12 @@ impl Run<'_> {
         }
         let start = self.programs[program].cursor.start();
         self.enter(LevelKind::Program { call_site: site }, program, start)
+    }
+}
+
+/// A label set twice may have been found in passing before.
+fn push_unless_known(job: &crate::sema::Job<'_>, found: Diagnostic) {
+    if !job.diags.knows(&found) {
+        job.diags.push(found);
     }
 }

@@ -13,6 +13,7 @@ mod eval;
 mod feed;
 mod formula;
 mod help;
+mod idle;
 mod labels;
 mod mfunc;
 mod other;
@@ -37,6 +38,8 @@ use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::text::blocks::Place;
 use crate::text::{Cursor, FileId, Loc, Next, Span};
+
+pub use idle::check_idle;
 
 use super::Job;
 use super::exec::{Budget, Cache, open_cursor};
@@ -104,6 +107,8 @@ struct Program {
     file: FileId,
     cursor: Cursor,
     labels: Option<Labels>,
+    /// Labels passed before the file was looked through for them.
+    passed: Labels,
     cache: Cache<Parsed>,
     /// BEGIN PGM, once it was met.
     head: Option<ProgramHead>,
@@ -159,7 +164,14 @@ impl Run<'_> {
             return Some(at);
         }
         let cursor = open_cursor(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { file, cursor, labels: None, cache: Cache::default(), head: None });
+        self.programs.push(Program {
+            file,
+            cursor,
+            labels: None,
+            passed: Labels::default(),
+            cache: Cache::default(),
+            head: None,
+        });
         Some(self.programs.len() - 1)
     }
 
@@ -271,7 +283,7 @@ impl Run<'_> {
             Stmt::BlkForm => self.blank_form(block, text),
             Stmt::ToolDef => self.tool_def(block, text),
             Stmt::ToolCall => self.tool_call(block, text),
-            Stmt::Label(label) => self.label(label),
+            Stmt::Label(label) => self.label(label, text),
             Stmt::CallLabel { label, repeat } => self.call_label(label, repeat, text),
             Stmt::CallProgram(name) => self.call_program(name.of(text)),
             Stmt::SelectProgram(name) => self.select_program(name.of(text)),
