@@ -184,6 +184,13 @@ impl Reader {
                     _ => Modulo::Refuse,
                 };
             }
+            "repeat_count" => {
+                control.repeat_count = match text(node) {
+                    "truncate" => RepeatCount::Truncate,
+                    "round" => RepeatCount::Round,
+                    _ => RepeatCount::Refuse,
+                };
+            }
             "scaling" => control.scaling_in_plane = text(node) == "plane",
             "turning_arc_q" => {
                 let far = text(node) == "far";

@@ -143,6 +143,12 @@ pub const SECTIONS: &[Section] = &[
                 "% with a negative operand: refused, sign of the left or of the right operand",
             )
             .or(r#""refuse""#),
+            key(
+                "repeat_count",
+                Kind::Choice(&["refuse", "truncate", "round"]),
+                "number of repeats (CALL LBL REP) with decimals",
+            )
+            .or(r#""refuse""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
             key(
                 "turning_arc_q",

@@ -135,6 +135,15 @@ pub enum Modulo {
     Floor,
 }
 
+/// What CALL LBL REP makes of a number with decimals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RepeatCount {
+    #[default]
+    Refuse,
+    Truncate,
+    Round,
+}
+
 /// Which of two solutions Q0 of an arc names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ArcChoice {
@@ -181,6 +190,7 @@ pub struct Control {
     pub shift_axes: ShiftAxes,
     pub cp_sign: CpSign,
     pub modulo: Modulo,
+    pub repeat_count: RepeatCount,
     /// Scaling (cycle 11) leaves the tool axis alone.
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.

@@ -188,7 +188,8 @@ K2204 Error "recursive-call" "subprogram or program calls itself"
 `CALL LBL n REP` or a conditional jump instead."
 
 K2205 Error "repeat-count" "number of repeats is not usable"
-"REP takes a whole number from 0 to 65534. What the control makes of a broken one is not documented: round the parameter with INT first."
+"REP takes a whole number from 0 to 65534. What the control makes of a broken one is not documented: round the parameter with INT first, \
+or say in partc.toml how your control does it: `[control] repeat_count = \"truncate\"` or `\"round\"`."
 
 K2206 Error "repeat-forward" "repeated section lies behind its call"
 "`CALL LBL n REP` repeats the section from LBL n up to the call. Here the label follows the call. For a subprogram leave out REP."
@@ -262,6 +263,28 @@ K2402 Error "cycle-incomplete" "cycle definition lacks a part"
 K2403 Error "cycle-value" "value in a cycle is not usable"
 "The value is outside the range the control accepts: a scaling factor is 0.000001 to 99.999999, a dwell 0 to 3600 seconds. Check the \
 value, or the parameter it comes from."
+
+K2404 Warning "cycle-depth-zero" "cycle has depth 0 and does nothing"
+"A drilling cycle with Q201 = 0 moves nothing, on the control as here. Most often the depth comes from a parameter that was never set as meant."
+
+K2405 Error "cycle-spindle" "cycle is called while the spindle does not turn"
+"The control refuses to run a cycle with the spindle at rest (\"spindle not turning\"); only rigid tapping starts it itself, and needs a speed. \
+TOOL CALL stops the spindle: program M3 or M13 behind it, in front of the call."
+
+K2406 Warning "cycle-clearance" "2nd set-up clearance lies below the set-up clearance"
+"Q204 is smaller than Q200. partc leaves the tool at the set-up clearance behind the hole and never moves it down there; whether that is high enough \
+on the way to the next position is up to the program."
+
+K2407 Error "cycle-compensated" "cycle is called while radius compensation is on"
+"A drilling cycle moves the tool axis over the programmed position, but with RL or RR the tool stands beside it. Program a straight block with R0 first."
+
+K2408 Note "stop-distance" "advanced stop distance changes in even steps"
+"Cycle 205 lets rapid traverse end in front of the last depth: by Q258 after the first step, by Q259 before the last one. The manuals do not give \
+the values between; partc takes even steps. The drilled hole is the same."
+
+K2409 Note "tapping-chuck" "tapping reverses the spindle by M3 and M4"
+"The output taps with moves in step with the spindle (or at the programmed feed) and reverses it between them, which takes a chuck with length \
+compensation. A target with its own cycle for rigid tapping does it better."
 
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \

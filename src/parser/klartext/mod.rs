@@ -198,7 +198,8 @@ fn return_problem(text: &[u8], block: &Block) -> Option<Problem> {
         let line = code[..at - 1].iter().rposition(|b| *b == b'\n').map_or(0, |feed| feed + 1);
         let commented = code[line..at - 1].contains(&b';');
         if !matches!(code.get(at), None | Some(b'\n')) && !commented {
-            let span = Span::at(at as u32 - 1, 1);
+            let word = code[at..].iter().take_while(|b| !is_blank(**b)).count();
+            let span = Span::at(at as u32, word.max(1) as u32);
             return Some(
                 Problem::new(codes::K0001, span, "a carriage return without a line feed stands inside this block")
                     .help("end every line of the file in the same way"),

@@ -3,7 +3,7 @@
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::{Function, Side};
 use crate::lexer::klartext::{QKind, QRef};
-use crate::machine::{Generation, Unit};
+use crate::machine::{Generation, RepeatCount, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span, decode::readable};
@@ -347,10 +347,18 @@ impl Run<'_> {
             self.ended = true;
             return Err(Reported);
         }
+        let count = match self.job.settings.control.repeat_count {
+            RepeatCount::Refuse => count,
+            RepeatCount::Truncate => count.trunc(),
+            RepeatCount::Round => count.round(),
+        };
         if count.fract() != 0.0 || count > MOST_REPEATS {
             self.report(
                 Diagnostic::new(codes::K2205, self.here.origin.loc, format!("REP {count} is no number of repeats"))
-                    .help("REP takes a whole number from 0 to 65534; round the parameter with INT"),
+                    .help(
+                        "REP takes a whole number from 0 to 65534; round the parameter with INT, or set \
+                         `[control] repeat_count`",
+                    ),
             );
             self.ended = true;
             return Err(Reported);
