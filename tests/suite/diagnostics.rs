@@ -88,7 +88,9 @@ fn main_of(bytes: &[u8]) -> Compiled {
 /// What `partc check` says.
 fn checked(text: &str) -> Compiled {
     let findings = check_klartext(text);
-    Compiled { output: String::new(), attempt: String::new(), findings, rendered: Vec::new(), lines: Vec::new() }
+    let failed = findings.iter().any(|found| found.code.severity == Severity::Error);
+    let output = if failed { String::new() } else { "%\n".to_owned() };
+    Compiled { output, attempt: String::new(), findings, rendered: Vec::new(), lines: Vec::new() }
 }
 
 fn behind_m30(block: &str) -> String {

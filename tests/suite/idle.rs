@@ -52,9 +52,14 @@ fn every_golden_case_that_compiles_passes_the_check() {
         if path.with_extension("toml").exists() || super::common::compile_case(&path).has_errors() {
             continue;
         }
-        let errors: Vec<String> = check_klartext(&text)
+        let findings = check_klartext(&text);
+        // The check of this test has no files to call.
+        if findings.iter().any(|found| found.code.id == "P0101") {
+            continue;
+        }
+        let errors: Vec<String> = findings
             .iter()
-            .filter(|found| found.code.severity == partc::diag::Severity::Error && !found.code.id.starts_with('P'))
+            .filter(|found| found.code.severity == partc::diag::Severity::Error)
             .map(|found| format!("{}:{} {}", path.display(), found.label.loc.line, found.message))
             .collect();
         assert!(errors.is_empty(), "{errors:?}");
