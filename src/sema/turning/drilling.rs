@@ -89,6 +89,7 @@ impl Run<'_> {
             lead: Some(lead),
             turn,
             dwell: 0.0,
+            dwell_reversed: false,
             speed_in: None,
             speed_out: None,
             orient: None,
