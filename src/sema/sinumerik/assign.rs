@@ -64,6 +64,13 @@ impl Run<'_> {
         Ok(())
     }
 
+    fn variable_slot(&self, name: crate::parser::symbols::Symbol, span: Span) -> Outcome<Slot> {
+        match self.vars.find(name) {
+            Some(slot) => Ok(slot),
+            None => self.undefined(name, span),
+        }
+    }
+
     /// Reads a target, for counting loops.
     pub(super) fn read_target(&mut self, target: Target, block: &Block, text: &[u8]) -> Outcome<Val> {
         match target {
@@ -134,7 +141,10 @@ impl Run<'_> {
                         let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
                         self.write_indexed(slot, &indices, value, span)
                     }
-                    Base::Letter(_) => self.fail(codes::S1001, 12080, span, "this takes no value"),
+                    Base::Letter(letter) => match self.letter_variable(letter) {
+                        Some(slot) => self.write_indexed(slot, &indices, value, span),
+                        None => self.fail(codes::S1001, 12080, span, "this takes no value"),
+                    },
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
@@ -169,7 +179,7 @@ impl Run<'_> {
 
     fn write_element(&mut self, slot: Slot, indices: &[i32], value: Val, span: Span) -> Outcome {
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
-        let (kind, length) = (var.kind, var.length);
+        let (kind, length, limits) = (var.kind, var.length, var.limits);
         let Some(at) = var.offset(indices) else {
             let message = if var.sizes.is_empty() {
                 "the variable is no array".to_owned()
@@ -180,6 +190,7 @@ impl Run<'_> {
         };
         let value = self.converted(&value, kind, span)?;
         self.check_length(&value, length, span)?;
+        self.check_limits(&value, limits, [17080, 17090], span)?;
         if let Some(var) = self.vars.get_mut(slot)
             && let Some(element) = var.values.get_mut(at)
         {
@@ -188,6 +199,20 @@ impl Run<'_> {
             var.written = true;
         }
         Ok(())
+    }
+
+    /// LLI and ULI; the alarms are those below and above.
+    pub(super) fn check_limits(&self, value: &Val, limits: [Option<f64>; 2], alarms: [u32; 2], span: Span) -> Outcome {
+        let Some(number) = value.number() else { return Ok(()) };
+        match limits {
+            [Some(least), _] if number < least => {
+                self.fail(codes::S2029, alarms[0], span, format!("{number} is below the limit LLI {least}"))
+            }
+            [_, Some(most)] if number > most => {
+                self.fail(codes::S2029, alarms[1], span, format!("{number} is above the limit ULI {most}"))
+            }
+            _ => Ok(()),
+        }
     }
 
     pub(super) fn check_length(&self, value: &Val, length: usize, span: Span) -> Outcome {
@@ -202,15 +227,20 @@ impl Run<'_> {
 
     /// A value as one of another type.
     pub(super) fn converted(&self, value: &Val, kind: TypeName, span: Span) -> Outcome<Val> {
+        self.converted_or(value, kind, span, [12150, 12560])
+    }
+
+    /// The same with the alarms for a wrong type and a value out of range.
+    pub(super) fn converted_or(&self, value: &Val, kind: TypeName, span: Span, alarms: [u32; 2]) -> Outcome<Val> {
         match value.converted(kind) {
             Ok(value) => Ok(value),
             Err(NoValue::Type) => {
                 let message = format!("{} does not become {}", value.what(), type_name(kind));
-                self.fail(codes::S2005, 12150, span, message)
+                self.fail(codes::S2005, alarms[0], span, message)
             }
             Err(NoValue::Range) => {
                 let message = format!("the value lies outside what {} holds", type_name(kind));
-                self.fail(codes::S2029, 12560, span, message)
+                self.fail(codes::S2029, alarms[1], span, message)
             }
         }
     }
@@ -275,18 +305,22 @@ impl Run<'_> {
     }
 
     fn fill_target(&mut self, target: Target, fill: &Fill, span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let (name, indices) = match target {
-            Target::Name(name) | Target::Numbered(_, _, name) => (name, Vec::new()),
-            Target::Indexed(Base::Name(name), args) => {
-                let mut values = Vec::new();
-                for formula in block.arguments(args).to_vec() {
-                    values.push(self.eval(formula, block, text)?);
-                }
-                (name, self.indices(&values, span)?)
+        let (slot, args) = match target {
+            Target::Name(name) | Target::Numbered(_, _, name) => (self.variable_slot(name, span)?, None),
+            Target::Indexed(Base::Name(name), args) => (self.variable_slot(name, span)?, Some(args)),
+            Target::Indexed(Base::Letter(letter), args) if self.letter_variable(letter).is_some() => {
+                (self.letter_variable(letter).ok_or(Reported)?, Some(args))
+            }
+            Target::Letter(letter) if self.letter_variable(letter).is_some() => {
+                (self.letter_variable(letter).ok_or(Reported)?, None)
             }
             _ => return self.fail(codes::S2005, 12150, span, "a list of values fills an array"),
         };
-        let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
+        let mut values = Vec::new();
+        for formula in args.map(|args| block.arguments(args).to_vec()).unwrap_or_default() {
+            values.push(self.eval(formula, block, text)?);
+        }
+        let indices = self.indices(&values, span)?;
         let Some(var) = self.vars.get(slot).cloned() else { return Err(Reported) };
         let start = if indices.is_empty() { Some(0) } else { var.offset(&indices) };
         let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
@@ -326,12 +360,6 @@ impl Run<'_> {
         }
         Ok(made)
     }
-
-    // Declarations.
-
-    // Macros.
-
-    // Definition files.
 
     /// A component of a frame: `[X,TR]`.
     pub(super) fn frame_place(&self, args: &[Val], span: Span) -> Outcome<(crate::machine::Axis, Component)> {

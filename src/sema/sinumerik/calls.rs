@@ -245,6 +245,17 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Leaves the current program without its further passes. Returns where in the caller it was called.
+    pub(super) fn leave_for_good(&mut self) -> u32 {
+        let mut called = 0;
+        if let LevelKind::Program { passes, site, .. } = &mut self.program_level().kind {
+            *passes = 1;
+            called = site.span.start;
+        }
+        self.leave_program();
+        called
+    }
+
     /// The current program is over: M17, RET, its end of file.
     pub(super) fn leave_program(&mut self) {
         while matches!(self.level().kind, LevelKind::Section { .. }) {

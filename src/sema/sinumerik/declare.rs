@@ -18,6 +18,9 @@ use super::{Outcome, Reported, Run};
 const DEFINITION_FILES: &[&str] =
     &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
 
+/// Characters of a name.
+const LONGEST_NAME: usize = 32;
+
 impl Run<'_> {
     pub(super) fn def_block(
         &mut self,
@@ -67,6 +70,10 @@ impl Run<'_> {
     ) -> Outcome {
         let Some(name) = variable.name else { return Ok(()) };
         let word = self.symbols.name(name).to_owned();
+        if word.len() > LONGEST_NAME {
+            let message = format!("the name has {} characters", word.len());
+            return self.fail_help(codes::S1014, 12420, variable.span, message, "shorten it to 31");
+        }
         let defined = self.loc(variable.span);
         if let Some(first) = self.vars.of_level(name).map(|var| var.defined).filter(|first| *first != defined) {
             let found = Diagnostic::new(codes::S2016, defined, format!("`{word}` is defined twice (alarm 12170)"));
@@ -106,8 +113,21 @@ impl Run<'_> {
         }
         // Making them is work.
         self.budget.take(count / 64);
-        let values = vec![Val::zero(kind); count as usize];
-        let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false };
+        let limits = block.limits;
+        if let [Some(least), Some(most)] = limits
+            && least > most
+        {
+            return self.fail(codes::S2029, 12161, variable.span, format!("LLI {least} is above ULI {most}"));
+        }
+        let mut zero = Val::zero(kind);
+        if zero.number().is_some() {
+            // The start value moves to the nearer limit.
+            let least = limits[0].unwrap_or(f64::NEG_INFINITY);
+            let most = limits[1].unwrap_or(f64::INFINITY);
+            zero = self.converted_or(&Val::Real(0.0f64.max(least).min(most)), kind, variable.span, [12390, 12160])?;
+        }
+        let values = vec![zero; count as usize];
+        let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false, limits };
         if let Some(formula) = variable.value {
             if kind == TypeName::Frame {
                 return self.fail(codes::S2017, 12261, formula.span, "a FRAME cannot be given a value by DEF");
@@ -125,8 +145,9 @@ impl Run<'_> {
             return self.filled(&var, 0, &fill, formula.span);
         }
         let value = self.eval(formula, block, text)?;
-        let value = self.converted(&value, var.kind, formula.span)?;
+        let value = self.converted_or(&value, var.kind, formula.span, [12390, 12160])?;
         self.check_length(&value, var.length, formula.span)?;
+        self.check_limits(&value, var.limits, [12160, 12160], formula.span)?;
         // A single value fills the first element.
         if let Some(first) = var.values.first_mut() {
             *first = value;

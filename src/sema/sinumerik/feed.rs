@@ -24,6 +24,9 @@ impl Run<'_> {
             if fb.value <= 0.0 {
                 return self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value));
             }
+            if !rapid && self.st.per_revolution() {
+                self.master_is_main(fb.span, "a feed per revolution")?;
+            }
             return Ok((!rapid).then(|| self.feed_of(fb.value)));
         }
         if rapid {
@@ -43,6 +46,9 @@ impl Run<'_> {
         }
         match self.st.feed {
             Some(feed) => {
+                if matches!(feed, Feed::PerRevolution(_)) {
+                    self.master_is_main(Span::default(), "a feed per revolution")?;
+                }
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
                 if rotary_only && let Feed::PerMinute(f) = feed {
                     // Degrees have no unit of length.

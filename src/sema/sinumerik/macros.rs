@@ -35,7 +35,16 @@ impl Run<'_> {
         }
         let symbol = self.symbols.intern(name);
         if let Some(message) = self.macro_in_use(symbol) {
-            return self.fail_help(codes::S2016, 12270, span, message, "choose a name that means nothing yet");
+            let digits = self.symbols.name(symbol).len() - 1;
+            let long = matches!(name.first(), Some(b'G' | b'g')) && digits > 3
+                || matches!(name.first(), Some(b'M' | b'm')) && digits > 2;
+            let numbered = name.get(1..).is_some_and(|rest| rest.iter().all(u8::is_ascii_digit));
+            let alarm = if numbered && long { 12530 } else { 12270 };
+            return self.fail_help(codes::S2016, alarm, span, message, "choose a name that means nothing yet");
+        }
+        if self.macros.get(&symbol).is_some_and(|known| **known != *body) {
+            let message = format!("the macro `{}` is defined twice", self.symbols.name(symbol));
+            return self.fail_help(codes::S2016, 12270, span, message, "rename one of them");
         }
         if self.vars.find(symbol).is_some() {
             let message = format!("`{}` is a variable already", self.symbols.name(symbol));

@@ -31,6 +31,7 @@ mod spindle;
 mod state;
 mod stored;
 mod system;
+mod tangent;
 mod tech;
 mod tools;
 mod value;

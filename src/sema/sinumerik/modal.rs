@@ -74,7 +74,13 @@ impl Run<'_> {
                 "program G40 in a block in front of it",
             );
         }
-        self.pending_must_be_done(span)?;
+        if let Some(pending) = self.pending.take() {
+            let message = "the plane changes between the two lines of a pair (alarm 10790)";
+            let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
+            self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));
+            self.st.lose(crate::machine::AxisSet::MAIN);
+            return Err(Reported);
+        }
         self.set_plane(index);
         let plane = self.st.plane();
         self.function(crate::ir::Function::Plane(plane));

@@ -82,13 +82,16 @@ impl Run<'_> {
             self.check_codes(w)?;
             if let Some((code, span)) = w.code_of(2) {
                 self.modal_codes(w)?;
-                return self.special_block(code, span, w, block);
+                return self.special_block(code, span, w);
             }
             if let Some((code, span)) = w.code_of(3) {
                 self.modal_codes(w)?;
-                return self.frame_block(code, span, w, block);
+                return self.frame_block(code, span, w);
             }
             self.modal_codes(w)?;
+            if let Some((code, span)) = w.code_of(4).filter(|(code, _)| *code != Code::FIFOCTRL) {
+                return self.buffer_code(code, span, w);
+            }
         }
         self.technology(w)?;
         self.early_functions(w)?;
@@ -99,7 +102,9 @@ impl Run<'_> {
         }
         self.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
-            return self.does_not_fit(left.span);
+            // The control tells a code that is written from one that holds on.
+            let alarm = if w.code_of(1).is_some() { 12110 } else { 15460 };
+            return self.does_not_fit_code(left.span, alarm);
         }
         if let Some(span) = w.machine_axes.first().map(|(_, span)| *span) {
             return self.fail_help(
@@ -121,9 +126,13 @@ impl Run<'_> {
     }
 
     pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
+        self.does_not_fit_code(span, 12110)
+    }
+
+    fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
         self.fail_help(
             codes::S2012,
-            12110,
+            alarm,
             span,
             "the word does not fit the other words of the block",
             "check which G code of group 1 is in force, and what it takes",
@@ -143,6 +152,19 @@ impl Run<'_> {
         let moves = !w.axes.is_empty() || polar || arc || w.get(Address::Ang).is_some();
         if !w.positioning.is_empty() {
             self.positioning(w)?;
+        }
+        if let Some(angle) = w.get(Address::Ang)
+            && !matches!(interpolation, Code::G0 | Code::G1)
+        {
+            let help = "program G1 or G0 in front of it";
+            return self.fail_help(codes::S2070, 10792, angle.span, "ANG= is for straight lines only", help);
+        }
+        if !moves && interpolation == Code::G33 {
+            let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
+            if let Some(lead) = lead {
+                let help = "program the end point of the thread with it";
+                return self.fail_help(codes::S2081, 16740, lead.span, "the thread block moves no axis", help);
+            }
         }
         if !moves {
             if self.has_corner_words(w) {
@@ -251,7 +273,12 @@ impl Run<'_> {
             Mode::Ic | Mode::Dic | Mode::Ric => true,
             Mode::Dc | Mode::Acp | Mode::Acn => {
                 let message = format!("{} is no rotary axis", axis.letter());
-                return self.fail_help(codes::S2061, 16800, given.span, message, "DC, ACP and ACN are for rotary axes");
+                let alarm = match given.mode {
+                    Mode::Dc => 16800,
+                    Mode::Acp => 16810,
+                    _ => 16820,
+                };
+                return self.fail_help(codes::S2061, alarm, given.span, message, "DC, ACP and ACN are for rotary axes");
             }
             Mode::Quick => return self.does_not_fit(given.span),
         };

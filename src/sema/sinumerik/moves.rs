@@ -26,6 +26,7 @@ impl Run<'_> {
         if self.stored.is_some() {
             self.note_stored(end, &path);
         }
+        self.note_heading(end, &path);
         let mv = Move { end: end_point, path, feed, side: self.st.side(), coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);
@@ -124,9 +125,27 @@ impl Run<'_> {
                 "give POS a block of its own",
             );
         }
+        if let Some((_, span)) = w.code_of(9).filter(|(code, _)| *code != Code::SUPD) {
+            return self.fail_help(
+                codes::S9011,
+                0,
+                span,
+                "a positioning axis in machine coordinates cannot be printed",
+                "program the axis by G0 or G1 in this block",
+            );
+        }
         for at in 0..w.positioning.len() {
             let positioning = w.positioning[at];
             let axis = positioning.axis;
+            if axis.is_main() && !self.st.ctx.frame.is_shift() {
+                return self.fail_help(
+                    codes::S9008,
+                    16430,
+                    positioning.given.span,
+                    format!("{} is a positioning axis while the frame is turned or scaled", axis.letter()),
+                    "program the axis by G0 or G1",
+                );
+            }
             let value = self.target(axis, positioning.given)?;
             let feed = w.axis_feeds.iter().find(|(known, _)| *known == axis).map(|(_, feed)| *feed);
             let Some(feed) = feed.or_else(|| self.axis_feed.get(&axis).copied()) else {
@@ -149,6 +168,7 @@ impl Run<'_> {
 
     /// G33
     pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
+        self.master_is_main(span, "the lead of a thread")?;
         let end = self.targets(w)?;
         if let Some(start) = w.take(Address::Sf)
             && start.value != 0.0

@@ -12,6 +12,11 @@ use super::vocabulary::{Address, Code, Indexed, Meaning, Procedure};
 use super::words::{CallWord, Positioning, SWord, Words};
 use super::{Outcome, Run};
 
+/// Does the block set an interrupt? The program it names is not called here.
+fn interrupts(words: &Words) -> bool {
+    words.call.is_some_and(|call| call.meaning == Meaning::Procedure(Procedure::Interrupt))
+}
+
 impl Run<'_> {
     pub(super) fn name_word(
         &mut self,
@@ -27,6 +32,12 @@ impl Run<'_> {
                 return Ok(true);
             }
             match self.meaning(name) {
+                Meaning::Address(Address::Prio) if interrupts(words) => {
+                    let given = self.given(word, block, text)?;
+                    if !(1.0..=128.0).contains(&given.value) {
+                        return self.fail(codes::S2021, 14660, word.span, "the priority of an interrupt is 1 to 128");
+                    }
+                }
                 Meaning::Address(Address::Dynamics) => {
                     self.eval(formula, block, text)?;
                     words.dynamics.get_or_insert(word.span);
@@ -60,6 +71,10 @@ impl Run<'_> {
         match (meaning, args) {
             (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
             (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {}
+            // `SETINT(1) PRIO=1 NAME`
+            (Meaning::Unknown, _) if interrupts(words) && words.interrupt.is_none() => {
+                words.interrupt = Some(word.span);
+            }
             _ if words.call.is_some() => {
                 return self.fail_help(
                     codes::S2013,
@@ -88,6 +103,10 @@ impl Run<'_> {
                 self.assign_word(word, block, text)?;
                 return Ok(true);
             }
+            Base::Letter(letter) if self.letter_variable(letter).is_some() => {
+                self.assign_word(word, block, text)?;
+                return Ok(true);
+            }
             Base::Letter(letter) => return self.indexed_letter(words, letter, args, word, block, text).map(|()| false),
             Base::Name(name) => name,
         };
@@ -104,6 +123,11 @@ impl Run<'_> {
                 {
                     let given = self.given(word, block, text)?;
                     self.set_address(words, address, given)?;
+                    return Ok(false);
+                }
+                if self.meaning(name) == Meaning::Address(Address::Lims) {
+                    let given = self.given(word, block, text)?;
+                    self.speed_limit_of(spindle, given)?;
                     return Ok(false);
                 }
                 self.fail_help(
@@ -146,6 +170,12 @@ impl Run<'_> {
                     return self.m_word(words, Some(spindle), given);
                 }
                 words.s.push(SWord { spindle: Some(spindle), value: given.value, span: given.span });
+                Ok(())
+            }
+            b'H' => {
+                self.index_number(args, block, text)?;
+                self.given(word, block, text)?;
+                words.h = Some(word.span);
                 Ok(())
             }
             b'G' => {
@@ -219,6 +249,10 @@ impl Run<'_> {
             Indexed::Ax => {
                 let axis = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
+                if words.axes.contains(axis) {
+                    let message = format!("the axis {} stands twice in the block", axis.letter());
+                    return self.fail_help(codes::S2007, 16420, given.span, message, "delete one of the words");
+                }
                 self.set_axis(words, axis, given)
             }
             Indexed::Pos => {
@@ -230,6 +264,10 @@ impl Run<'_> {
             Indexed::Fa => {
                 let axis = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
+                if given.value <= 0.0 {
+                    let message = format!("the feed {} of a positioning axis is not above 0", given.value);
+                    return self.fail(codes::S2041, 14810, given.span, message);
+                }
                 words.axis_feeds.push((axis, given.value));
                 Ok(())
             }
@@ -299,6 +337,15 @@ impl Run<'_> {
             b'H' => {
                 self.given(word, block, text)?;
                 words.h = Some(word.span);
+            }
+            b'A' | b'B' | b'C' if (2..=7).contains(&number) => {
+                return self.fail_help(
+                    codes::S9006,
+                    0,
+                    word.span,
+                    format!("{}{number}= gives the direction of the tool", letter as char),
+                    "have the CAM system put out three axes, or the rotary axes themselves",
+                );
             }
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 self.given(word, block, text)?;

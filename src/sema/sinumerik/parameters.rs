@@ -127,9 +127,10 @@ impl Run<'_> {
         let Some(name) = variable.name else {
             return self.fail(codes::S2021, 12080, variable.span, "a parameter of PROC needs a name");
         };
+        let left_out = argument.is_some();
         let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
         if variable.by_reference {
-            return self.reference_parameter(name, variable, given, in_main);
+            return self.reference_parameter(name, variable, given, left_out, in_main);
         }
         let shown = self.symbols.name(name).to_owned();
         let value = match (given, variable.value) {
@@ -150,7 +151,7 @@ impl Run<'_> {
                 self.converted(&value, variable.kind, formula.span)?
             }
             (None, None) if variable.kind == TypeName::Axis && !in_main => {
-                return self.missing_argument(&shown, 12310);
+                return self.missing_argument(&shown, if left_out { 14010 } else { 12310 });
             }
             (None, None) => Val::zero(variable.kind),
         };
@@ -166,6 +167,7 @@ impl Run<'_> {
             defined: self.loc(variable.span),
             lost: false,
             written: true,
+            limits: [None; 2],
         };
         self.vars.define(name, var, false);
         self.given_parameters.push((name, given.is_some()));
@@ -183,6 +185,7 @@ impl Run<'_> {
             defined: self.loc(variable.span),
             lost: true,
             written: true,
+            limits: [None; 2],
         };
         self.vars.define(name, var, false);
     }
@@ -201,6 +204,7 @@ impl Run<'_> {
         name: Symbol,
         variable: Variable,
         given: Option<&Argument>,
+        left_out: bool,
         in_main: bool,
     ) -> Outcome {
         let shown = self.symbols.name(name).to_owned();
@@ -215,7 +219,8 @@ impl Run<'_> {
                     "compile the program that calls it",
                 );
             }
-            return self.missing_argument(&shown, 12300);
+            // An empty place between commas, or too few arguments.
+            return self.missing_argument(&shown, if left_out { 14010 } else { 12300 });
         };
         let Some(reference) = argument.reference else {
             let message = format!("parameter {shown} is VAR and needs a variable (alarm 12320)");
@@ -232,8 +237,9 @@ impl Run<'_> {
         let wants_array = variable.open || variable.sizes.count > 0;
         if kind != variable.kind || array != wants_array {
             let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
+            let alarm = if array == wants_array { 12330 } else { 12360 };
             let message = format!(
-                "parameter {shown} is VAR {}, the argument is {} (alarm 12330)",
+                "parameter {shown} is VAR {}, the argument is {} (alarm {alarm})",
                 what(variable.kind, wants_array),
                 what(kind, array)
             );
@@ -256,6 +262,7 @@ impl Run<'_> {
             defined: argument.loc,
             lost: false,
             written: true,
+            limits: [None; 2],
         });
         self.vars.define(name, var, false);
         if let LevelKind::Program { references, .. } = &mut self.program_level().kind {

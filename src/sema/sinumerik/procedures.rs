@@ -69,6 +69,8 @@ impl Run<'_> {
             || !w.s.is_empty()
             || w.has_addresses()
             || w.h.is_some()
+            || w.axis_word_left().is_some()
+            || w.diameter.is_some()
     }
 
     pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
@@ -196,17 +198,7 @@ impl Run<'_> {
                     None => 1.0,
                 };
                 match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
-                    Some(n) => {
-                        self.st.master = n;
-                        if n != 1 {
-                            self.note_once(
-                                codes::S8014,
-                                call.span,
-                                format!("spindle {n} is the master: it is printed as the main spindle"),
-                            );
-                        }
-                        Ok(())
-                    }
+                    Some(n) => self.set_master(n, call.span),
                     None => self.fail(codes::S2045, 0, call.span, format!("there is no spindle {n}")),
                 }
             }
@@ -231,19 +223,13 @@ impl Run<'_> {
             }
             Procedure::CallPath => Ok(()),
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
-            Procedure::Return => self.return_block(&formulas, call.span),
+            Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::TransformationOff if formulas.is_empty() => Ok(()),
             Procedure::TransformationOff => {
                 self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
             }
             Procedure::Swivel if formulas.is_empty() => Ok(()),
-            Procedure::Swivel => self.fail_help(
-                codes::S9006,
-                0,
-                call.span,
-                "CYCLE800 swivels the working plane, which plain G-code in three axes cannot say",
-                "have the CAM system put out the swivelled part by itself",
-            ),
+            Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
             Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
             Procedure::EndLabel => Ok(()),
             Procedure::DiameterChannel => {
@@ -290,28 +276,40 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn return_block(&mut self, formulas: &[Formula], span: Span) -> Outcome {
-        if !formulas.is_empty() {
+    /// `CYCLE800(…)`. Without retraction, offsets and angles the plane stays where it is; everything else moves axes.
+    fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        /// Retract mode, and the places of offsets and angles.
+        const MOVES: [usize; 10] = [0, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+        for at in MOVES {
+            let Some(formula) = formulas.get(at).filter(|formula| !formula.is_missing()) else { continue };
+            if self.number(*formula, block, text)? == 0.0 {
+                continue;
+            }
+            self.st.lose(Axis::ALL.into_iter().collect());
+            self.lost();
+            if at == 0 {
+                return self.fail_help(
+                    codes::S9006,
+                    0,
+                    formula.span,
+                    "CYCLE800 retracts the tool to a place that is a machine datum",
+                    "program the retraction (SUPA G0 Z…) and 0 as its first argument, or CYCLE800()",
+                );
+            }
             return self.fail_help(
-                codes::S9001,
+                codes::S9006,
                 0,
-                span,
-                "RET with a jump target is not supported",
-                "return, and jump in the calling program",
+                formula.span,
+                "CYCLE800 swivels or shifts the working plane, which plain G-code in three axes cannot say",
+                "have the CAM system put out the swivelled part by itself",
             );
         }
-        // A subprogram that is compiled by itself ends here.
-        if self.in_main() && self.programs.units[self.unit()].kind == super::programs::UnitKind::Sub {
-            self.pending_must_be_done(span)?;
-            self.function(Function::End { rewind: false });
-            self.ended.set(true);
-            return Ok(());
+        let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
+        if let Some(axis) = turned.into_iter().find(|axis| self.st.pos.get(*axis).is_some_and(|at| at != 0.0)) {
+            let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
+            return self.fail_help(codes::S9006, 0, span, message, "program the rotary axis, and leave CYCLE800 out");
         }
-        if self.in_main() {
-            return self.fail_help(codes::S2020, 14091, span, "RET stands in the main program", "end it by M30");
-        }
-        self.pending_must_be_done(span)?;
-        self.leave_program();
+        self.note_once(codes::S8029, span, "CYCLE800 without angles, offsets and retraction is left out");
         Ok(())
     }
 
@@ -331,6 +329,14 @@ impl Run<'_> {
         for pair in formulas.chunks(2) {
             let [number, axis] = pair else { break };
             let n = self.number(*number, block, text)?;
+            if !(0.0..=3.0).contains(&n) {
+                return self.fail(
+                    codes::S2021,
+                    14414,
+                    span,
+                    format!("GEOAX names geometry axis {n}; there are 1 to 3"),
+                );
+            }
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
             let same =
                 match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {

@@ -6,7 +6,6 @@ use crate::diag::codes;
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
-use crate::parser::sinumerik::ast::Block;
 use crate::text::Span;
 
 use super::frames::FrameValue;
@@ -19,18 +18,33 @@ const MOST_SECONDS: f64 = 1e5;
 
 impl Run<'_> {
     /// A code of group 2.
-    pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words, block: &Block) -> Outcome {
+    pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        let mut moved = false;
         match code {
-            Code::G4 => self.dwell(span, w)?,
+            Code::G4 => {
+                if let Some(m) = w.m.first() {
+                    return self.not_alone(m.span);
+                }
+                self.dwell(span, w)?;
+            }
             Code::G63 => {
+                if let Some((_, suppressed)) = w.code_of(9) {
+                    return self.not_alone(suppressed);
+                }
                 self.technology(w)?;
                 self.early_functions(w)?;
+                moved = true;
                 let feed = self.path_feed(w, false)?;
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
                 self.send(&end, Path::Line, feed);
             }
-            Code::G74 | Code::G75 => self.fixed_point(code, span, w)?,
+            Code::G74 | Code::G75 => {
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.fixed_point(code, span, w)?;
+                w.machine_axes.clear();
+            }
             _ => {
                 let message = format!("{} is not supported", word(code));
                 return self.fail_help(
@@ -42,19 +56,33 @@ impl Run<'_> {
                 );
             }
         }
-        self.nothing_left(w, block)?;
-        self.late_functions(w)
+        self.nothing_left(w)?;
+        self.late_functions(w)?;
+        if moved && !self.ended.get() {
+            self.call_modal()?;
+        }
+        Ok(())
     }
 
-    fn nothing_left(&self, w: &Words, block: &Block) -> Outcome {
-        if let Some(given) = w.left() {
-            return self.not_alone(given.span);
+    /// STARTFIFO and STOPFIFO only steer the buffer of the control.
+    pub(super) fn buffer_code(&mut self, code: Code, span: Span, w: &Words) -> Outcome {
+        let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
+        if let Some(other) = axis.or(w.m.first().map(|m| m.span)) {
+            return self.not_alone(other);
         }
-        if let Some(s) = w.s.first() {
-            return self.not_alone(s.span);
-        }
-        let _ = block;
+        self.nothing_left(w)?;
+        self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
+        self.st.groups[4] = code.index;
         Ok(())
+    }
+
+    fn nothing_left(&self, w: &Words) -> Outcome {
+        let s = w.s.first().map(|s| s.span);
+        let words = w.left().or(w.passes).map(|given| given.span).or(s).or(w.h);
+        match words.or(w.axis_word_left()).or(w.diameter.map(|(_, _, span)| span)) {
+            Some(span) => self.not_alone(span),
+            None => Ok(()),
+        }
     }
 
     fn not_alone<T>(&self, span: Span) -> Outcome<T> {
@@ -148,12 +176,17 @@ impl Run<'_> {
     // Frames, poles and limits.
 
     /// A code of group 3.
-    pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words, block: &Block) -> Outcome {
+    pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         match code {
             Code::G110 | Code::G111 | Code::G112 => self.pole_block(code, span, w)?,
             Code::G25 | Code::G26 => {
+                if code == Code::G26 {
+                    for at in 0..w.s.len() {
+                        self.highest_speed(w.s[at]);
+                    }
+                }
                 w.s.clear();
-                self.note_once(codes::S8013, span, "working-area and spindle limits (G25, G26) are left out");
+                self.note_once(codes::S8013, span, "working-area and spindle limits (G25, G26) are left out; G26 S only limits a constant cutting speed");
             }
             Code::G58 | Code::G59 => self.axial_shift(code, span, w)?,
             _ => {
@@ -164,7 +197,7 @@ impl Run<'_> {
         if let Some(m) = w.m.first() {
             return self.not_alone(m.span);
         }
-        self.nothing_left(w, block)
+        self.nothing_left(w)
     }
 
     fn frame_statement(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {

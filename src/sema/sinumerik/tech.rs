@@ -16,8 +16,6 @@ use super::{Outcome, Run};
 const MOST_M: usize = 5;
 
 impl Run<'_> {
-    // Feed.
-
     // F, S, T, D.
 
     pub(super) fn technology(&mut self, w: &mut Words) -> Outcome {
@@ -39,43 +37,17 @@ impl Run<'_> {
             self.tool_word_given(t, w)?;
         }
         if let Some(d) = w.take(Address::D) {
+            if let Some(h) = w.h {
+                return self.fail(codes::S2012, 14197, h, "D and H stand in one block");
+            }
             self.edge(d)?;
         }
         if let Some(lims) = w.take(Address::Lims) {
-            if lims.value < 0.0 {
-                return self.fail(codes::S2045, 14820, lims.span, "the speed limit LIMS= is negative");
-            }
-            self.st.speed_limit = Some(lims.value);
-            if self.st.constant_cut && w.s.is_empty() {
-                self.send_cutting_speed();
-            }
+            self.speed_limit(lims, !w.s.is_empty())?;
         }
-        let constant = matches!(self.st.groups[15], 4 | 7);
-        if !constant && self.st.constant_cut && w.s.is_empty() {
-            let span = w.code_of(15).map(|(_, span)| span).unwrap_or_default();
-            // Once is enough.
-            self.st.constant_cut = false;
-            return self.fail_help(
-                codes::S2045,
-                0,
-                span,
-                "G97 keeps the speed that the spindle happens to have",
-                "program the speed with it: G97 S1000",
-            );
-        }
-        for at in 0..w.s.len() {
-            self.speed(w.s[at], constant)?;
-        }
-        if !constant {
-            self.cut_speed_open = None;
-        } else if !self.st.constant_cut && self.cut_speed_open.is_none() {
-            self.cut_speed_open = Some(w.code_of(15).map(|(_, span)| span).unwrap_or_default());
-        }
-        if self.st.constant_cut {
-            self.cut_speed_open = None;
-        }
+        self.speeds(w)?;
         if let Some(spos) = w.take(Address::Spos).or(w.take(Address::Sposa)) {
-            self.function(Function::Spindle(Spindle::Orient(spos.value)));
+            self.send_spindle(self.st.master, Spindle::Orient(spos.value));
         }
         for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr, Address::Offn] {
             if let Some(given) = w.take(address)
@@ -142,17 +114,19 @@ impl Run<'_> {
             19 => Spindle::Orient(0.0),
             _ => return self.other_function(m),
         };
+        let turn = match spindle {
+            Spindle::Start(turn) => Some(turn),
+            _ => None,
+        };
         match m.spindle {
             Some(n) if n != self.st.master => {
                 self.spindle_number(n, m.span)?;
-                self.function(Function::SpindleOf { number: n, spindle });
+                self.st.spindles.entry(n).or_default().turn = turn;
+                self.send_spindle(n, spindle);
             }
             _ => {
-                self.st.turn = match spindle {
-                    Spindle::Start(turn) => Some(turn),
-                    _ => None,
-                };
-                self.function(Function::Spindle(spindle));
+                self.st.turn = turn;
+                self.send_spindle(self.st.master, spindle);
             }
         }
         Ok(())
@@ -166,6 +140,15 @@ impl Run<'_> {
             9 => self.function(Function::Coolant(Coolant::Off)),
             number if self.job.settings.output.pass_m.contains(&number) => self.function(Function::Aux(number)),
             40..=45 => self.note_once(codes::S8004, m.span, "gear steps M40 to M45 are left out"),
+            70 => {
+                return self.fail_help(
+                    codes::S9001,
+                    0,
+                    m.span,
+                    "M70 makes the spindle an axis, which plain G-code cannot say",
+                    "leave it out if the axis stands ready, or list it: `[output] pass_m = [70]`",
+                );
+            }
             96..=99 => {
                 return self.fail_help(
                     codes::S2044,
@@ -209,8 +192,6 @@ impl Run<'_> {
         }
         Ok(())
     }
-
-    // Compensation.
 
     pub(super) fn axis_diameter(&mut self, indexed: Indexed, axis: Axis, span: Span) -> Outcome {
         if !self.is_diameter_axis(axis) {

@@ -128,6 +128,11 @@ impl Run<'_> {
                     "print the contour with G41/G42: `[output] compensation = \"control\"`",
                 );
             }
+            if self.st.groups[22] > 2 {
+                let kind = super::vocabulary::word(Code { group: 22, index: self.st.groups[22] });
+                let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
+                return self.fail_help(codes::S9010, 0, span, message, "have the CAM system put out the centre path");
+            }
             self.select_cutter(span)?;
         }
         self.compensation_starts = code.index != self.st.groups[7];

@@ -115,6 +115,8 @@ pub(super) struct Words {
     /// Words without any effect on the path.
     pub dynamics: Option<Span>,
     pub diameter: Option<(Indexed, Axis, Span)>,
+    /// The program behind SETINT.
+    pub interrupt: Option<Span>,
     /// An assignment, and a word that is none.
     assigned: Option<Span>,
     other: Option<Span>,
@@ -140,6 +142,7 @@ impl Words {
             axis_feeds: Vec::new(),
             dynamics: None,
             diameter: None,
+            interrupt: None,
             assigned: None,
             other: None,
         }
@@ -161,6 +164,7 @@ impl Words {
         self.axis_feeds.clear();
         self.dynamics = None;
         self.diameter = None;
+        self.interrupt = None;
         self.assigned = None;
         self.other = None;
     }
@@ -185,6 +189,12 @@ impl Words {
     /// Addresses that nobody took.
     pub fn left(&self) -> Option<Given> {
         (self.given != 0).then(|| self.addresses[self.given.trailing_zeros() as usize])
+    }
+
+    /// A word of an axis besides its end point: a positioning axis, a machine axis.
+    pub fn axis_word_left(&self) -> Option<Span> {
+        let positioning = self.positioning.first().map(|positioning| positioning.given.span);
+        positioning.or(self.machine_axes.first().map(|(_, span)| *span))
     }
 
     pub fn has_addresses(&self) -> bool {
