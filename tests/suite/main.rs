@@ -18,5 +18,6 @@ mod props;
 mod reader;
 mod rs274;
 mod sinumerik;
+mod sinumerik_alarms;
 mod sweep;
 mod undercut;

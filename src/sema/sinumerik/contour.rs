@@ -26,7 +26,7 @@ pub(super) struct Pending {
     feed: Option<Feed>,
     side: Side,
     corner: Option<Corner>,
-    origin: Origin,
+    pub(super) origin: Origin,
     /// What the program did since; it comes behind the line.
     functions: Vec<(Function, Origin)>,
 }
