@@ -160,6 +160,15 @@ pub enum RecessDepth {
     Radius,
 }
 
+/// Where the width of a recess with leaning flanks counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RecessWidth {
+    /// At the element that it is cut into.
+    #[default]
+    Opening,
+    Floor,
+}
+
 /// On which side of the programmed corner a recess of G86 lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RecessSide {
@@ -180,6 +189,7 @@ pub struct Turning {
     pub change_point: Option<(f64, f64)>,
     /// Where a recess of G86 lies that is wider than the tool; `None` refuses it.
     pub recess_side: Option<RecessSide>,
+    pub recess_width: RecessWidth,
     /// What RI of G869 counts.
     pub recess_blank: RecessDepth,
     /// G32, whose words no manual at hand lists, is refused.
