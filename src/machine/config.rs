@@ -209,6 +209,10 @@ impl Reader {
                 let plus = text(node) == "plus";
                 control.turning.recess_side = Some(if plus { RecessSide::Plus } else { RecessSide::Minus });
             }
+            "recess_width" => {
+                let floor = text(node) == "floor";
+                control.turning.recess_width = if floor { RecessWidth::Floor } else { RecessWidth::Opening };
+            }
             "recess_blank" => {
                 let radius = text(node) == "radius";
                 control.turning.recess_blank = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };

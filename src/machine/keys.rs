@@ -172,6 +172,12 @@ pub const SECTIONS: &[Section] = &[
                 Kind::Choice(&["plus", "minus"]),
                 "side of its corner, along Z, on which a wide recess of G86 lies; refused if not given",
             ),
+            key(
+                "recess_width",
+                Kind::Choice(&["opening", "floor"]),
+                "where K of a recess with leaning flanks (G23) is measured",
+            )
+            .or(r#""opening""#),
             key("recess_blank", Kind::Choice(&["diameter", "radius"]), "what RI of G869 (blank oversize in X) counts")
                 .or(r#""diameter""#),
             key(
