@@ -152,7 +152,7 @@ pub enum ArcChoice {
     ZeroIsFar,
 }
 
-/// What a depth or height of a recess counts.
+/// What a depth or height across the axis counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RecessDepth {
     #[default]
@@ -190,6 +190,10 @@ pub struct Turning {
     /// Where a recess of G86 lies that is wider than the tool; `None` refuses it.
     pub recess_side: Option<RecessSide>,
     pub recess_width: RecessWidth,
+    /// The infeed I of G81 counts on the diameter, not on the radius.
+    pub infeed_on_diameter: bool,
+    /// A flank offset from the left (H1) starts a thread towards +Z, not towards -Z.
+    pub left_is_plus: bool,
     /// What RI of G869 counts.
     pub recess_blank: RecessDepth,
     /// G32, whose words no manual at hand lists, is refused.

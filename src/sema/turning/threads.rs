@@ -259,7 +259,8 @@ impl Run<'_> {
             // Half a pitch at depth 0.
             None => Deg::from_radians(libm::atan(0.5 * lead / depth)),
         };
-        // Left is the side of -Z.
+        // Left is the side of -Z, as far as any text says.
+        let forward = forward != self.job.settings.control.turning.left_is_plus;
         Ok(match (self.choice(w, b'H', 0, 3)?, forward) {
             (0, _) => Flank::Radial,
             (1, true) | (2, false) => Flank::Ahead { angle },
@@ -269,7 +270,7 @@ impl Run<'_> {
                 return self.fail_help(
                     codes::T9007,
                     w.span(b'H', self.block_span()),
-                    "a thread cut towards +Z with alternating flanks is not supported",
+                    "alternating flanks that begin on the other side (a thread towards +Z) are not supported",
                     "program H0, H1 or H2",
                 );
             }
