@@ -6,6 +6,7 @@
 pub mod angle;
 pub mod arc;
 pub mod corner;
+pub mod crossing;
 pub mod element;
 pub mod intersect;
 pub mod pattern;

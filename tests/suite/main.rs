@@ -5,6 +5,7 @@
 mod cli;
 mod cli_files;
 mod common;
+mod cycle_parameters;
 mod diagnostics;
 mod golden;
 mod hostile;

@@ -6,6 +6,7 @@
 
 mod assign;
 mod calls;
+mod capture;
 mod circle;
 mod contour;
 mod cycles;
@@ -129,6 +130,10 @@ struct Run<'a> {
     modal: Option<Modal>,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
+    /// Contours that CYCLE62 called.
+    contours: cycles::Contours,
+    /// The contour that is described now.
+    capture: Option<Box<capture::Capture>>,
     /// The contour of the contour editor that runs.
     stored: Option<Box<stored::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
@@ -188,6 +193,8 @@ impl<'a> Run<'a> {
             modal: None,
             modal_cycle: None,
             pending: None,
+            contours: cycles::Contours::default(),
+            capture: None,
             stored: None,
             lead: None,
             axis_feed: BTreeMap::new(),
@@ -521,6 +528,9 @@ impl<'a> Run<'a> {
     }
 
     fn function(&mut self, function: Function) {
+        if self.capture.is_some() && self.function_in_contour(&function) {
+            return;
+        }
         if self.pending.is_some() && self.held_back(&function) {
             return;
         }

@@ -289,7 +289,10 @@ impl Run<'_> {
 
     /// Under D0 the control counts from the spindle nose, which the target cannot say.
     fn check_offsets(&self, w: &Words) -> Outcome {
-        let off = self.st.tool.edge == Some(0) && self.st.tool.active.is_some_and(|number| number != 0);
+        // A contour is a shape: no tool follows it.
+        let off = !self.is_capturing()
+            && self.st.tool.edge == Some(0)
+            && self.st.tool.active.is_some_and(|number| number != 0);
         if !off || self.st.machine_coordinates {
             return Ok(());
         }

@@ -325,7 +325,7 @@ impl Run<'_> {
     }
 
     /// A program of the user with the name of a cycle goes before it.
-    fn own_program(&mut self, name: &str) -> bool {
+    pub(super) fn own_program(&mut self, name: &str) -> bool {
         let file = self.programs.units[self.unit()].file;
         let listed = self.programs.list(&self.job, file).is_ok();
         if listed && (self.programs.find_in_file(file, name).is_some() || self.programs.find_in_file(0, name).is_some())

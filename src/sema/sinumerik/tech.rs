@@ -39,7 +39,7 @@ impl Run<'_> {
         if rapid {
             return Ok(None);
         }
-        if self.st.feed_lost {
+        if self.st.feed_lost && !self.is_capturing() {
             return Err(Reported);
         }
         if self.cut_speed_open.take().is_some() {
@@ -60,6 +60,8 @@ impl Run<'_> {
                 }
                 Ok(Some(feed))
             }
+            // The cycle that takes the contour has the feeds.
+            None if self.is_capturing() => Ok(Some(Feed::PerRevolution(1.0))),
             None => {
                 // Once is enough.
                 self.st.feed_lost = true;
@@ -432,6 +434,9 @@ impl Run<'_> {
                 }
                 2 | 17 | 30 => {
                     if self.in_main() {
+                        if self.ends_inside_contour() {
+                            return Err(Reported);
+                        }
                         self.pending_must_be_done(m.span)?;
                         self.function(Function::End { rewind: m.number == 30 });
                         self.ended.set(true);
