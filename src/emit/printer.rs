@@ -1,10 +1,11 @@
 //! The printer core: modal words, one concern a line, arcs on the printed numbers.
 
+mod functions;
+
 use std::io;
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Plane, Point2, turned};
-use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::axis::AXES;
@@ -359,7 +360,7 @@ impl<'a> Printer<'a> {
     #[cold]
     fn unprintable(&mut self, origin: &Origin) {
         self.text.drop_line();
-        self.report(codes::O1002, origin, "a coordinate of this block is too large to print");
+        self.report(codes::O1002, origin, "a number of this block is too large to print");
     }
 
     /// The F word where it changes; a change of its kind gets a line of its own.
@@ -494,119 +495,6 @@ impl<'a> Printer<'a> {
                 }
             }
             self.straight(b"G1", &point, origin);
-        }
-    }
-
-    // Functions.
-
-    fn print_function(&mut self, function: &Function, origin: &Origin) {
-        if self.compensation.ends_before(function, self.plane, origin) {
-            self.end_compensation(origin);
-        }
-        match function {
-            Function::ToolChange { number } => {
-                self.text.whole(b'T', u64::from(*number)).word(b"M6");
-                self.end_line(origin);
-                // The change may have moved any axis.
-                self.stale = AxisSet::MAIN;
-                if self.settings.tool_length && *number == 0 {
-                    self.words(b"G49", origin);
-                }
-                if self.settings.tool_length && *number != 0 {
-                    self.text.word(b"G43").whole(b'H', u64::from(*number));
-                    self.end_line(origin);
-                }
-            }
-            Function::ToolPrepare { number } => {
-                self.text.whole(b'T', u64::from(*number));
-                self.end_line(origin);
-            }
-            Function::Cutter(cutter) => self.compensation.cutter = *cutter,
-            Function::Spindle(spindle) => self.spindle(*spindle, None, origin),
-            Function::SpindleOf { number, spindle } => self.spindle(*spindle, Some(*number), origin),
-            Function::Coolant(coolant) => {
-                let word = match coolant {
-                    Coolant::Mist => b"M7",
-                    Coolant::Flood => b"M8",
-                    Coolant::Off => b"M9",
-                };
-                self.words(word, origin);
-            }
-            Function::Dwell(seconds) => {
-                let units = self.places.units(*seconds).unwrap_or(0);
-                self.text.word(b"G4").number(b'P', units, self.places);
-                self.end_line(origin);
-            }
-            Function::Stop => {
-                self.words(b"M0", origin);
-                self.stale = AxisSet::MAIN;
-            }
-            Function::OptionalStop => {
-                self.words(b"M1", origin);
-                self.stale = AxisSet::MAIN;
-            }
-            Function::Aux(number) => {
-                self.text.whole(b'M', u64::from(*number));
-                self.end_line(origin);
-            }
-            Function::WorkOffset(number) => {
-                const WORDS: [&[u8]; 9] =
-                    [b"G54", b"G55", b"G56", b"G57", b"G58", b"G59", b"G59.1", b"G59.2", b"G59.3"];
-                self.words(WORDS[usize::from(*number).clamp(1, 9) - 1], origin);
-                self.known = AxisSet::EMPTY;
-            }
-            Function::Plane(plane) => self.select_plane(*plane, origin),
-            Function::Comment(text) => self.comment(text, origin),
-            Function::End { rewind } => {
-                if self.compensation.side != Side::None {
-                    self.end_compensation(origin);
-                }
-                self.words(if *rewind { b"M30" } else { b"M2" }, origin);
-                self.ended = true;
-            }
-        }
-    }
-
-    /// `number` counts spindles from 1; targets count from 0.
-    fn spindle(&mut self, spindle: Spindle, number: Option<u8>, origin: &Origin) {
-        match spindle {
-            Spindle::Start(Turn::Clockwise) => self.text.word(b"M3"),
-            Spindle::Start(Turn::CounterClockwise) => self.text.word(b"M4"),
-            Spindle::Stop => self.text.word(b"M5"),
-            Spindle::Speed(speed) => {
-                let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                if std::mem::take(&mut self.constant_cut) {
-                    self.text.word(b"G97");
-                }
-                self.text.number(b'S', units, self.places)
-            }
-            Spindle::CuttingSpeed { speed, limit } => {
-                self.constant_cut = true;
-                self.text.word(b"G96");
-                if let Some(units) = limit.and_then(|limit| self.places.units(limit)) {
-                    self.text.number(b'D', units, self.places);
-                }
-                let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                self.text.number(b'S', units, self.places)
-            }
-            Spindle::Orient(angle) => {
-                let units = self.places.units(angle).unwrap_or(0);
-                self.text.word(b"M19").number(b'R', units, self.places)
-            }
-        };
-        if let Some(number) = number {
-            self.text.whole(b'$', u64::from(number.saturating_sub(1)));
-        }
-        self.end_line(origin);
-    }
-
-    fn comment(&mut self, text: &[u8], origin: &Origin) {
-        let (open, close) = self.traits.comment;
-        let text = comment::harmless(text);
-        let room = self.traits.line_length - open.len() - close.len();
-        for piece in comment::pieces(&text, room) {
-            self.text.raw(open.as_bytes()).raw(piece).raw(close.as_bytes());
-            self.end_line(origin);
         }
     }
 }

@@ -4,6 +4,7 @@
 
 pub mod axis;
 pub mod config;
+pub mod keys;
 pub mod mtc200;
 pub mod schema;
 pub mod settings;
@@ -11,6 +12,7 @@ pub mod show;
 pub mod tools;
 pub mod tree;
 pub mod undercut;
+mod values;
 
 pub use axis::{Axis, AxisSet};
 pub use settings::{

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::config::{Key, Kind, SECTIONS, Section};
+use super::keys::{Key, Kind, SECTIONS, Section};
 use super::tree;
 
 /// The schema as a document.

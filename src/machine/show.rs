@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, json};
 
-use super::config::{SECTIONS, Section};
+use super::keys::{SECTIONS, Section};
 use super::schema::plain;
 use super::tree::{Node, Table, Value};
 

@@ -6,9 +6,10 @@ use rustc_hash::FxHashMap;
 
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::text::blocks::{OpenError, Place};
-use crate::text::{Cursor, FileError, FileId, Loc, Request, SplitRules};
+use crate::text::{Cursor, FileError, FileId, Loc, Next, Request, Span, SplitRules};
 
 use super::Job;
+use super::here::Here;
 
 /// Counts executed blocks and knows which jump ran most often.
 #[derive(Debug)]
@@ -85,6 +86,105 @@ impl<B> Cache<B> {
             self.blocks.clear();
         }
         self.blocks.insert(at, block);
+    }
+}
+
+/// A block with what its execution needs besides.
+#[derive(Debug, Clone, Default)]
+pub struct Parsed<B> {
+    pub block: B,
+    /// The text of the block, where the block needs it.
+    pub text: Vec<u8>,
+    pub lines: u32,
+    next: Place,
+}
+
+/// A file that runs: the reading position, and the blocks that were read before.
+#[derive(Debug)]
+pub struct Source<B> {
+    pub file: FileId,
+    pub cursor: Cursor,
+    cache: Cache<Parsed<B>>,
+}
+
+/// What [`Source::read`] found.
+#[derive(Debug)]
+pub enum Read {
+    Block(Here),
+    /// A block over 1 MiB, which was reported and passed over.
+    TooLong,
+    End,
+    /// The file cannot be read on, which was reported.
+    Broken,
+}
+
+impl<B: Clone> Source<B> {
+    /// Opens a file; reports what is wrong with it.
+    pub fn open(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) -> Option<Source<B>> {
+        open_cursor(job, file, rules, from).map(|cursor| Source { file, cursor, cache: Cache::default() })
+    }
+
+    /// The next block, if it was read before.
+    #[inline]
+    pub fn again(&mut self, call: CallPath) -> Option<(Rc<Parsed<B>>, Here)> {
+        if !self.cursor.is_whole() {
+            return None;
+        }
+        let place = self.cursor.place();
+        let parsed = self.cache.get(place.at)?;
+        self.cursor.resume(parsed.next);
+        let here = Here::new(self.file, place.at, place.line, parsed.lines, call);
+        Some((parsed, here))
+    }
+
+    /// Reads the next block and keeps it for [`Source::again`]; `parse` fills the block and its text.
+    #[inline]
+    pub fn read(
+        &mut self,
+        job: &Job<'_>,
+        call: CallPath,
+        into: &mut Parsed<B>,
+        parse: impl FnOnce(&[u8], &mut Parsed<B>),
+    ) -> Read {
+        let at = self.cursor.place().at;
+        let read = self.pass(job, call, into, parse);
+        if self.cursor.is_whole() && matches!(read, Read::Block(_)) {
+            into.next = self.cursor.place();
+            self.cache.insert(at, Rc::new(Parsed::clone(into)));
+        }
+        read
+    }
+
+    /// Reads the next block, which is not executed now.
+    #[inline]
+    pub fn pass(
+        &mut self,
+        job: &Job<'_>,
+        call: CallPath,
+        into: &mut Parsed<B>,
+        parse: impl FnOnce(&[u8], &mut Parsed<B>),
+    ) -> Read {
+        into.text.clear();
+        let place = self.cursor.place();
+        match self.cursor.next(job.sources) {
+            Ok(Next::Block(found)) => {
+                parse(found.text, into);
+                into.lines = found.lines;
+                Read::Block(Here::new(self.file, place.at, place.line, into.lines, call))
+            }
+            Ok(Next::TooLong { at, line }) => {
+                let loc = Loc { file: self.file, line, span: Span::at(at, 1) };
+                job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB").called(call));
+                Read::TooLong
+            }
+            Ok(Next::End) => Read::End,
+            Err(error) => {
+                let loc = Loc { file: self.file, line: place.line, span: Span::at(place.at, 0) };
+                let found = Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}"));
+                job.diags.push(found.called(call));
+                Read::Broken
+            }
+        }
     }
 }
 

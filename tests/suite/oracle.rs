@@ -133,13 +133,12 @@ fn golden_outputs_mean_what_they_say() {
         if compiled.has_errors() || has_parallel_axes(&compiled.output) {
             continue;
         }
-        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let replaced = compiled.codes().iter().any(|code| matches!(*code, "O4001" | "O4002"));
-        let result = rs274::interpret(&compiled.output, &name)
+        let result = rs274::interpret(&compiled.output)
             .and_then(|found| if replaced { Ok(()) } else { compare(&found, &meant(&path)) })
             .and_then(|()| {
                 let compensated = compiled.output.contains("\nG41") || compiled.output.contains("\nG42");
-                if compensated { rs274::accepts(&compiled.output, &name) } else { Ok(()) }
+                if compensated { rs274::accepts(&compiled.output) } else { Ok(()) }
             });
         if let Err(why) = result {
             failures.push(format!("{}: {why}", path.display()));

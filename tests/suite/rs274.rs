@@ -56,46 +56,34 @@ pub fn available() -> bool {
 }
 
 /// Interprets `program` with tools of radius 0; the moves, or what the interpreter complains about.
-pub fn interpret(program: &str, name: &str) -> Result<Vec<Move>, String> {
-    interpret_with(program, name, "0")
+pub fn interpret(program: &str) -> Result<Vec<Move>, String> {
+    interpret_with(program, "0")
 }
 
 /// Does the interpreter take `program` with tools that have a radius? With it more is forbidden between G41
 /// and G40, and outside corners get arcs, which nobody meant; so the moves are not looked at.
-pub fn accepts(program: &str, name: &str) -> Result<(), String> {
-    interpret_with(program, name, "0.000002").map(drop)
+pub fn accepts(program: &str) -> Result<(), String> {
+    interpret_with(program, "0.000002").map(drop)
 }
 
-fn interpret_with(program: &str, name: &str, diameter: &str) -> Result<Vec<Move>, String> {
-    let dir = scratch(name);
-    let write = |file: &str, text: &str| {
-        let path = dir.join(file);
-        fs::write(&path, text).expect("a writable folder");
-        path
-    };
+fn interpret_with(program: &str, diameter: &str) -> Result<Vec<Move>, String> {
+    let dir = scratch();
+    let write = |file: &str, text: &str| fs::write(dir.join(file), text).expect("a writable folder");
     let mut table = String::new();
     for number in tools(program) {
         table += &format!("T{number} P{number} D{diameter} Z0 ;\n");
     }
-    let table = write("t.tbl", &table);
-    let ini = write(
+    write("t.tbl", &table);
+    write(
         "o.ini",
-        &format!(
-            "[EMC]\nMACHINE=o\n[RS274NGC]\nCENTER_ARC_RADIUS_TOLERANCE_MM = 0.001\nCENTER_ARC_RADIUS_TOLERANCE_INCH = 0.00004\n\
-             [TRAJ]\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\nCOORDINATES=X Y Z A B C U V W\n[EMCIO]\nTOOL_TABLE={}\n",
-            table.display()
-        ),
+        "[EMC]\nMACHINE=o\n[RS274NGC]\nCENTER_ARC_RADIUS_TOLERANCE_MM = 0.001\nCENTER_ARC_RADIUS_TOLERANCE_INCH = 0.00004\n\
+         [TRAJ]\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\nCOORDINATES=X Y Z A B C U V W\n[EMCIO]\nTOOL_TABLE=t.tbl\n",
     );
-    let var = write("v.var", "");
-    let ngc = write("p.ngc", program);
+    write("v.var", "");
+    write("p.ngc", program);
+    // Names without a folder: the interpreter has room for short ones only.
     let out = Command::new("rs274")
-        .args(["-g", "-n", "2", "-i"])
-        .arg(&ini)
-        .arg("-t")
-        .arg(&table)
-        .arg("-v")
-        .arg(&var)
-        .arg(&ngc)
+        .args(["-g", "-n", "2", "-i", "o.ini", "-t", "t.tbl", "-v", "v.var", "p.ngc"])
         .env("HOME", &dir)
         .current_dir(&dir)
         .output()
@@ -115,11 +103,11 @@ fn straight_end(numbers: &[f64]) -> Result<[f64; AXES], String> {
     numbers.get(..AXES).and_then(|end| end.try_into().ok()).ok_or_else(|| format!("six numbers in {numbers:?}"))
 }
 
-/// A folder of its own for each run: cases of one name run side by side.
-fn scratch(name: &str) -> PathBuf {
+/// A folder of its own for each run: tests run side by side.
+fn scratch() -> PathBuf {
     static RUNS: AtomicUsize = AtomicUsize::new(0);
     let run = RUNS.fetch_add(1, Ordering::Relaxed);
-    let own = format!("rs274-{}-{run}-{name}", std::process::id());
+    let own = format!("rs274-{}-{run}", std::process::id());
     let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(own);
     fs::create_dir_all(&dir).expect("a writable target folder");
     dir

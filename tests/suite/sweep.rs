@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use partc::text::files::NoFiles;
+use partc::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{beside_repository, compile_bytes, settings};
 use super::rs274;
@@ -25,23 +25,67 @@ fn programs(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
+/// Called programs, from anywhere in the repository that the caller came from.
+struct Repository {
+    /// Name without folders in lower case, and the file.
+    files: Vec<(String, PathBuf)>,
+}
+
+impl Repository {
+    fn new(folder: &Path) -> Repository {
+        let name = |path: &Path| path.file_name().expect("a name").to_string_lossy().to_lowercase();
+        Repository { files: programs(folder).into_iter().map(|path| (name(&path), path)).collect() }
+    }
+}
+
+impl Files for Repository {
+    fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
+        let name = request.name.rsplit(['/', '\\', ':']).next().unwrap_or(request.name).to_lowercase();
+        let wanted = std::iter::once(name.clone()).chain(request.extensions.iter().map(|e| format!("{name}.{e}")));
+        for wanted in wanted {
+            if let Some((_, path)) = self.files.iter().find(|(known, _)| *known == wanted.to_lowercase()) {
+                let text = Box::new(Memory::new(fs::read(path).expect("a readable program")));
+                let name = path.display().to_string();
+                return Ok(Opened { name: name.clone(), identity: name, text });
+            }
+        }
+        Err(FileError::NotFound { tried: vec![name], similar: Vec::new() })
+    }
+}
+
+/// The output without M functions of the machine builder, which stand alone on their lines.
+fn without_passed_functions(output: &str, passed: &[u32]) -> String {
+    let is_passed = |line: &&str| {
+        let number = line.strip_prefix('M').and_then(|number| number.parse().ok());
+        !number.is_some_and(|number| passed.contains(&number))
+    };
+    output.lines().filter(is_passed).flat_map(|line| [line, "\n"]).collect()
+}
+
 fn sweep(dialect: &str, corpus: &str, options: &str) {
     let Some(folder) = beside_repository(corpus) else { return };
     let options = settings(options);
     let oracle = rs274::available();
     let (mut compiled_count, mut failures) = (0, Vec::new());
     let all = programs(&folder);
+    let mut repository = (PathBuf::new(), Repository { files: Vec::new() });
     for path in &all {
+        let own = path.strip_prefix(&folder).expect("inside").components().next().expect("a name");
+        let own = folder.join(own);
+        if repository.0 != own {
+            repository = (own.clone(), Repository::new(&own));
+        }
         let name = path.strip_prefix(&folder).expect("inside").display().to_string();
         let bytes = fs::read(path).expect("a readable program");
         let size = bytes.len();
         let start = Instant::now();
-        let compiled = compile_bytes(&name, bytes, dialect, &options, &NoFiles);
+        let compiled = compile_bytes(&name, bytes, dialect, &options, &repository.1);
         if start.elapsed() > SOON {
             failures.push(format!("{name}: took {:?}", start.elapsed()));
         }
         for found in &compiled.findings {
-            if found.label.loc.line == 0 || found.label.loc.span.start as usize > size {
+            let main = found.label.loc.file.0 == 0;
+            if found.label.loc.line == 0 || main && found.label.loc.span.start as usize > size {
                 failures.push(format!("{name}: no place: {found:?}"));
             }
         }
@@ -54,7 +98,8 @@ fn sweep(dialect: &str, corpus: &str, options: &str) {
         }
         compiled_count += 1;
         println!("compiled  {name}");
-        if oracle && let Err(why) = rs274::interpret(&compiled.output, &format!("sweep-{dialect}")) {
+        let output = without_passed_functions(&compiled.output, &options.output.pass_m);
+        if oracle && let Err(why) = rs274::interpret(&output) {
             failures.push(format!("{name}: {why}"));
         }
     }

@@ -118,8 +118,8 @@ impl Run<'_> {
 
     /// The file has no further block.
     pub(super) fn end_of_file(&mut self) {
-        let place = self.program().cursor.place();
-        let file = self.program().file;
+        let place = self.program().source.cursor.place();
+        let file = self.program().source.file;
         let loc =
             Loc { file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at.saturating_sub(1), 1) };
         self.here.origin.loc = loc;
@@ -141,10 +141,10 @@ impl Run<'_> {
     fn look_behind_end(&mut self) {
         let sources = self.job.sources;
         let program = self.program();
-        let file = program.file;
-        let place = program.cursor.place();
+        let file = program.source.file;
+        let place = program.source.cursor.place();
         let found = loop {
-            match program.cursor.next(sources) {
+            match program.source.cursor.next(sources) {
                 Ok(Next::Block(block))
                     if block.text.iter().all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x1a)) => {}
                 Ok(Next::Block(block)) => {
@@ -153,8 +153,8 @@ impl Run<'_> {
                 _ => break None,
             }
         };
-        if program.cursor.is_whole() {
-            program.cursor.resume(place);
+        if program.source.cursor.is_whole() {
+            program.source.cursor.resume(place);
         }
         if let Some(loc) = found {
             self.report(Diagnostic::new(
@@ -168,7 +168,7 @@ impl Run<'_> {
     /// The end of a program file was reached: return to the caller, or end the run.
     fn program_over(&mut self, regular: bool) -> Outcome {
         if let LevelKind::Subprogram { label_at, call_site } = self.level().kind {
-            let file = self.program().file;
+            let file = self.program().source.file;
             let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
             self.report(
                 Diagnostic::new(codes::K2203, call_site, "the program ends before the LBL 0 of this subprogram")
@@ -190,7 +190,7 @@ impl Run<'_> {
     }
 
     fn line_of(&mut self, at: u32) -> u32 {
-        let file = self.program().file;
+        let file = self.program().source.file;
         let text = self.job.sources.bytes(file, Span { start: 0, end: at });
         text.iter().filter(|b| **b == b'\n').count() as u32 + 1
     }
@@ -240,7 +240,7 @@ impl Run<'_> {
     fn find_label(&mut self, label: &Label) -> Outcome<Place> {
         let (job, here) = (self.job, self.here.origin.loc);
         let program = self.program();
-        let file = program.file;
+        let file = program.source.file;
         let labels = program.labels.get_or_insert_with(|| Labels::scan(&job, file, here));
         if let Some(place) = labels.place(label) {
             return Ok(place);
@@ -256,7 +256,7 @@ impl Run<'_> {
 
     fn seek(&mut self, place: Place) -> Outcome {
         let sources = self.job.sources;
-        if let Err(error) = self.program().cursor.seek(sources, place) {
+        if let Err(error) = self.program().source.cursor.seek(sources, place) {
             self.error(codes::P0105, format!("the file cannot be read: {error}"));
             self.ended = true;
             return Err(Reported);
@@ -394,7 +394,7 @@ impl Run<'_> {
     fn enter(&mut self, kind: LevelKind, program: usize, to: Place) -> Outcome {
         let site = self.here.origin.loc;
         self.check_depth(kind)?;
-        let back = self.program().cursor.place();
+        let back = self.program().source.cursor.place();
         let call = self.job.trail.enter(self.level().call, site);
         let unit = self.level().unit;
         let locals = matches!(kind, LevelKind::Program { .. }).then(Locals::default);
@@ -506,11 +506,11 @@ impl Run<'_> {
         }
         // The return place needs the caller in memory.
         let sources = self.job.sources;
-        if self.program().cursor.load(sources).is_err() {
+        if self.program().source.cursor.load(sources).is_err() {
             self.ended = true;
             return Err(Reported);
         }
-        let start = self.programs[program].cursor.start();
+        let start = self.programs[program].source.cursor.start();
         self.enter(LevelKind::Program { call_site: site }, program, start)
     }
 }

@@ -26,8 +26,6 @@ mod transform;
 mod vars;
 mod words;
 
-use std::rc::Rc;
-
 use crate::diag::{CallPath, Code, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
@@ -35,11 +33,10 @@ use crate::machine::Unit;
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
-use crate::text::blocks::Place;
-use crate::text::{Cursor, FileId, Loc, Next, Span};
+use crate::text::{FileId, Loc, Next, Span};
 
 use super::Job;
-use super::exec::{Budget, Cache, open_cursor};
+use super::exec::{Budget, Parsed, Read, Source, open_cursor};
 use super::here::Here;
 use calls::{Level, LevelKind};
 use cycle::Cycles;
@@ -76,7 +73,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         run.step();
     }
     run.finish();
-    run.programs[program].cursor.content_hash(job.sources).unwrap_or(0)
+    run.programs[program].source.cursor.content_hash(job.sources).unwrap_or(0)
 }
 
 /// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
@@ -101,10 +98,8 @@ pub fn check_form(job: &Job<'_>) {
 /// A program file and what is known of it.
 #[derive(Debug)]
 struct Program {
-    file: FileId,
-    cursor: Cursor,
+    source: Source<Block>,
     labels: Option<Labels>,
-    cache: Cache<Parsed>,
     /// BEGIN PGM, once it was met.
     head: Option<ProgramHead>,
 }
@@ -114,15 +109,6 @@ struct ProgramHead {
     name: Vec<u8>,
     unit: Option<Unit>,
     loc: Loc,
-}
-
-/// A block with what its execution needs besides.
-#[derive(Debug, Clone, Default)]
-struct Parsed {
-    block: Block,
-    text: Vec<u8>,
-    lines: u32,
-    next: Place,
 }
 
 /// A run of a program.
@@ -143,7 +129,7 @@ struct Run<'a> {
     words: Option<Box<words::Words>>,
     here: Here,
     problems: Vec<Problem>,
-    scratch: Option<Box<Parsed>>,
+    scratch: Option<Box<Parsed<Block>>>,
     ended: bool,
 }
 
@@ -155,11 +141,11 @@ type Outcome<T = ()> = Result<T, Reported>;
 
 impl Run<'_> {
     fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
-        if let Some(at) = self.programs.iter().position(|program| program.file == file) {
+        if let Some(at) = self.programs.iter().position(|program| program.source.file == file) {
             return Some(at);
         }
-        let cursor = open_cursor(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { file, cursor, labels: None, cache: Cache::default(), head: None });
+        let source = Source::open(&self.job, file, SPLIT, from)?;
+        self.programs.push(Program { source, labels: None, head: None });
         Some(self.programs.len() - 1)
     }
 
@@ -180,45 +166,30 @@ impl Run<'_> {
             self.ended = true;
             return;
         }
-        let program = &mut self.programs[at];
-        let place = program.cursor.place();
-        if program.cursor.is_whole()
-            && let Some(parsed) = program.cache.get(place.at)
-        {
-            program.cursor.resume(parsed.next);
-            self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
+        let source = &mut self.programs[at].source;
+        if let Some((parsed, here)) = source.again(call) {
+            self.here = here;
             self.execute(&parsed.block, &parsed.text);
             return;
         }
         let mut parsed = self.scratch.take().unwrap_or_default();
-        parsed.text.clear();
-        match program.cursor.next(self.job.sources) {
-            Ok(Next::Block(found)) => {
-                parse_block(found.text, &mut parsed.block, &mut self.problems);
-                if needs_text(&parsed.block) {
-                    parsed.text.extend_from_slice(found.text);
-                }
-                parsed.lines = found.lines;
-                self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
-                if program.cursor.is_whole() {
-                    parsed.next = program.cursor.place();
-                    program.cache.insert(place.at, Rc::new(Parsed::clone(&parsed)));
-                }
+        let read = source.read(&self.job, call, &mut parsed, |text, into| {
+            parse_block(text, &mut into.block, &mut self.problems);
+            if needs_text(&into.block) {
+                into.text.extend_from_slice(text);
+            }
+        });
+        match read {
+            Read::Block(here) => {
+                self.here = here;
                 if !self.problems.is_empty() {
                     self.report_problems();
                 }
                 self.execute(&parsed.block, &parsed.text);
             }
-            Ok(Next::TooLong { at, line }) => {
-                let loc = Loc { file: program.file, line, span: Span::at(at, 1) };
-                self.job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB"));
-            }
-            Ok(Next::End) => self.end_of_file(),
-            Err(error) => {
-                let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
-                self.job.diags.push(Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}")));
-                self.ended = true;
-            }
+            Read::TooLong => {}
+            Read::End => self.end_of_file(),
+            Read::Broken => self.ended = true,
         }
         self.scratch = Some(parsed);
     }

@@ -155,7 +155,7 @@ impl Run<'_> {
         let (job, here) = (self.job, self.here.origin.loc);
         let at = self.level().program;
         let program = &mut self.programs[at];
-        let (file, symbols) = (program.file, &mut self.symbols);
+        let (file, symbols) = (program.source.file, &mut self.symbols);
         program.labels.get_or_insert_with(|| Labels::scan(&job, file, symbols, here))
     }
 
@@ -178,7 +178,7 @@ impl Run<'_> {
 
     pub(super) fn seek(&mut self, place: Place) -> Outcome {
         let sources = self.job.sources;
-        if let Err(error) = self.program().cursor.seek(sources, place) {
+        if let Err(error) = self.program().source.cursor.seek(sources, place) {
             self.error(codes::P0105, format!("the file cannot be read: {error}"));
             self.ended = true;
             return Err(Reported);
@@ -196,12 +196,12 @@ impl Run<'_> {
         }
         // The place to come back to needs the caller in memory.
         let sources = self.job.sources;
-        if let Err(error) = self.program().cursor.load(sources) {
+        if let Err(error) = self.program().source.cursor.load(sources) {
             self.error(codes::P0105, format!("the file cannot be read: {error}"));
             self.ended = true;
             return Err(Reported);
         }
-        let back = self.program().cursor.place();
+        let back = self.program().source.cursor.place();
         let call = self.job.trail.enter(self.level().call, site);
         self.levels.push(Level { program, called_program, back, call, site });
         self.budget.jump(site);
@@ -243,7 +243,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         self.programs[program].header = Header::Start;
-        let start = self.programs[program].cursor.start();
+        let start = self.programs[program].source.cursor.start();
         self.enter(program, true, start)
     }
 
@@ -258,7 +258,7 @@ impl Run<'_> {
         self.budget.jump(self.here.origin.loc);
         self.reset();
         self.programs[program].header = Header::Start;
-        let start = self.programs[program].cursor.start();
+        let start = self.programs[program].source.cursor.start();
         self.level().program = program;
         self.seek(start)
     }
@@ -319,8 +319,8 @@ impl Run<'_> {
 
     /// The file has no further block.
     pub(super) fn end_of_file(&mut self) {
-        let place = self.program().cursor.place();
-        let file = self.program().file;
+        let place = self.program().source.cursor.place();
+        let file = self.program().source.file;
         let line = place.line.saturating_sub(1).max(1);
         let loc = Loc { file, line, span: Span::at(place.at.saturating_sub(1), 1) };
         self.here.origin.loc = loc;

@@ -4,11 +4,11 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::turning::ast::{Block, Formula, Stmt};
+use crate::text::Loc;
 use crate::text::blocks::Place;
-use crate::text::{Loc, Next};
 
 use super::sections::Part;
-use super::{Outcome, Parsed, Reported, Run};
+use super::{Outcome, Parsed, Read, Reported, Run};
 
 /// Deepest nesting of structures.
 const DEEPEST: usize = 100;
@@ -127,7 +127,7 @@ impl Run<'_> {
     fn while_block(&mut self, block: &Block, condition: Formula) -> Outcome {
         let place = Place { at: self.here.at, line: self.here.line };
         let sources = self.job.sources;
-        if self.program().cursor.load(sources).is_err() {
+        if self.program().source.cursor.load(sources).is_err() {
             self.ended = true;
             return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
         }
@@ -144,7 +144,7 @@ impl Run<'_> {
         let value = self.condition(block, value)?;
         self.open_nest(NestKind::Switch)?;
         let sources = self.job.sources;
-        if self.program().cursor.load(sources).is_err() {
+        if self.program().source.cursor.load(sources).is_err() {
             self.ended = true;
             return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
         }
@@ -157,7 +157,7 @@ impl Run<'_> {
                 Stmt::If(_) | Stmt::While(_) | Stmt::Switch(_) => depth += 1,
                 Stmt::EndIf | Stmt::EndWhile | Stmt::EndSwitch if depth > 0 => depth -= 1,
                 Stmt::Case(case) if depth == 0 && self.condition(&parsed.block, case)? == value => return Ok(()),
-                Stmt::Default if depth == 0 => default = Some(self.program().cursor.place()),
+                Stmt::Default if depth == 0 => default = Some(self.program().source.cursor.place()),
                 Stmt::EndSwitch => break,
                 _ => {}
             }
@@ -206,8 +206,7 @@ impl Run<'_> {
     }
 
     /// The next block of a branch that is passed; what is wrong with it does not matter here.
-    fn next_passed(&mut self, from: Loc) -> Outcome<Parsed> {
-        let sources = self.job.sources;
+    fn next_passed(&mut self, from: Loc) -> Outcome<Parsed<Block>> {
         let (at, call) = (self.level().program, self.level().call);
         if !self.budget.step() {
             self.job.diags.push(self.budget.exceeded(from, call));
@@ -215,17 +214,16 @@ impl Run<'_> {
             return Err(Reported);
         }
         let mut parsed = Parsed::default();
-        let program = &mut self.programs[at];
-        let place = program.cursor.place();
-        match program.cursor.next(sources) {
-            Ok(Next::Block(found)) => {
-                let mut ignored = Vec::new();
-                crate::parser::turning::parse_block(found.text, &mut parsed.block, &mut ignored);
-                self.here = super::Here::new(program.file, place.at, place.line, found.lines, call);
+        let read = self.programs[at].source.pass(&self.job, call, &mut parsed, |text, into| {
+            crate::parser::turning::parse_block(text, &mut into.block, &mut Vec::new());
+        });
+        match read {
+            Read::Block(here) => {
+                self.here = here;
                 self.here.origin.loc.span = parsed.block.span.shifted(self.here.at);
             }
-            Ok(Next::TooLong { .. }) => {}
-            Ok(Next::End) | Err(_) => return self.unclosed(from),
+            Read::TooLong => {}
+            Read::End | Read::Broken => return self.unclosed(from),
         }
         match parsed.block.stmt {
             Stmt::Section(..) => self.unclosed(from),
@@ -244,7 +242,7 @@ impl Run<'_> {
 
     pub(super) fn seek(&mut self, place: Place) -> Outcome {
         let sources = self.job.sources;
-        if let Err(error) = self.program().cursor.seek(sources, place) {
+        if let Err(error) = self.program().source.cursor.seek(sources, place) {
             self.error(codes::P0105, format!("the file cannot be read: {error}"));
             self.ended = true;
             return Err(Reported);

@@ -30,19 +30,16 @@ mod undercuts;
 mod vars;
 mod words;
 
-use std::rc::Rc;
-
 use crate::diag::{CallPath, Code, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
 use crate::parser::problem::Problem;
 use crate::parser::turning::ast::{Block, Stmt};
 use crate::parser::turning::{SPLIT, parse_block};
-use crate::text::blocks::Place;
-use crate::text::{Cursor, FileId, Loc, Next, Span};
+use crate::text::{FileId, Loc, Next, Span};
 
 use super::Job;
-use super::exec::{Budget, Cache, open_cursor};
+use super::exec::{Budget, Parsed, Read, Source, open_cursor};
 use super::here::Here;
 use capture::Capture;
 use chain::Chain;
@@ -83,7 +80,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         run.step();
     }
     run.finish();
-    run.programs[program].cursor.content_hash(job.sources).unwrap_or(0)
+    run.programs[program].source.cursor.content_hash(job.sources).unwrap_or(0)
 }
 
 /// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
@@ -104,20 +101,9 @@ pub fn check_form(job: &Job<'_>) {
 /// A program file and what is known of it.
 #[derive(Debug)]
 struct Program {
-    file: FileId,
-    cursor: Cursor,
+    source: Source<Block>,
     /// Local subprograms, once they were looked for.
     names: Option<Names>,
-    cache: Cache<Parsed>,
-}
-
-/// A block with what its execution needs besides.
-#[derive(Debug, Clone, Default)]
-struct Parsed {
-    block: Block,
-    text: Vec<u8>,
-    lines: u32,
-    next: Place,
 }
 
 /// A run of a program.
@@ -141,7 +127,7 @@ struct Run<'a> {
     words: Option<Box<Words>>,
     here: Here,
     problems: Vec<Problem>,
-    scratch: Option<Box<Parsed>>,
+    scratch: Option<Box<Parsed<Block>>>,
     ended: bool,
 }
 
@@ -153,11 +139,11 @@ type Outcome<T = ()> = Result<T, Reported>;
 
 impl Run<'_> {
     fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
-        if let Some(at) = self.programs.iter().position(|program| program.file == file) {
+        if let Some(at) = self.programs.iter().position(|program| program.source.file == file) {
             return Some(at);
         }
-        let cursor = open_cursor(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { file, cursor, names: None, cache: Cache::default() });
+        let source = Source::open(&self.job, file, SPLIT, from)?;
+        self.programs.push(Program { source, names: None });
         Some(self.programs.len() - 1)
     }
 
@@ -178,13 +164,9 @@ impl Run<'_> {
             self.ended = true;
             return;
         }
-        let program = &mut self.programs[at];
-        let place = program.cursor.place();
-        if program.cursor.is_whole()
-            && let Some(parsed) = program.cache.get(place.at)
-        {
-            program.cursor.resume(parsed.next);
-            self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
+        let source = &mut self.programs[at].source;
+        if let Some((parsed, here)) = source.again(call) {
+            self.here = here;
             self.execute(&parsed.block, &parsed.text);
             return;
         }
@@ -196,37 +178,24 @@ impl Run<'_> {
     }
 
     /// Reads the next block of the program `at` into `parsed`; false where there is none.
-    fn read(&mut self, parsed: &mut Parsed, at: usize, call: CallPath) -> bool {
-        let program = &mut self.programs[at];
-        let place = program.cursor.place();
-        parsed.text.clear();
-        match program.cursor.next(self.job.sources) {
-            Ok(Next::Block(found)) => {
-                parse_block(found.text, &mut parsed.block, &mut self.problems);
-                if needs_text(&parsed.block) {
-                    parsed.text.extend_from_slice(found.text);
-                }
-                parsed.lines = found.lines;
-                self.here = Here::new(program.file, place.at, place.line, parsed.lines, call);
-                if program.cursor.is_whole() {
-                    parsed.next = program.cursor.place();
-                    program.cache.insert(place.at, Rc::new(Parsed::clone(parsed)));
-                }
+    fn read(&mut self, parsed: &mut Parsed<Block>, at: usize, call: CallPath) -> bool {
+        let read = self.programs[at].source.read(&self.job, call, parsed, |text, into| {
+            parse_block(text, &mut into.block, &mut self.problems);
+            if needs_text(&into.block) {
+                into.text.extend_from_slice(text);
+            }
+        });
+        match read {
+            Read::Block(here) => {
+                self.here = here;
                 if !self.problems.is_empty() {
                     self.report_problems();
                 }
                 return true;
             }
-            Ok(Next::TooLong { at, line }) => {
-                let loc = Loc { file: program.file, line, span: Span::at(at, 1) };
-                self.job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB"));
-            }
-            Ok(Next::End) => self.end_of_file(),
-            Err(error) => {
-                let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
-                self.job.diags.push(Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}")));
-                self.ended = true;
-            }
+            Read::TooLong => {}
+            Read::End => self.end_of_file(),
+            Read::Broken => self.ended = true,
         }
         false
     }

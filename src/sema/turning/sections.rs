@@ -356,11 +356,11 @@ impl Run<'_> {
     fn look_behind_end(&mut self) {
         let sources = self.job.sources;
         let program = self.program();
-        let file = program.file;
+        let file = program.source.file;
         let mut block = Block::default();
         let mut ignored = Vec::new();
         let found = loop {
-            let Ok(Next::Block(text)) = program.cursor.next(sources) else { return };
+            let Ok(Next::Block(text)) = program.source.cursor.next(sources) else { return };
             parse_block(text.text, &mut block, &mut ignored);
             ignored.clear();
             match block.stmt {
@@ -382,8 +382,8 @@ impl Run<'_> {
         let called = self.levels.len() > 1;
         if called || self.sections.framed || self.sections.passing {
             let program = self.program();
-            let place = program.cursor.place();
-            let loc = Loc { file: program.file, line: place.line, span: Span::at(place.at, 0) };
+            let place = program.source.cursor.place();
+            let loc = Loc { file: program.source.file, line: place.line, span: Span::at(place.at, 0) };
             let what = if called || self.sections.passing { "RETURN" } else { "END" };
             self.report(
                 Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))

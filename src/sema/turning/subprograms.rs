@@ -168,7 +168,7 @@ impl Run<'_> {
         let (job, here) = (self.job, self.here.origin.loc);
         let program = self.level().program;
         let names = self.program();
-        let file = names.file;
+        let file = names.source.file;
         let names = names.names.get_or_insert_with(|| Names::scan(&job, file, here));
         let Some(place) = names.places.get(&name.to_ascii_uppercase()).copied() else {
             let mut known: Vec<&str> = names.places.keys().map(String::as_str).collect();
@@ -191,7 +191,7 @@ impl Run<'_> {
         let call = self.here.origin.call;
         let opened = open_program(&self.job, name, &["ncs", "NCS", "nc"], site, call);
         let Some(program) = opened.and_then(|file| self.open(file, site)) else { return Err(Reported) };
-        let start = self.programs[program].cursor.start();
+        let start = self.programs[program].source.cursor.start();
         self.enter(LevelKind::External, program, start, locals, name)
     }
 
@@ -214,11 +214,11 @@ impl Run<'_> {
         }
         let sources = self.job.sources;
         // The way back needs the caller in memory.
-        if self.program().cursor.load(sources).is_err() {
+        if self.program().source.cursor.load(sources).is_err() {
             self.ended = true;
             return Err(Reported);
         }
-        let back = self.program().cursor.place();
+        let back = self.program().source.cursor.place();
         let call = self.job.trail.enter(self.level().call, site);
         let number = self.budget_number();
         let part = std::mem::replace(&mut self.sections.part, Part::Machining);

@@ -1,0 +1,160 @@
+//! Reads one value of a `partc.toml` behind its key.
+
+use std::collections::BTreeMap;
+
+use super::axis::Axis;
+use super::keys::{Key, Kind};
+use super::tools::ToolKey;
+use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
+
+pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
+    let all = |good: fn(&Value) -> bool| match &node.value {
+        Value::List(items) => items.iter().all(|item| good(&item.value)),
+        _ => false,
+    };
+    let ok = match key.kind {
+        Kind::Text => matches!(node.value, Value::Text(_)),
+        Kind::Flag => matches!(node.value, Value::Flag(_)),
+        Kind::Number => matches!(node.value, Value::Number(_) | Value::Whole(_)),
+        Kind::Whole => matches!(node.value, Value::Whole(_)),
+        Kind::Choice(choices) => {
+            if let Value::Text(text) = &node.value
+                && !choices.contains(&text.as_str())
+            {
+                let mut error = node.fail(format!("`{}` is none of {}", text, choices.join(", ")));
+                error.help = did_you_mean(text, choices.iter().copied()).map(|like| format!("did you mean `{like}`?"));
+                return Err(error);
+            }
+            matches!(node.value, Value::Text(_))
+        }
+        Kind::Wholes => all(|value| matches!(value, Value::Whole(_))),
+        Kind::Texts => all(|value| matches!(value, Value::Text(_))),
+        Kind::Free => matches!(node.value, Value::Table(_)),
+        Kind::Words => matches!(node.value, Value::Table(_)) || all(|value| matches!(value, Value::Text(_))),
+    };
+    let wanted = match key.kind {
+        Kind::Text | Kind::Choice(_) => "a text in quotes",
+        Kind::Flag => "true or false",
+        Kind::Number => "a number",
+        Kind::Whole => "a whole number",
+        Kind::Wholes => "a list of whole numbers",
+        Kind::Texts => "a list of texts",
+        Kind::Free => "a table",
+        Kind::Words => "a list of texts or a table",
+    };
+    if ok { Ok(()) } else { Err(node.fail(format!("`{}` needs {wanted}: {}", key.name, key.doc))) }
+}
+
+pub(super) fn text(node: &Node) -> &str {
+    match &node.value {
+        Value::Text(text) => text,
+        _ => "",
+    }
+}
+
+pub(super) fn flag(node: &Node) -> bool {
+    matches!(node.value, Value::Flag(true))
+}
+
+pub(super) fn whole(node: &Node) -> i64 {
+    match node.value {
+        Value::Whole(n) => n,
+        _ => 0,
+    }
+}
+
+pub(super) fn number(node: &Node) -> Option<f64> {
+    match node.value {
+        Value::Whole(n) => Some(n as f64),
+        Value::Number(x) => Some(x),
+        _ => None,
+    }
+}
+
+pub(super) fn wholes(node: &Node) -> impl Iterator<Item = i64> + '_ {
+    let items: &[Node] = match &node.value {
+        Value::List(items) => items,
+        _ => &[],
+    };
+    items.iter().map(whole)
+}
+
+pub(super) fn table_of(node: &Node) -> &Table {
+    static NONE: Table = Table::new();
+    match &node.value {
+        Value::Table(table) => table,
+        _ => &NONE,
+    }
+}
+
+/// `["LA_ON"]`, or `{ LA_ON = "M64", LA_OFF = "" }`.
+pub(super) fn machine_words(node: &Node) -> Result<BTreeMap<String, Option<u32>>, ConfigError> {
+    if let Value::List(items) = &node.value {
+        return Ok(items.iter().map(|item| (text(item).to_ascii_uppercase(), None)).collect());
+    }
+    let mut words = BTreeMap::new();
+    for (name, node) in table_of(node) {
+        let printed = text(node);
+        let number = printed.strip_prefix(['M', 'm']).and_then(|digits| digits.parse().ok()).filter(|n| *n < 10_000);
+        if number.is_none() && !(printed.is_empty() && matches!(node.value, Value::Text(_))) {
+            return Err(node.fail("a word of the machine becomes an M function such as \"M101\", or nothing: \"\""));
+        }
+        words.insert(name.to_ascii_uppercase(), number);
+    }
+    Ok(words)
+}
+
+pub(super) fn axis(name: &str, node: &Node) -> Result<Axis, ConfigError> {
+    match name.as_bytes() {
+        [letter] => Axis::of(*letter),
+        _ => None,
+    }
+    .ok_or_else(|| node.fail(format!("`{name}` is no axis: X, Y, Z, A, B, C, U, V, W")))
+}
+
+pub(super) fn geometry_axes(node: &Node) -> Result<[Axis; 3], ConfigError> {
+    let Value::List(items) = &node.value else { return Err(node.fail("needs three axis names")) };
+    let axes = items.iter().map(|item| axis(text(item), item)).collect::<Result<Vec<_>, _>>()?;
+    let distinct = |axes: &[Axis; 3]| axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2];
+    <[Axis; 3]>::try_from(axes).ok().filter(distinct).ok_or_else(|| node.fail("needs three different axis names"))
+}
+
+pub(super) fn range(node: &Node) -> Result<(f64, f64), ConfigError> {
+    let fail = || node.fail("travel limits are two numbers, the smaller one first: [-10.0, 800.0]");
+    let Value::List(items) = &node.value else { return Err(fail()) };
+    match items.as_slice() {
+        [low, high] => match (number(low), number(high)) {
+            (Some(low), Some(high)) if low <= high => Ok((low, high)),
+            _ => Err(fail()),
+        },
+        _ => Err(fail()),
+    }
+}
+
+pub(super) fn change_point(node: &Node) -> Result<(f64, f64), ConfigError> {
+    let fail = || node.fail("a tool change point has both coordinates: { X = 300.0, Z = 400.0 }");
+    let (mut x, mut z) = (None, None);
+    for (name, node) in table_of(node) {
+        match name.as_str() {
+            "X" => x = number(node),
+            "Z" => z = number(node),
+            _ => return Err(fail()),
+        }
+    }
+    x.zip(z).ok_or_else(fail)
+}
+
+pub(super) fn tool_key(name: &str, node: &Node) -> Result<ToolKey, ConfigError> {
+    let (number, index) = name.split_once('.').unwrap_or((name, "0"));
+    if name.bytes().all(|b| b.is_ascii_digit() || b == b'.') {
+        let fail = || node.fail(format!("`{name}` is no tool number"));
+        return Ok(ToolKey::Number(number.parse().map_err(|_| fail())?, index.parse().map_err(|_| fail())?));
+    }
+    Ok(ToolKey::Name(name.to_owned()))
+}
+
+/// 1 for `G54` … 9 for `G59.3`.
+pub(super) fn work_offset(word: &str) -> Option<u8> {
+    const WORDS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+    WORDS.iter().position(|known| known.eq_ignore_ascii_case(word)).map(|i| i as u8 + 1)
+}
