@@ -185,11 +185,11 @@ fn shape940(
             Ok(if form == b'E' { form_e(size) } else { form_f(size) })
         }
         b'A'..=b'D' => {
+            let entry = entry(call.sta)?;
             if call.piti.is_none() {
                 return Err(CallFault::Pitch);
             }
             let pitch = PITCHES.get(index().ok_or(CallFault::Range("_PITI"))?).ok_or(CallFault::Size)?;
-            let entry = entry(call.sta)?;
             let row = tables.thread(*pitch).ok_or(CallFault::Size)?;
             let (shape, doubts) = thread(tables, row, thread_form(form)?, entry);
             rests.thread = doubts;
@@ -372,6 +372,7 @@ mod tests {
         assert_eq!(fault(Cycle940 { spd: None, ..call(b'E') }), CallFault::Missing("_SPD"));
         assert_eq!(fault(Cycle940 { lage: Some(4.0), ..call(b'E') }), CallFault::Position);
         assert_eq!(fault(Cycle940 { sdis: None, ..call(b'E') }), CallFault::Range("_SDIS"));
+        assert_eq!(fault(call(b'A')), CallFault::Pitch);
         assert_eq!(fault(Cycle940 { piti: Some(24.0), ..call(b'A') }), CallFault::Size);
         assert_eq!(fault(Cycle940 { piti: Some(0.5), ..call(b'E') }), CallFault::Range("_PITI"));
         assert_eq!(fault(Cycle940 { sta: Some(29.0), ..call(b'A') }), CallFault::Range("_STA"));

@@ -20,3 +20,5 @@ mod rs274;
 mod sinumerik;
 mod sweep;
 mod undercut;
+mod undercut_conditions;
+mod worked_examples;
