@@ -21,6 +21,8 @@ use super::{LineMap, Output, comment};
 
 /// Bytes collected before they are written.
 const CHUNK: usize = 1 << 20;
+/// The first piece is smaller: who waits for the output sees it sooner.
+const FIRST_CHUNK: usize = 1 << 14;
 /// Digits of the hash in the head.
 const HASH_DIGITS: usize = 16;
 /// Most lines that replace an arc.
@@ -37,6 +39,8 @@ pub struct Printer<'a> {
     out: &'a mut dyn Output,
     map: Option<&'a mut dyn LineMap>,
     text: Text,
+    /// Bytes after which the text is written.
+    chunk: usize,
     lines: u64,
     most_lines: u64,
     hash_at: u64,
@@ -85,6 +89,7 @@ impl<'a> Printer<'a> {
             out,
             map,
             text: Text::with_capacity(CHUNK + 4096),
+            chunk: FIRST_CHUNK,
             lines: 0,
             most_lines: settings.limits.output_blocks,
             hash_at: 0,
@@ -148,6 +153,7 @@ impl<'a> Printer<'a> {
         {
             self.error = Some(error);
         }
+        self.chunk = CHUNK;
         self.text.clear();
     }
 
@@ -168,7 +174,7 @@ impl<'a> Printer<'a> {
             self.split_feed(origin);
         }
         self.count_line(origin);
-        if self.text.bytes().len() >= CHUNK {
+        if self.text.bytes().len() >= self.chunk {
             self.write_out();
         }
     }
