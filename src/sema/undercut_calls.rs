@@ -340,6 +340,7 @@ mod tests {
             lage: Some(1.0),
             sdis: Some(1.0),
             ffp: Some(0.1),
+            piti: matches!(form, b'A'..=b'D').then_some(0.0),
             ..Cycle940::default()
         }
     }
@@ -372,7 +373,7 @@ mod tests {
         assert_eq!(fault(Cycle940 { spd: None, ..call(b'E') }), CallFault::Missing("_SPD"));
         assert_eq!(fault(Cycle940 { lage: Some(4.0), ..call(b'E') }), CallFault::Position);
         assert_eq!(fault(Cycle940 { sdis: None, ..call(b'E') }), CallFault::Range("_SDIS"));
-        assert_eq!(fault(call(b'A')), CallFault::Pitch);
+        assert_eq!(fault(Cycle940 { piti: None, ..call(b'A') }), CallFault::Pitch);
         assert_eq!(fault(Cycle940 { piti: Some(24.0), ..call(b'A') }), CallFault::Size);
         assert_eq!(fault(Cycle940 { piti: Some(0.5), ..call(b'E') }), CallFault::Range("_PITI"));
         assert_eq!(fault(Cycle940 { sta: Some(29.0), ..call(b'A') }), CallFault::Range("_STA"));

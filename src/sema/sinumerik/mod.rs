@@ -130,6 +130,8 @@ struct Run<'a> {
     modal: Option<Modal>,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
+    /// The first line of a pair was refused.
+    pair_lost: bool,
     /// Contours that CYCLE62 called.
     contours: cycles::Contours,
     /// The contour that is described now.
@@ -193,6 +195,7 @@ impl<'a> Run<'a> {
             modal: None,
             modal_cycle: None,
             pending: None,
+            pair_lost: false,
             contours: cycles::Contours::default(),
             capture: None,
             stored: None,

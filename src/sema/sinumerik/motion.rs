@@ -69,6 +69,7 @@ impl Run<'_> {
         if words.get(Address::F).is_some() {
             self.st.feed_lost = true;
         }
+        self.pair_lost |= words.get(Address::Ang).is_some();
         if !axes.is_empty() {
             self.st.lose(axes);
             self.pending = None;
@@ -210,7 +211,7 @@ impl Run<'_> {
                 "program G40 in a block in front of it",
             );
         }
-        self.pending_must_be_done(span)?;
+        self.plane_changes_in_a_pair(span)?;
         self.set_plane(index);
         let plane = self.st.plane();
         self.function(crate::ir::Function::Plane(plane));
@@ -272,6 +273,9 @@ impl Run<'_> {
         self.check_offsets(w)?;
         self.check_start_of_compensation(interpolation, in_plane, block.span)?;
         let corner = self.corner_words(w)?;
+        if !matches!(interpolation, Code::G0 | Code::G1) {
+            self.only_lines_by_angle(w, block.span)?;
+        }
         match interpolation {
             Code::G0 | Code::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
             Code::G2 | Code::G3 => self.circle_block(w, interpolation == Code::G3, polar)?,

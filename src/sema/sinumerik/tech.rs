@@ -437,9 +437,10 @@ impl Run<'_> {
                         if self.ends_inside_contour() {
                             return Err(Reported);
                         }
-                        self.pending_must_be_done(m.span)?;
+                        let done = self.pending_must_be_done(m.span);
                         self.function(Function::End { rewind: m.number == 30 });
                         self.ended.set(true);
+                        done?;
                     } else {
                         self.leave_program();
                     }

@@ -507,7 +507,12 @@ impl Run<'_> {
         let meaning = self.meaning(name);
         match (meaning, args) {
             (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
-            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {}
+            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {
+                // It ends the look-ahead.
+                if self.pending.is_some() && self.symbols.name(name) == "STOPRE" {
+                    self.pending_must_be_done(word.span)?;
+                }
+            }
             _ if words.call.is_some() => {
                 return self.fail_help(
                     codes::S2013,
