@@ -95,6 +95,9 @@ impl Session {
             let hash = self.run(dialect, settings, files, &mut printer);
             let _ = printer.finish(hash);
         }
+        if let Some(check_idle) = dialect.check_idle {
+            check_idle(&self.job(settings, files));
+        }
     }
 
     /// Draws the resolved path. With an error among the findings the picture must not be used.

@@ -148,6 +148,20 @@ impl Diags {
         }
     }
 
+    /// Was the same found at the same place before?
+    pub fn knows(&self, found: &Diagnostic) -> bool {
+        self.inner.borrow().seen.contains_key(&(found.code.id, found.label.loc))
+    }
+
+    /// Offsets in `file` at which errors were found, ascending.
+    pub fn errors_in(&self, file: crate::text::FileId) -> Vec<u32> {
+        let inner = self.inner.borrow();
+        let in_file = inner.list.iter().filter(|d| d.code.severity == Severity::Error && d.label.loc.file == file);
+        let mut places: Vec<u32> = in_file.map(|d| d.label.loc.span.start).collect();
+        places.sort_unstable();
+        places
+    }
+
     /// What was found so far came from the form of the program; now it runs, and passes the same blocks again.
     pub fn begin_run(&self) {
         let inner = &mut *self.inner.borrow_mut();

@@ -12,6 +12,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: klartext::run,
     check_form: klartext::check_form,
+    check_idle: Some(klartext::check_idle),
 };
 
 /// `BEGIN PGM` starts a line.

@@ -26,6 +26,10 @@ pub struct Dialect {
     pub run: fn(&Job<'_>, &mut dyn Sink) -> u64,
     /// Reads every block, whether it runs or not.
     pub check_form: fn(&Job<'_>),
+    /// Looks at the blocks of which the run, which comes before, reported no error, and says what can be known without
+    /// running them: an error where the control itself refuses the program, a warning where only partc would refuse
+    /// the block if it ran. `None` where a dialect knows no more than the form.
+    pub check_idle: Option<fn(&Job<'_>)>,
 }
 
 impl Dialect {

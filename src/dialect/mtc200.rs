@@ -12,6 +12,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: mtc200::run,
     check_form: mtc200::check_form,
+    check_idle: None,
 };
 
 /// The first line that is not blank begins with `%NPG`.

@@ -238,9 +238,9 @@ pub enum Tok {
     RMinus,
     #[token("R", priority = 20, ignore(case))]
     RBare,
-    #[token("DR+", ignore(case))]
+    #[regex(r"(?i)DR[ \t]*\+")]
     DrPlus,
-    #[token("DR-", ignore(case))]
+    #[regex(r"(?i)DR[ \t]*-")]
     DrMinus,
     #[regex(r"(?i)DR(?&value)", value_word, priority = 40)]
     Dr(ValueWord),

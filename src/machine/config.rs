@@ -177,6 +177,20 @@ impl Reader {
                     if text(node) == "transformed" { ShiftAxes::Transformed } else { ShiftAxes::Original };
             }
             "cp_sign" => control.cp_sign = if text(node) == "dr" { CpSign::Dr } else { CpSign::Refuse },
+            "modulo" => {
+                control.modulo = match text(node) {
+                    "truncate" => Modulo::Truncate,
+                    "floor" => Modulo::Floor,
+                    _ => Modulo::Refuse,
+                };
+            }
+            "repeat_count" => {
+                control.repeat_count = match text(node) {
+                    "truncate" => RepeatCount::Truncate,
+                    "round" => RepeatCount::Round,
+                    _ => RepeatCount::Refuse,
+                };
+            }
             "scaling" => control.scaling_in_plane = text(node) == "plane",
             "turning_arc_q" => {
                 let far = text(node) == "far";

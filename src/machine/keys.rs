@@ -137,6 +137,18 @@ pub const SECTIONS: &[Section] = &[
             )
             .or(r#""original""#),
             key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree").or(r#""refuse""#),
+            key(
+                "modulo",
+                Kind::Choice(&["refuse", "truncate", "floor"]),
+                "% with a negative operand: refused, sign of the left or of the right operand",
+            )
+            .or(r#""refuse""#),
+            key(
+                "repeat_count",
+                Kind::Choice(&["refuse", "truncate", "round"]),
+                "number of repeats (CALL LBL REP) with decimals",
+            )
+            .or(r#""refuse""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
             key(
                 "turning_arc_q",

@@ -16,8 +16,8 @@ mod values;
 
 pub use axis::{Axis, AxisSet};
 pub use settings::{
-    ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, OutputSettings,
-    PolarMissing, RecessDepth, Settings, ShiftAxes, Unit,
+    ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, Modulo,
+    OutputSettings, PolarMissing, RecessDepth, RepeatCount, Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

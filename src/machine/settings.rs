@@ -124,6 +124,26 @@ pub enum CpSign {
     Dr,
 }
 
+/// What `%` of a formula gives where an operand is negative.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Modulo {
+    #[default]
+    Refuse,
+    /// The sign of the left operand: -400 % 360 = -40.
+    Truncate,
+    /// The sign of the right operand: -400 % 360 = 320.
+    Floor,
+}
+
+/// What CALL LBL REP makes of a number with decimals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RepeatCount {
+    #[default]
+    Refuse,
+    Truncate,
+    Round,
+}
+
 /// Which of two solutions Q0 of an arc names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ArcChoice {
@@ -169,6 +189,8 @@ pub struct Control {
     pub polar_missing: PolarMissing,
     pub shift_axes: ShiftAxes,
     pub cp_sign: CpSign,
+    pub modulo: Modulo,
+    pub repeat_count: RepeatCount,
     /// Scaling (cycle 11) leaves the tool axis alone.
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.

@@ -90,6 +90,19 @@ pub fn compile_bytes(name: &str, bytes: Vec<u8>, dialect: &str, settings: &Setti
     Compiled { output, attempt, findings, rendered, lines }
 }
 
+/// The findings of `partc check` for a Klartext program, one a line.
+pub fn check_klartext(text: &str) -> Vec<Diagnostic> {
+    let main = Opened {
+        name: "PART.H".to_owned(),
+        identity: "PART.H".to_owned(),
+        text: Box::new(Memory::new(text.as_bytes().to_vec())),
+    };
+    let session = Session::new(main);
+    let dialect = dialect::find("klartext").expect("a dialect of this name");
+    session.check(dialect, &Settings::default(), &partc::text::files::NoFiles);
+    session.diags.into_sorted()
+}
+
 /// Dialect of a golden case: the folder under `tests/golden`.
 pub fn dialect_of(path: &Path) -> String {
     let mut parts = path.components().skip_while(|part| part.as_os_str() != "golden").skip(1);

@@ -12,7 +12,7 @@ use partc::machine::Settings;
 use partc::text::files::NoFiles;
 use partc::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
-use super::common::{Compiled, cases, compile_bytes, compile_case, settings};
+use super::common::{Compiled, cases, check_klartext, compile_bytes, compile_case, settings};
 
 /// A code whose input is made by the test: a wide file, a huge one, a file system that refuses.
 struct Built {
@@ -55,6 +55,7 @@ const BUILT: &[Built] = &[
     },
     Built { code: "P0106", fires: || calls_of(1000), silent: || calls_of(999) },
     Built { code: "K2007", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
+    Built { code: "K8001", fires: || checked(&behind_m30("FL X+20 AN+30")), silent: || checked(&behind_m30("L X+20")) },
     Built { code: "S8009", fires: || siemens_tool(&[]), silent: || siemens_tool(&[5]) },
 ];
 
@@ -74,6 +75,18 @@ const CALLER: &str = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 Z+2 R0 FMAX\n2 CALL PGM 
 
 fn main_of(bytes: &[u8]) -> Compiled {
     compile_bytes("PART.H", bytes.to_vec(), "klartext", &Settings::default(), &NoFiles)
+}
+
+/// What `partc check` says.
+fn checked(text: &str) -> Compiled {
+    let findings = check_klartext(text);
+    let failed = findings.iter().any(|found| found.code.severity == Severity::Error);
+    let output = if failed { String::new() } else { "%\n".to_owned() };
+    Compiled { output, attempt: String::new(), findings, rendered: Vec::new(), lines: Vec::new() }
+}
+
+fn behind_m30(block: &str) -> String {
+    format!("0 BEGIN PGM PART MM\n1 L X+10 Y+5 R0 F300 M30\n2 {block}\n3 END PGM PART MM\n")
 }
 
 /// The text in two bytes a character, as an editor set to "Unicode" saves it.

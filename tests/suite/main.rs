@@ -10,6 +10,7 @@ mod diagnostics;
 mod golden;
 mod hostile;
 mod hostile_turning;
+mod idle;
 mod layering;
 mod mtc200;
 mod oracle;

@@ -70,8 +70,8 @@ fn interpret_with(program: &str, diameter: &str) -> Result<Vec<Move>, String> {
     let dir = scratch();
     let write = |file: &str, text: &str| fs::write(dir.join(file), text).expect("a writable folder");
     let mut table = String::new();
-    for number in tools(program) {
-        table += &format!("T{number} P{number} D{diameter} Z0 ;\n");
+    for (pocket, number) in tools(program).into_iter().enumerate() {
+        table += &format!("T{number} P{} D{diameter} Z0 ;\n", pocket + 1);
     }
     write("t.tbl", &table);
     write(
@@ -119,7 +119,7 @@ fn tools(program: &str) -> Vec<u32> {
         .filter(|line| !line.starts_with('('))
         .flat_map(|line| line.split(' '))
         .filter_map(|word| word.strip_prefix(['T', 'D', 'H'])?.parse().ok())
-        .filter(|number| (1..1000).contains(number))
+        .filter(|number| (1..100_000).contains(number))
         .collect();
     found.sort_unstable();
     found.dedup();

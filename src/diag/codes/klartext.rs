@@ -70,6 +70,14 @@ K1014 Error "m-functions-conflict" "M functions of one block contradict each oth
 "For example M3 with M4, or M8 with M9 in one block. Which one acts last is not defined, so the spindle might turn the wrong way. \
 Keep one, or put them into two blocks."
 
+K1015 Warning "speed-in-path-block" "spindle speed outside TOOL CALL"
+"The control takes S in TOOL CALL only: `TOOL CALL S2500` sets a new speed without a change of tool. Some CAM posts write S into \
+positioning blocks; partc sets the speed in front of the move of such a block, as DIN/ISO does."
+
+K1016 Error "block-in-comment" "comment hides a block behind a lone carriage return"
+"A comment holds a carriage return, and what follows reads as a block. Lines of this file end with a line feed, so for the control the rest still \
+is comment, while many editors show a line of its own. Whether the block shall run cannot be known: end the comment with a line feed, or remove the block."
+
 K2001 Error "position-unknown" "position of an axis is not known here"
 "The block needs the position from which it starts: for an incremental word, an arc, a chamfer or a polar word. No block before gave this axis \
 an absolute position in the workpiece system, or the last one was in machine coordinates (M91), from which the workpiece position \
@@ -118,6 +126,10 @@ so partc adds it to the coordinates of the tool axis. Blocks in machine coordina
 K2012 Error "tool-length-unknown" "length of the tool is not known"
 "The block reads the tool length (Q114 or SYSREAD), and neither the program nor the configuration gives it. Put `TOOL DEF` with L \
 into the program, or the length into the tool table or `[tools.5]` of partc.toml."
+
+K2013 Warning "feed-per-revolution-large" "feed under M136 is far too large for a feed per revolution"
+"M136 acts at the start of its block and makes every F that follows count millimetres per revolution of the spindle, the F of its own block \
+included. A number like 200 was most likely meant per minute. Write the feed per revolution, or M137 first."
 
 K2101 Error "pole-missing" "no circle centre or pole in force"
 "C, CP, LP and CTP refer to the last CC block, and there is none before this block that is still valid. Program `CC X… Y…` first."
@@ -176,7 +188,8 @@ K2204 Error "recursive-call" "subprogram or program calls itself"
 `CALL LBL n REP` or a conditional jump instead."
 
 K2205 Error "repeat-count" "number of repeats is not usable"
-"REP takes a whole number from 0 to 65534. What the control makes of a broken one is not documented: round the parameter with INT first."
+"REP takes a whole number from 0 to 65534. What the control makes of a broken one is not documented: round the parameter with INT first, \
+or say in partc.toml how your control does it: `[control] repeat_count = \"truncate\"` or `\"round\"`."
 
 K2206 Error "repeat-forward" "repeated section lies behind its call"
 "`CALL LBL n REP` repeats the section from LBL n up to the call. Here the label follows the call. For a subprogram leave out REP."
@@ -195,6 +208,10 @@ the manuals do not say. Q parameters are not converted."
 K2210 Warning "label-runs-through" "main program runs into a subprogram"
 "The main program is not ended by M2 or M30 in front of this label, so its blocks run once without being called. \
 That is allowed, but rarely meant."
+
+K2212 Warning "plc-value" "values for the PLC of the machine are left out"
+"FN 19 and FN 29 hand numbers to the machine's own control. The path does not depend on them, and plain G-code has no word for it. What the \
+machine builder makes of them (clamping, coolant pressure) will not happen on the target: see to it there, or use an M function."
 
 K2301 Error "parameter-undefined" "Q parameter has no value"
 "The parameter is read before any block sets it. On the machine it might still hold a value from another program. \
@@ -232,6 +249,10 @@ K2309 Error "program-error-stop" "program stops with its own error"
 "The block FN 14 makes the control stop with an error text. The program itself says that something is wrong with its parameters; \
 look at the condition in front of it."
 
+K2310 Error "modulo-sign" "remainder of a negative number is not documented"
+"The manuals show `400 % 360 = 40` and say nothing of negative operands: -400 % 360 may be -40 or 320. Make the operands positive, or say \
+in partc.toml how your control computes: `[control] modulo = \"truncate\"` keeps the sign of the left operand (-40), `\"floor\"` that of the right one (320)."
+
 K2401 Error "cycle-not-defined" "cycle call without a cycle"
 "CYCL CALL, M99, M89 and the pattern cycles 220 and 221 run the machining cycle defined last, and there is none. Put CYCL DEF in \
 front, or remove the call: the control stops here."
@@ -242,6 +263,28 @@ K2402 Error "cycle-incomplete" "cycle definition lacks a part"
 K2403 Error "cycle-value" "value in a cycle is not usable"
 "The value is outside the range the control accepts: a scaling factor is 0.000001 to 99.999999, a dwell 0 to 3600 seconds. Check the \
 value, or the parameter it comes from."
+
+K2404 Warning "cycle-depth-zero" "cycle has depth 0 and does nothing"
+"A drilling cycle with Q201 = 0 moves nothing, on the control as here. Most often the depth comes from a parameter that was never set as meant."
+
+K2405 Error "cycle-spindle" "cycle is called while the spindle does not turn"
+"The control refuses to run a cycle with the spindle at rest (\"spindle not turning\"); only rigid tapping starts it itself, and needs a speed. \
+TOOL CALL stops the spindle: program M3 or M13 behind it, in front of the call."
+
+K2406 Warning "cycle-clearance" "2nd set-up clearance lies below the set-up clearance"
+"Q204 is smaller than Q200. partc leaves the tool at the set-up clearance behind the hole and never moves it down there; whether that is high enough \
+on the way to the next position is up to the program."
+
+K2407 Error "cycle-compensated" "cycle is called while radius compensation is on"
+"A drilling cycle moves the tool axis over the programmed position, but with RL or RR the tool stands beside it. Program a straight block with R0 first."
+
+K2408 Note "stop-distance" "advanced stop distance changes in even steps"
+"Cycle 205 lets rapid traverse end in front of the last depth: by Q258 after the first step, by Q259 before the last one. The manuals do not give \
+the values between; partc takes even steps. The drilled hole is the same."
+
+K2409 Note "tapping-chuck" "tapping reverses the spindle by M3 and M4"
+"The output taps with moves in step with the spindle (or at the programmed feed) and reverses it between them, which takes a chuck with length \
+compensation. A target with its own cycle for rigid tapping does it better."
 
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
@@ -333,6 +376,11 @@ K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does
 K2709 Warning "plunge-feed-open" "M103 does not know where the move starts"
 "M103 limits the feed by the share of the way that leads down, and where this move starts was not programmed. partc takes the lowest \
 feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning."
+
+K8001 Warning "block-not-run" "block that does not run could not be compiled"
+"`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
+jump. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` with the code that \
+the text names says why."
 
 K9001 Error "cycle-unsupported" "machining cycle is not supported yet"
 "The cycle is read, but partc cannot compute its path yet, and a path without it would leave out material removal. Nothing is written."

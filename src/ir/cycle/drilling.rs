@@ -38,6 +38,8 @@ pub enum Method {
         dwell: f64,
     },
     Peck(Peck),
+    /// In steps, chips broken and removed by turns.
+    Deep(DeepHole),
     Tap(Tap),
     /// To the depth, wait, back to the start plane at another feed, out.
     Ream {
@@ -86,6 +88,39 @@ pub enum Removal {
     Clear { dwell: f64, ahead: Option<f64> },
 }
 
+/// Drilling in steps that become shorter by an amount; chips are broken in the hole or removed out of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DeepHole {
+    /// First step, from the surface; over 0.
+    pub first: f64,
+    /// Each further step is shorter by this, but not shorter than `least`; 0 or more.
+    pub less: f64,
+    pub least: f64,
+    pub breaks: Breaks,
+    /// Way back to break the chip; 0 or more.
+    pub way: f64,
+    /// In front of the last depth, where rapid traverse back into the hole ends: after the first step, and before the
+    /// last one; evenly between.
+    pub ahead: [f64; 2],
+    /// Seconds at the start plane between two steps.
+    pub dwell_out: f64,
+    /// Seconds at the bottom.
+    pub dwell: f64,
+    /// Feed out of the hole; `None` for rapid.
+    pub back: Option<Feed>,
+}
+
+/// Where chips are broken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Breaks {
+    /// Chips are removed after every step.
+    Never,
+    /// After so many steps one after the other, before chips are removed again.
+    Times(u32),
+    /// Within a step, whenever this way is drilled; over 0.
+    Every(f64),
+}
+
 /// Tapping. The spindle turns one way in and the other way out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tap {
@@ -94,7 +129,10 @@ pub struct Tap {
     pub lead: Option<f64>,
     /// On the way in; out is the other way.
     pub turn: Turn,
+    /// Seconds at the bottom.
     pub dwell: f64,
+    /// The dwell comes after the spindle was reversed, not before.
+    pub dwell_reversed: bool,
     /// Speeds in rev/min; `None` for the one in force.
     pub speed_in: Option<f64>,
     pub speed_out: Option<f64>,
@@ -115,6 +153,8 @@ pub struct Bore {
     pub turn: Turn,
     /// Angle of the spindle at which the edge can be lifted off.
     pub orient: f64,
+    /// Feed to the start plane; `None` for rapid.
+    pub back: Option<Feed>,
     /// Lift-off along the first, second and third axis of the plane.
     pub lift: [f64; 3],
 }
@@ -244,6 +284,20 @@ impl Peck {
     }
 }
 
+impl DeepHole {
+    fn is_possible(&self) -> bool {
+        let way = |v: f64| v >= 0.0 && v.is_finite();
+        let breaks = !matches!(self.breaks, Breaks::Every(way) if !(way > 0.0 && way.is_finite()));
+        self.first > 0.0
+            && self.first.is_finite()
+            && way(self.less)
+            && way(self.least)
+            && way(self.way)
+            && self.ahead.iter().all(|v| way(*v))
+            && breaks
+    }
+}
+
 impl Degression {
     /// All steps alike.
     pub fn constant(step: f64) -> Degression {
@@ -268,6 +322,7 @@ impl Drilling {
             }
             Method::Bore(bore) => &[
                 (seconds(bore.dwell), DrillingFault::Dwell),
+                (bore.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
                 (bore.orient.is_finite() && bore.lift.iter().all(|v| v.is_finite()), DrillingFault::Number),
             ],
             Method::Tap(tap) => &[
@@ -275,6 +330,11 @@ impl Drilling {
                 (tap.lead.is_none_or(positive), DrillingFault::Lead),
                 (speed(tap.speed_in) && speed(tap.speed_out) && speed(tap.speed_after), DrillingFault::Speed),
                 (tap.step.is_none_or(positive), DrillingFault::Peck),
+            ],
+            Method::Deep(deep) => &[
+                (seconds(deep.dwell) && seconds(deep.dwell_out), DrillingFault::Dwell),
+                (deep.is_possible(), DrillingFault::Peck),
+                (deep.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
             ],
             Method::Peck(peck) => &[
                 (seconds(peck.dwell) && seconds(peck.dwell_at_bottom), DrillingFault::Dwell),

@@ -3,7 +3,7 @@
 use crate::diag::codes;
 use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
 use crate::ir::cycle::drilling::{
-    Bore, Degression, Drilling, DrillingFault, Levels, MOST_PECKS, Method, Peck, Removal, Tap,
+    Bore, Breaks, DeepHole, Degression, Drilling, DrillingFault, Levels, MOST_PECKS, Method, Peck, Removal, Tap,
 };
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Function, Pos, Side};
@@ -37,6 +37,7 @@ pub fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn F
     }
     // All depths are known before the tool moves.
     let depths = match &drilling.method {
+        Method::Deep(deep) => deep_steps(levels, deep).map_err(fault)?,
         Method::Peck(peck) => depths(levels, peck.first, peck.degression).map_err(fault)?,
         Method::Tap(Tap { step: Some(step), .. }) => {
             depths(levels, step.min(levels.way()), Degression::constant(*step)).map_err(fault)?
@@ -51,6 +52,7 @@ pub fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn F
             hole.dwell(*dwell);
         }
         Method::Peck(peck) => hole.peck(peck, &depths),
+        Method::Deep(deep) => hole.deep(deep, &depths),
         Method::Tap(tap) => hole.tap(tap, &depths),
         Method::Ream { dwell, back } => {
             hole.cut(levels.depth, drilling.feed);
@@ -132,6 +134,35 @@ pub fn depths(levels: &Levels, first: f64, degression: Degression) -> Result<Vec
     Ok(list.into_iter().map(|way| if way >= total { levels.depth } else { levels.reference - way * out }).collect())
 }
 
+/// Rest of a hole that is no step of its own: the error of the sum of the steps before.
+const NOTHING: f64 = 1e-9;
+
+/// Depths of the steps of a deep hole, the last one at the bottom.
+///
+/// # Errors
+/// `TooManyPecks`.
+fn deep_steps(levels: &Levels, deep: &DeepHole) -> Result<Vec<f64>, DrillingFault> {
+    let (total, out) = (levels.way(), levels.outward());
+    if matches!(deep.breaks, Breaks::Every(way) if total / way > MOST_PECKS as f64) {
+        return Err(DrillingFault::TooManyPecks);
+    }
+    let mut step = deep.first;
+    let mut done = step;
+    let mut list = Vec::new();
+    while total - done > NOTHING {
+        list.push(levels.reference - done * out);
+        if deep.less > 0.0 {
+            step = (step - deep.less).max(deep.least);
+        }
+        if step <= NOTHING || list.len() >= MOST_PECKS {
+            return Err(DrillingFault::TooManyPecks);
+        }
+        done += step;
+    }
+    list.push(levels.depth);
+    Ok(list)
+}
+
 struct Hole<'a> {
     drilling: &'a Drilling,
     levels: &'a Levels,
@@ -191,6 +222,49 @@ impl Hole<'_> {
         }
     }
 
+    fn deep(&mut self, deep: &DeepHole, depths: &[f64]) {
+        let (out, feed, start) = (self.levels.outward(), self.drilling.feed, self.levels.start_plane());
+        let mut from = self.levels.reference;
+        let mut broken = 0;
+        for (i, &depth) in depths.iter().enumerate() {
+            if let Breaks::Every(way) = deep.breaks {
+                while (from - depth) * out > way + NOTHING {
+                    from -= way * out;
+                    self.cut(from, feed);
+                    self.rapid(from + out * deep.way);
+                }
+            }
+            self.cut(depth, feed);
+            from = depth;
+            if i + 1 == depths.len() {
+                break;
+            }
+            if matches!(deep.breaks, Breaks::Times(times) if broken < times) {
+                broken += 1;
+                self.rapid(depth + out * deep.way);
+                continue;
+            }
+            broken = 0;
+            self.leave(deep.back);
+            self.dwell(deep.dwell_out);
+            // The first time `ahead[0]`, before the last step `ahead[1]`.
+            let share = if depths.len() > 2 { i as f64 / (depths.len() - 2) as f64 } else { 0.0 };
+            let ahead = deep.ahead[0] + share * (deep.ahead[1] - deep.ahead[0]);
+            // Never above the start plane: the tool stands there already.
+            self.rapid(depth + out * ahead.min((start - depth) * out));
+        }
+        self.dwell(deep.dwell);
+        self.leave(deep.back);
+    }
+
+    /// Out to the start plane.
+    fn leave(&mut self, feed: Option<Feed>) {
+        match feed {
+            Some(feed) => self.cut(self.levels.start_plane(), feed),
+            None => self.rapid(self.levels.start_plane()),
+        }
+    }
+
     fn tap(&mut self, tap: &Tap, depths: &[f64]) {
         if let Some(angle) = tap.orient {
             self.spindle(Spindle::Orient(angle));
@@ -198,8 +272,13 @@ impl Hole<'_> {
         for depth in depths {
             self.turn(tap.turn, tap.speed_in);
             self.tap_to(*depth, tap);
-            self.dwell(tap.dwell);
+            if !tap.dwell_reversed {
+                self.dwell(tap.dwell);
+            }
             self.turn(other(tap.turn), tap.speed_out.or(tap.speed_in));
+            if tap.dwell_reversed {
+                self.dwell(tap.dwell);
+            }
             self.tap_to(self.levels.start_plane(), tap);
         }
         if let Some(speed) = tap.speed_after {
@@ -249,7 +328,7 @@ impl Hole<'_> {
         if !lifted.known().is_empty() {
             self.send(lifted, Path::Rapid, None);
         }
-        self.rapid(levels.start_plane());
+        self.leave(bore.back);
         self.rapid(levels.retract);
         if !centre.known().is_empty() {
             self.send(centre, Path::Rapid, None);

@@ -9,8 +9,6 @@ use crate::text::{Span, number::decimal};
 
 use super::ast::{Addr, Block, PathFn, Stmt, Word};
 
-/// Literals that the grammar would look at more closely.
-const PLAIN: f64 = 1e9;
 /// Longest literal whose digits need no counting.
 const SHORT: usize = 16;
 
@@ -27,7 +25,7 @@ pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
     let mut end = if matches!(stmt, Stmt::Pole) { from + 2 } else { from + 1 };
     let mut first = true;
     loop {
-        while let Some(b' ' | b'\t' | b'\r') = text.get(at) {
+        while let Some(b' ' | b'\t') = text.get(at) {
             at += 1;
         }
         let Some(&letter) = text.get(at) else { break };
@@ -44,7 +42,7 @@ pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
         if first && matches!(value, Value::None) && !matches!(addr, Addr::FeedMax) {
             return undo(block);
         }
-        if !matches!(text.get(next), None | Some(b' ' | b'\t' | b'\r' | b';')) {
+        if !matches!(text.get(next), None | Some(b' ' | b'\t' | b';')) {
             return undo(block);
         }
         block.words.push(Word { addr, value, span: Span { start: at as u32, end: next as u32 } });
@@ -103,7 +101,7 @@ fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
         _ => (false, at),
     };
     let (value, len) = decimal(&text[digits..], true)?;
-    if len > SHORT || value > PLAIN {
+    if len > SHORT || value > super::LARGEST_WORD {
         return None;
     }
     Some((if negative { -value } else { value }, digits + len))
@@ -184,7 +182,7 @@ mod tests {
             words in prop::collection::vec(prop::sample::select(vec![
                 "X+1", "Y-2.5", "Z.5", "IZ-1,25", "C+90", "A1", "R0", "RL", "RR", "R", "FMAX", "F500", "F1.5", "F", "M3", "M08",
                 "M128.", "DR+", "DR-", "X", "Q1", "R+5", "X+Q1", "I", "IX5", "Y 7", ";note", "X5Y6", "~", "B-0", "F AUTO", "ix+1",
-                "R0.5", "DR+0.5", "Z1234567890123", "F-5", "M1000",
+                "R0.5", "DR+0.5", "Z1234567890123", "F-5", "M1000", "X+99999.9999", "Y-100000", "F100000", "DR +", "\r",
             ]), 0..6),
             gap in prop::sample::select(vec![" ", "  ", "\t"]),
         ) {

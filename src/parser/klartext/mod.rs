@@ -13,14 +13,18 @@ mod grammar {
 
 use crate::diag::codes;
 use crate::lexer::klartext::{Tokens, Value};
-use crate::text::{Span, SplitRules};
+use crate::text::{Span, SplitRules, decode::readable};
 
 use crate::parser::problem::{Problem, without_printed_dashes};
 use ast::{Addr, Block, Op, Stmt};
 use build::Build;
 
-/// Largest literal that is taken for a number of a part program.
+/// Largest literal of a formula or a cycle parameter.
 const LARGEST: f64 = 1e9;
+/// Largest literal of a position, a radius, an angle or a spindle speed (reference 1.2).
+pub const LARGEST_WORD: f64 = 99_999.999_9;
+/// Highest number of an M function.
+pub const MOST_M: u32 = 999;
 /// Most digits of a literal.
 const MOST_DIGITS: usize = 16;
 
@@ -107,6 +111,47 @@ pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) 
         _ if literal::parse(text, head.from, block) => {}
         _ => parse_statement(text, head.from, block, problems),
     }
+    if block.comment.is_some() && memchr::memchr(b'\r', text).is_some() {
+        hidden_block(text, problems);
+    }
+}
+
+/// A carriage return alone does not end a line in a file with line feeds; behind one in a comment a block may
+/// stand that some editors show as a line of its own.
+#[cold]
+fn hidden_block(text: &[u8], problems: &mut Vec<Problem>) {
+    let mut line = 0;
+    for (at, byte) in text.iter().enumerate() {
+        if *byte == b'\n' {
+            line = at + 1;
+        }
+        if *byte != b'\r' || matches!(text.get(at + 1), None | Some(b'\n')) {
+            continue;
+        }
+        let rest = &text[at + 1..];
+        let rest = &rest[..rest.iter().position(|b| matches!(b, b'\r' | b'\n')).unwrap_or(rest.len())];
+        let in_comment = text[line..at].iter().any(|b| matches!(b, b';' | b'*' | b'('));
+        if in_comment && reads_as_block(rest) {
+            let lead = rest.iter().take_while(|b| is_blank(**b)).count();
+            let span = Span::at((at + 1 + lead) as u32, rest.trim_ascii().len() as u32);
+            let block = readable(span.of(text)).into_owned();
+            problems.push(
+                Problem::new(
+                    codes::K1016,
+                    span,
+                    format!("`{block}` stands in a comment behind a lone carriage return"),
+                )
+                .help("end the line of the comment with a line feed, or remove the block"),
+            );
+            return;
+        }
+    }
+}
+
+fn reads_as_block(text: &[u8]) -> bool {
+    let (mut block, mut problems) = (Block::default(), Vec::new());
+    parse_block(text, &mut block, &mut problems);
+    !matches!(block.stmt, Stmt::Empty | Stmt::Bad) && problems.is_empty()
 }
 
 fn comment_at(text: &[u8], start: usize) -> Span {
@@ -138,10 +183,30 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
             Problem::new(codes::K1003, block.span, "`CYCLE` is read as `CYCL`").help("the control writes `CYCL`"),
         );
     }
-    if let Some(problem) = number_problem(text, block) {
+    if let Some(problem) = number_problem(text, block).or_else(|| return_problem(text, block)) {
         problems.push(problem);
         block.stmt = Stmt::Bad;
     }
+}
+
+/// A carriage return between two words: two lines whose end was damaged, which must not become one block.
+fn return_problem(text: &[u8], block: &Block) -> Option<Problem> {
+    let code = text.get(..block.span.end as usize)?;
+    let mut at = 0;
+    while let Some(found) = memchr::memchr(b'\r', code.get(at..)?) {
+        at += found + 1;
+        let line = code[..at - 1].iter().rposition(|b| *b == b'\n').map_or(0, |feed| feed + 1);
+        let commented = code[line..at - 1].contains(&b';');
+        if !matches!(code.get(at), None | Some(b'\n')) && !commented {
+            let word = code[at..].iter().take_while(|b| !is_blank(**b)).count();
+            let span = Span::at(at as u32, word.max(1) as u32);
+            return Some(
+                Problem::new(codes::K0001, span, "a carriage return without a line feed stands inside this block")
+                    .help("end every line of the file in the same way"),
+            );
+        }
+    }
+    None
 }
 
 /// Literals that no control accepts.
@@ -155,10 +220,15 @@ fn number_problem(text: &[u8], block: &Block) -> Option<Problem> {
         if matches!(word.value, Value::Number(n) if too_large(n)) {
             return Some(bad(word.span));
         }
-        if matches!(word.addr, Addr::M(n) if n > 9999) {
+        if matches!(word.value, Value::Number(n) if n.abs() > LARGEST_WORD) && is_narrow(word.addr) {
+            let shown = readable(word.span.of(text)).into_owned();
             return Some(
-                Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M9999"),
+                Problem::new(codes::K0003, word.span, format!("`{shown}` is beyond the input range of the control"))
+                    .help("a position, radius, angle or speed is at most 99999.9999"),
             );
+        }
+        if matches!(word.addr, Addr::M(n) if n > MOST_M) {
+            return Some(Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M999"));
         }
     }
     if block.ops.iter().any(|op| matches!(op, Op::Number(n) if too_large(*n))) {
@@ -168,6 +238,23 @@ fn number_problem(text: &[u8], block: &Block) -> Option<Problem> {
         return None;
     }
     longest_number(block.span.of(text)).map(|(start, len)| bad(Span::at(block.span.start + start as u32, len as u32)))
+}
+
+/// Words whose literals the control takes up to [`LARGEST_WORD`]. Real programs write feeds beyond the printed range,
+/// and a control runs them at its highest feed.
+fn is_narrow(addr: Addr) -> bool {
+    matches!(
+        addr,
+        Addr::Axis { .. }
+            | Addr::PolarRadius { .. }
+            | Addr::PolarAngle { .. }
+            | Addr::Radius { .. }
+            | Addr::Speed
+            | Addr::Length
+            | Addr::DeltaLength
+            | Addr::DeltaRadius
+            | Addr::DeltaRadius2
+    )
 }
 
 /// A run of digits longer than a literal may be, outside texts and comments.

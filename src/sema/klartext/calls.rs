@@ -3,7 +3,7 @@
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::{Function, Side};
 use crate::lexer::klartext::{QKind, QRef};
-use crate::machine::{Generation, Unit};
+use crate::machine::{Generation, RepeatCount, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span, decode::readable};
@@ -241,15 +241,13 @@ impl Run<'_> {
         let (job, here) = (self.job, self.here.origin.loc);
         let program = self.program();
         let file = program.source.file;
-        let labels = program.labels.get_or_insert_with(|| Labels::scan(&job, file, here));
+        let labels = program
+            .labels
+            .get_or_insert_with(|| Labels::scan(&job, file, here, &mut |found| push_unless_known(&job, found)));
         if let Some(place) = labels.place(label) {
             return Ok(place);
         }
-        let found = Diagnostic::new(codes::K2202, here, format!("{label} is not set in this program"));
-        let found = match labels.like(label) {
-            Some(like) => found.help(format!("did you mean `{like}`?")),
-            None => found,
-        };
+        let found = labels.missing(label, here);
         self.report(found);
         Err(Reported)
     }
@@ -265,8 +263,9 @@ impl Run<'_> {
     }
 
     /// `LBL n` in passing.
-    pub(super) fn label(&mut self, label: LabelRef) -> Outcome {
+    pub(super) fn label(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
         let here = self.here.origin.loc;
+        self.note_label(label, text);
         if label != LabelRef::Number(0) {
             self.level().passed = Some(here);
             return Ok(());
@@ -282,6 +281,19 @@ impl Run<'_> {
         };
         self.report(found.help("put M30 or M2 in front of the subprograms, or skip this one with a jump"));
         Ok(())
+    }
+
+    /// In a program without jumps nothing looks for labels: whether one is set twice shows in passing.
+    fn note_label(&mut self, label: LabelRef, text: &[u8]) {
+        let loc = self.here.origin.loc;
+        let place = Place { at: self.here.at, line: self.here.line };
+        let program = self.program();
+        if program.labels.is_some() || label == LabelRef::Number(0) {
+            return;
+        }
+        if let Some(found) = program.passed.add(label, text, place, loc) {
+            self.report(found);
+        }
     }
 
     pub(super) fn call_label(&mut self, label: LabelRef, repeat: Option<Repeat>, text: &[u8]) -> Outcome {
@@ -335,10 +347,18 @@ impl Run<'_> {
             self.ended = true;
             return Err(Reported);
         }
+        let count = match self.job.settings.control.repeat_count {
+            RepeatCount::Refuse => count,
+            RepeatCount::Truncate => count.trunc(),
+            RepeatCount::Round => count.round(),
+        };
         if count.fract() != 0.0 || count > MOST_REPEATS {
             self.report(
                 Diagnostic::new(codes::K2205, self.here.origin.loc, format!("REP {count} is no number of repeats"))
-                    .help("REP takes a whole number from 0 to 65534; round the parameter with INT"),
+                    .help(
+                        "REP takes a whole number from 0 to 65534; round the parameter with INT, or set \
+                         `[control] repeat_count`",
+                    ),
             );
             self.ended = true;
             return Err(Reported);
@@ -512,5 +532,12 @@ impl Run<'_> {
         }
         let start = self.programs[program].source.cursor.start();
         self.enter(LevelKind::Program { call_site: site }, program, start)
+    }
+}
+
+/// A label set twice may have been found in passing before.
+fn push_unless_known(job: &crate::sema::Job<'_>, found: Diagnostic) {
+    if !job.diags.knows(&found) {
+        job.diags.push(found);
     }
 }

@@ -3,6 +3,8 @@
 //! A definition may go over several blocks (`7.0`, `7.1`, …) or lines; it acts when it is complete.
 //! Source: reference sections 4.4 and 4.5.
 
+use std::rc::Rc;
+
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef, Value};
@@ -11,6 +13,7 @@ use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt, Word};
 use crate::text::{Loc, Span};
 
 use super::cycle_names::{Nature, name, nature};
+use super::holes::{self, Retract};
 use super::vars::Slot;
 use super::words::Admits;
 use super::{Here, Outcome, Reported, Run};
@@ -36,6 +39,10 @@ pub(super) struct Open {
     pub values: Vec<Labelled>,
     /// Q parameters by number.
     pub parameters: Vec<(u32, f64)>,
+    /// Q parameters that are set to a word: FMAX, FAUTO, FU, PREDEF.
+    words: Vec<(u32, &'static str)>,
+    /// What the parts of an old machining cycle hold.
+    parts: Vec<Part>,
     pub table_row: bool,
     program: Option<String>,
     failed: bool,
@@ -56,11 +63,74 @@ pub(super) struct Labelled {
     pub value: f64,
 }
 
+/// A value in a part of an old machining cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Part {
+    part: u32,
+    what: What,
+    value: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum What {
+    Value,
+    Feed,
+}
+
+/// A machining cycle as it was defined.
+#[derive(Debug)]
+pub(super) struct Machining {
+    pub number: u32,
+    /// Where.
+    pub loc: Loc,
+    /// Millimetres per unit of length of the definition.
+    pub mm: f64,
+    /// The definition was refused, which was reported.
+    failed: bool,
+    parameters: Vec<u32>,
+    words: Vec<(u32, &'static str)>,
+    parts: Vec<Part>,
+}
+
+impl Machining {
+    fn new(open: &Open, loc: Loc, mm: f64) -> Machining {
+        Machining {
+            number: open.number,
+            loc,
+            mm,
+            failed: open.failed,
+            parameters: open.parameters.iter().map(|(q, _)| *q).collect(),
+            words: open.words.clone(),
+            parts: open.parts.clone(),
+        }
+    }
+
+    /// Does the definition set this Q parameter?
+    pub fn sets(&self, q: u32) -> bool {
+        self.parameters.contains(&q) || self.word(q).is_some()
+    }
+
+    /// The word that the definition sets it to.
+    pub fn word(&self, q: u32) -> Option<&'static str> {
+        self.words.iter().rev().find(|(number, _)| *number == q).map(|(_, word)| *word)
+    }
+
+    /// The value in a part of an old cycle: its number, or the feed where it has no number.
+    pub fn part(&self, part: u32) -> Option<f64> {
+        let of = |what: What| self.parts.iter().find(|p| p.part == part && p.what == what).map(|p| p.value);
+        of(What::Value).or_else(|| of(What::Feed))
+    }
+
+    pub fn has_part(&self, part: u32) -> bool {
+        self.part(part).is_some()
+    }
+}
+
 /// What CYCL CALL, M99 and M89 run.
 #[derive(Debug, Clone)]
 enum Defined {
     Program { name: String },
-    Machining { number: u32, loc: Loc, refused: bool },
+    Machining { cycle: Rc<Machining>, refused: bool },
 }
 
 impl Cycles {
@@ -110,6 +180,8 @@ impl Run<'_> {
                     axes: Vec::new(),
                     values: Vec::new(),
                     parameters: Vec::new(),
+                    words: Vec::new(),
+                    parts: Vec::new(),
                     table_row: false,
                     program: None,
                     failed: words.is_err(),
@@ -165,14 +237,26 @@ impl Run<'_> {
                 Addr::Value => {
                     let value = self.number(word.value, word.span)?;
                     let label = std::mem::take(&mut label);
+                    self.keep_part(What::Value, value);
                     self.open_cycle().values.push(Labelled { label, value });
                 }
+                Addr::Feed if nature == Nature::Machining => {
+                    let value = self.number(word.value, word.span)?;
+                    self.keep_part(What::Feed, value);
+                }
                 Addr::Assign(q) => {
-                    let value = match word.value {
-                        // FMAX, FAUTO, PREDEF: of use to machining cycles only.
-                        Value::None | Value::FeedMax | Value::FeedAuto => continue,
-                        value => self.number(value, word.span)?,
+                    // FMAX, FAUTO, PREDEF: of use to machining cycles only.
+                    let named = match word.value {
+                        Value::FeedMax => Some("FMAX"),
+                        Value::FeedAuto => Some("FAUTO"),
+                        Value::None => Some("a word"),
+                        _ => None,
                     };
+                    if let Some(named) = named {
+                        self.open_cycle().words.push((q.number, named));
+                        continue;
+                    }
+                    let value = self.number(word.value, word.span)?;
                     self.set(q, Slot::Number(value), word.span)?;
                     if q.kind == QKind::Q {
                         self.open_cycle().parameters.push((q.number, value));
@@ -251,6 +335,14 @@ impl Run<'_> {
             _ => false,
         };
         if admitted { Ok(()) } else { self.cycle_word(word.span, number) }
+    }
+
+    /// Keeps what a part of an old machining cycle says.
+    fn keep_part(&mut self, what: What, value: f64) {
+        let open = self.open_cycle();
+        if let Some(part) = open.part {
+            open.parts.push(Part { part, what, value });
+        }
     }
 
     fn open_cycle(&mut self) -> &mut Open {
@@ -335,22 +427,21 @@ impl Run<'_> {
             Nature::Preset => self.preset(open),
             Nature::Data => Ok(()),
             Nature::Machining => {
-                let loc = self.here.origin.loc;
-                self.cycles.defined = Some(Defined::Machining { number: open.number, loc, refused: false });
+                let mm = self.level().unit.mm();
+                let mut cycle = Machining::new(open, self.here.origin.loc, mm);
+                cycle.failed |= self.check_definition(&cycle).is_err();
+                self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
                 self.cycles.modal = false;
                 Ok(())
             }
             Nature::Pattern => {
-                let what = name(open.number).unwrap_or_default();
-                if self.cycles.defined.is_none() {
-                    self.error(
-                        codes::K2401,
-                        format!("cycle {} {what} runs a machining cycle, and none is defined", open.number),
-                    );
-                } else {
-                    self.error(codes::K9001, format!("cycle {} {what} is not supported yet", open.number));
+                let mm = self.level().unit.mm();
+                let pattern = Machining::new(open, self.here.origin.loc, mm);
+                let result = self.pattern_cycle(&pattern);
+                if result.is_err() {
+                    self.lose_all();
                 }
-                Err(Reported)
+                result
             }
             Nature::Unknown => {
                 self.error(codes::K9001, format!("cycle {} is not known", open.number));
@@ -398,7 +489,7 @@ impl Run<'_> {
                 }
                 self.call_cycle("CYCL CALL")
             }
-            CallKind::At => self.call_cycle_at(),
+            CallKind::At => self.call_cycle_at(block),
             CallKind::Pattern => {
                 self.error(codes::K9010, "CYCL CALL PAT is not supported yet");
                 Err(Reported)
@@ -406,8 +497,29 @@ impl Run<'_> {
         }
     }
 
+    /// The machining cycle that a pattern runs.
+    pub(super) fn pattern_subject(&mut self, by: &str) -> Outcome<Rc<Machining>> {
+        match &self.cycles.defined {
+            Some(Defined::Machining { cycle, .. }) if cycle.failed => Err(Reported),
+            Some(Defined::Machining { cycle, .. }) if holes::needed(cycle.number).is_some() => Ok(Rc::clone(cycle)),
+            Some(Defined::Machining { .. }) => {
+                self.call_cycle(by)?;
+                Err(Reported)
+            }
+            Some(Defined::Program { name }) => {
+                let message = format!("{by} with the program `{name}` of cycle 12 is not supported");
+                self.error(codes::K9001, message);
+                Err(Reported)
+            }
+            None => {
+                self.error(codes::K2401, format!("{by} runs a machining cycle, and none is defined"));
+                Err(Reported)
+            }
+        }
+    }
+
     /// CYCL CALL POS moves to a position and runs the cycle there.
-    fn call_cycle_at(&mut self) -> Outcome {
+    fn call_cycle_at(&mut self, block: &Block) -> Outcome {
         self.cycles.modal = false;
         if let Some(Defined::Program { .. }) = self.cycles.defined {
             self.report(
@@ -421,7 +533,12 @@ impl Run<'_> {
             self.lose_all();
             return Err(Reported);
         }
-        self.call_cycle("CYCL CALL POS")
+        let cycle = self.pattern_subject("CYCL CALL POS")?;
+        let result = self.drill_at(&cycle, block);
+        if result.is_err() {
+            self.lose_all();
+        }
+        result
     }
 
     /// Runs the cycle defined last.
@@ -439,8 +556,17 @@ impl Run<'_> {
                 let name = name.clone();
                 self.call_program_named(&name)
             }
-            Some(Defined::Machining { number, loc, refused }) => {
-                let (number, loc, again) = (*number, *loc, std::mem::replace(refused, true));
+            Some(Defined::Machining { cycle, .. }) if holes::needed(cycle.number).is_some() => {
+                let cycle = Rc::clone(cycle);
+                let result = if cycle.failed { Err(Reported) } else { self.drill(&cycle, 0.0, Retract::Far) };
+                if result.is_err() {
+                    self.st.lose(AxisSet::of(self.st.axis()));
+                    self.lost();
+                }
+                result
+            }
+            Some(Defined::Machining { cycle, refused }) => {
+                let (number, loc, again) = (cycle.number, cycle.loc, std::mem::replace(refused, true));
                 if !again {
                     let what = name(number).unwrap_or_default();
                     self.report(

@@ -5,8 +5,8 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
-use crate::machine::{Axis, Generation, Unit};
-use crate::parser::klartext::ast::{Block, LabelRef, Op, Operand, Relation, Test};
+use crate::machine::{Axis, Generation, Modulo, Unit};
+use crate::parser::klartext::ast::{Binary, Block, LabelRef, Op, Operand, Relation, Test};
 use crate::text::{Span, decode::readable};
 
 use super::calls::LevelKind;
@@ -184,7 +184,12 @@ impl Run<'_> {
                 Op::Unary(f) => pop(stack).and_then(|x| formula::unary(f, x, generation)).map(Val::Number),
                 Op::Binary(f) => {
                     let (b, a) = (pop(stack), pop(stack));
-                    a.and_then(|a| b.and_then(|b| formula::binary(f, a, b))).map(Val::Number)
+                    match (f, &a, &b) {
+                        (Binary::Modulo, Ok(a), Ok(b)) if *a < 0.0 || *b < 0.0 => {
+                            self.signed_modulo(*a, *b, block.span)?.map(Val::Number)
+                        }
+                        _ => a.and_then(|a| b.and_then(|b| formula::binary(f, a, b))).map(Val::Number),
+                    }
                 }
                 Op::TextFn(crate::parser::klartext::ast::TextFn::Unknown) => {
                     return self.fail(codes::K9017, block.span, "this string function reads from the control");
@@ -214,6 +219,26 @@ impl Run<'_> {
             }
         }
         Ok(())
+    }
+
+    /// `%` with a negative operand: no manual says which sign the result has.
+    fn signed_modulo(&self, a: f64, b: f64, span: Span) -> Outcome<Result<f64, String>> {
+        let rest = match formula::binary(Binary::Modulo, a, b) {
+            Ok(rest) => rest,
+            Err(why) => return Ok(Err(why)),
+        };
+        match self.job.settings.control.modulo {
+            _ if rest == 0.0 => Ok(Ok(0.0)),
+            Modulo::Truncate => Ok(Ok(rest)),
+            Modulo::Floor if (rest < 0.0) == (b < 0.0) => Ok(Ok(rest)),
+            Modulo::Floor => Ok(formula::checked(rest + b)),
+            Modulo::Refuse => self.fail_help(
+                codes::K2310,
+                span,
+                format!("{a} % {b}: the sign of the result is not documented"),
+                "make the operands positive first, or set `[control] modulo` to \"truncate\" or \"floor\"",
+            ),
+        }
     }
 
     /// `Q1 = …` and FN 0 to 8, 13.

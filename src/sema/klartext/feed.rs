@@ -14,11 +14,26 @@ use super::{Outcome, Reported, Run};
 /// Feed words in an INCH program count tenths of an inch.
 const INCH_FEED: f64 = 25.4 / 10.0;
 
+/// Feed per revolution in mm above which a feed per minute was meant.
+const MOST_PER_REVOLUTION: f64 = 10.0;
+
 impl Run<'_> {
     pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
         let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
-            FeedWord::Value(f) => (self.feed_of(f), f),
+            FeedWord::Value(f) => {
+                if self.st.per_revolution && f > MOST_PER_REVOLUTION {
+                    self.report(
+                        Diagnostic::new(
+                            codes::K2013,
+                            self.loc(w.feed_span),
+                            format!("under M136 this feed is {f} mm per revolution"),
+                        )
+                        .help("write the feed in mm/rev, or M137 in front of a feed in mm/min"),
+                    );
+                }
+                (self.feed_of(f), f)
+            }
             FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
             FeedWord::Auto => match self.st.tool_feed {
                 Some((Feed::PerMinute(_), _)) if self.st.per_revolution => {

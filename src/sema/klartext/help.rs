@@ -19,6 +19,7 @@ pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
         "K2307" => "TONUMB makes a number of a text, TOCHAR a text of a number",
         "K2308" => "Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist",
         "K2309" => "look at the condition in front of this block",
+        "K2401" => "put CYCL DEF of the machining cycle in front",
         "K2402" => "program all parts of the cycle, one after the other",
         "K9001" => "program the moves of the cycle as blocks",
         "K9002" => "have the control convert the contour to conventional blocks",

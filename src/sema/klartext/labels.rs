@@ -18,6 +18,17 @@ pub(super) enum Label {
     Name(Box<str>),
 }
 
+impl Label {
+    /// A label as it is written; `None` for one in a parameter.
+    pub fn written(label: LabelRef, text: &[u8]) -> Option<Label> {
+        match label {
+            LabelRef::Number(n) => Some(Label::Number(n)),
+            LabelRef::Name(span) => Some(Label::Name(readable(span.of(text)).into())),
+            LabelRef::Param(_) => None,
+        }
+    }
+}
+
 impl std::fmt::Display for Label {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -36,8 +47,8 @@ pub(super) struct Labels {
 }
 
 impl Labels {
-    /// Scans `file`; a label set twice is reported.
-    pub fn scan(job: &Job<'_>, file: FileId, from: Loc) -> Labels {
+    /// Scans `file`; a label set twice is given to `twice`.
+    pub fn scan(job: &Job<'_>, file: FileId, from: Loc, twice: &mut dyn FnMut(Diagnostic)) -> Labels {
         let mut labels = Labels::default();
         let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return labels };
         let mut block = Block::default();
@@ -58,7 +69,10 @@ impl Labels {
                 Stmt::Label(LabelRef::Number(0)) => labels.zeros.push(place.at),
                 Stmt::Label(label) => {
                     let span = block.span.shifted(found.at);
-                    labels.add(job, label, found.text, place, Loc { file, line: place.line, span });
+                    let loc = Loc { file, line: place.line, span };
+                    if let Some(found) = labels.add(label, found.text, place, loc) {
+                        twice(found);
+                    }
                 }
                 Stmt::End { .. } => return labels,
                 _ => {}
@@ -66,22 +80,28 @@ impl Labels {
         }
     }
 
-    fn add(&mut self, job: &Job<'_>, label: LabelRef, text: &[u8], place: Place, loc: Loc) {
-        let label = match label {
-            LabelRef::Number(n) => Label::Number(n),
-            LabelRef::Name(span) => Label::Name(readable(span.of(text)).into()),
-            LabelRef::Param(_) => return,
-        };
+    /// Notes a label; the finding where it is set already.
+    pub fn add(&mut self, label: LabelRef, text: &[u8], place: Place, loc: Loc) -> Option<Diagnostic> {
+        let label = Label::written(label, text)?;
         if let Some(&first) = self.places.get(&label) {
             let first = Loc { line: first.line, span: Span::at(first.at, 1), ..loc };
-            job.diags.push(
+            return Some(
                 Diagnostic::new(codes::K2201, loc, format!("{label} is set twice"))
                     .also(first, "first set here")
                     .help("give one of them another number"),
             );
-            return;
         }
         self.places.insert(label, place);
+        None
+    }
+
+    /// The finding for a label that is not set.
+    pub fn missing(&self, label: &Label, loc: Loc) -> Diagnostic {
+        let found = Diagnostic::new(codes::K2202, loc, format!("{label} is not set in this program"));
+        match self.like(label) {
+            Some(like) => found.help(format!("did you mean `{like}`?")),
+            None => found,
+        }
     }
 
     pub fn place(&self, label: &Label) -> Option<Place> {
@@ -94,7 +114,7 @@ impl Labels {
     }
 
     /// The label most like `label`, for a hint.
-    pub fn like(&self, label: &Label) -> Option<String> {
+    fn like(&self, label: &Label) -> Option<String> {
         let shown = label.to_string();
         let mut names: Vec<String> = self.places.keys().map(ToString::to_string).collect();
         names.sort();

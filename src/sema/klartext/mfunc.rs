@@ -2,13 +2,13 @@
 //!
 //! Source: reference section 2.14.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
 use crate::machine::{Axis, AxisSet, Unit};
 use crate::text::Span;
 
-use super::words::{MWord, Words};
+use super::words::{Comp, MWord, Words};
 use super::{Outcome, Run};
 
 /// What follows an M function.
@@ -67,6 +67,8 @@ enum Act {
     Note,
     /// Changes the compensated path: nothing without compensation.
     CompensationOnly,
+    /// Leaves out parts of the compensated contour that the tool does not fit into.
+    LookAhead,
     PlungeShare,
     EdgeFeed(bool),
     RotaryFeed(bool),
@@ -99,8 +101,9 @@ fn entry(number: u32) -> Option<(Act, When)> {
         // Constant path speed, replacement tools, kv factors, oversize errors, handwheel, short points,
         // exact stop, tilt axes, probe supervision, lift-off, limit switch messages.
         90 | 101 | 102 | 105..=108 | 118 | 124 | 130 | 134 | 135 | 138 | 141 | 148..=150 => (Nothing, Start),
-        // Rounding of transitions, look-ahead, basic rotation of the setup.
-        112 | 113 | 120 | 143 => (Note, Start),
+        // Rounding of transitions, basic rotation of the setup.
+        112 | 113 | 143 => (Note, Start),
+        120 => (LookAhead, Start),
         97 | 98 | 197 => (CompensationOnly, End),
         103 => (PlungeShare, Start),
         109 | 110 => (EdgeFeed(true), Start),
@@ -151,18 +154,19 @@ pub(super) fn conflict(a: u32, b: u32) -> bool {
 impl Run<'_> {
     /// Refuses M functions that no path can be computed with, before anything of the block acts.
     pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
+        let compensated = self.st.side != Side::None || matches!(w.comp, Some(Comp::Side(Side::Left | Side::Right)));
         for m in w.m() {
             match entry(m.number) {
                 Some((Act::Refused, _)) => {
                     let (what, help) = refusal(m.number);
                     return self.fail_help(codes::K9008, m.span, format!("M{} {what}", m.number), help);
                 }
-                Some((Act::CompensationOnly, _)) if self.st.side != Side::None => {
+                Some((Act::CompensationOnly | Act::LookAhead, _)) if compensated && acts(m) => {
                     return self.fail_help(
                         codes::K9008,
                         m.span,
                         format!("M{} changes the compensated path, which the target computes", m.number),
-                        "remove it, or program the contour so that it is not needed",
+                        "remove it if the tool fits into every corner, or program the contour so that it is not needed",
                     );
                 }
                 Some(_) => {}
@@ -213,9 +217,14 @@ impl Run<'_> {
     }
 
     pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
-        for m in w.m() {
-            if let Some((act, When::End)) = entry(m.number) {
-                self.act(act, m)?;
+        // The end of the program comes last, wherever it stands in the block.
+        for last in [false, true] {
+            for m in w.m() {
+                if let Some((act, When::End)) = entry(m.number)
+                    && matches!(act, Act::ProgramEnd { .. }) == last
+                {
+                    self.act(act, m)?;
+                }
             }
         }
         Ok(())
@@ -266,7 +275,7 @@ impl Run<'_> {
             }
             Act::ModuloRotary => self.reduce_rotary(m.args.axes),
             Act::Retract => return self.retract(m),
-            Act::Note | Act::CompensationOnly => {
+            Act::Note | Act::CompensationOnly | Act::LookAhead => {
                 let found =
                     Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
                 self.report(found);
@@ -339,6 +348,26 @@ impl Run<'_> {
             self.function(Function::Stop);
         }
         Ok(())
+    }
+}
+
+/// May words follow that belong to the function?
+pub(super) fn takes_words(number: u32) -> bool {
+    let takes = takes(number);
+    takes.feed || takes.letters || takes.named || takes.retract || !takes.values.is_empty()
+}
+
+/// Does the function switch something on? `M120` without LA, or with LA0, switches off.
+fn acts(m: &MWord) -> bool {
+    m.number != 120 || m.args.value.is_some_and(|blocks| blocks != 0.0)
+}
+
+/// What `partc check` can say of an M function in a block that does not run.
+pub(super) fn refused_code(number: u32, pass_m: &[u32]) -> Option<&'static Code> {
+    match entry(number) {
+        Some((Act::Refused, _)) => Some(codes::K9008),
+        None if !pass_m.contains(&number) => Some(codes::K2701),
+        _ => None,
     }
 }
 

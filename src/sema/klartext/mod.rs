@@ -13,10 +13,13 @@ mod eval;
 mod feed;
 mod formula;
 mod help;
+mod holes;
+mod idle;
 mod labels;
 mod mfunc;
 mod other;
 mod path;
+mod patterns;
 mod polar;
 mod rotary;
 mod state;
@@ -34,6 +37,8 @@ use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::text::{FileId, Loc, Next, Span};
+
+pub use idle::check_idle;
 
 use super::Job;
 use super::exec::{Budget, Parsed, Read, Source, open_cursor};
@@ -100,6 +105,8 @@ pub fn check_form(job: &Job<'_>) {
 struct Program {
     source: Source<Block>,
     labels: Option<Labels>,
+    /// Labels passed before the file was looked through for them.
+    passed: Labels,
     /// BEGIN PGM, once it was met.
     head: Option<ProgramHead>,
 }
@@ -145,7 +152,7 @@ impl Run<'_> {
             return Some(at);
         }
         let source = Source::open(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { source, labels: None, head: None });
+        self.programs.push(Program { source, labels: None, passed: Labels::default(), head: None });
         Some(self.programs.len() - 1)
     }
 
@@ -242,7 +249,7 @@ impl Run<'_> {
             Stmt::BlkForm => self.blank_form(block, text),
             Stmt::ToolDef => self.tool_def(block, text),
             Stmt::ToolCall => self.tool_call(block, text),
-            Stmt::Label(label) => self.label(label),
+            Stmt::Label(label) => self.label(label, text),
             Stmt::CallLabel { label, repeat } => self.call_label(label, repeat, text),
             Stmt::CallProgram(name) => self.call_program(name.of(text)),
             Stmt::SelectProgram(name) => self.select_program(name.of(text)),

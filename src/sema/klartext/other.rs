@@ -11,6 +11,12 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     /// BLK FORM: emits nothing; kept for the working plane of fragments and for checks.
     pub(super) fn blank_form(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        if self.st.moved {
+            self.job.diags.push_once(
+                Diagnostic::new(codes::K2508, self.here.origin.loc, "the blank is defined behind the first move")
+                    .help("put BLK FORM in front of the first positioning block, where the control looks for it"),
+            );
+        }
         let mm = self.level().unit.mm();
         let mut corner = None;
         let mut values = [None; 3];
@@ -94,7 +100,21 @@ impl Run<'_> {
                     }
                 }
             }
-            17 | 19 | 20 | 25 | 29 => {
+            // Values for the machine's own control; the path does not depend on them (reference 5.2).
+            19 | 29 => {
+                self.report(
+                    Diagnostic::new(
+                        codes::K2212,
+                        self.here.origin.loc,
+                        format!(
+                            "FN {number} gives values to the PLC of the machine, and the output has no word for it"
+                        ),
+                    )
+                    .help("if the target machine needs them, switch by an M function: `[output] pass_m`"),
+                );
+                Ok(())
+            }
+            17 | 20 | 25 => {
                 self.error(codes::K9014, format!("FN {number} talks to the machine"));
                 Err(Reported)
             }
@@ -149,9 +169,18 @@ impl Run<'_> {
             }
             Refused::TouchProbe => self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine"),
             Refused::Pattern => self.fail(codes::K9010, span, format!("{name}: point patterns are not supported yet")),
-            Refused::SelectTable => self.fail(codes::K9012, span, format!("{name}: datum tables are not supported")),
+            // Only selects: a shift from the table is refused where it is programmed.
+            Refused::SelectTable => Ok(()),
             Refused::Contour => {
                 self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
+            }
+            Refused::Function if is_harmless(block.span.of(text)) => {
+                self.job.diags.push_once(Diagnostic::new(
+                    codes::K2703,
+                    self.here.origin.loc,
+                    format!("{} has no word in the output", self.block_name(block, text, 3).0),
+                ));
+                Ok(())
             }
             Refused::Function => {
                 let (name, span) =
@@ -180,6 +209,42 @@ impl Run<'_> {
     pub(super) fn set_control_parameter(&mut self, number: u32, value: f64) {
         if let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) {
             self.vars.set(locals, QRef { kind: QKind::Q, number }, Slot::Number(value));
+        }
+    }
+}
+
+/// FUNCTION blocks that no path depends on: milling mode, which is the only one here; the end of functions that are
+/// refused where they begin; dwells and speed changes that break chips; counters; supervision.
+pub(super) fn is_harmless(code: &[u8]) -> bool {
+    let text = crate::text::decode::readable(code).to_ascii_uppercase();
+    let words: Vec<&str> = text.split_whitespace().take(4).collect();
+    match words.as_slice() {
+        ["FUNCTION", "MODE", "MILL"] | ["FUNCTION", "RESET", "TCPM"] | ["FUNCTION", "TCPM", "RESET"] => true,
+        ["FUNCTION", "FEED", "DWELL", ..] | ["FUNCTION", "S-PULSE", ..] | ["FUNCTION", "LIFTOFF", ..] => true,
+        ["FUNCTION", "COUNT", what, ..] => *what != "REPEAT",
+        ["SECTION", "MONITORING", ..] | ["MONITORING", ..] => true,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_harmless;
+
+    #[test]
+    fn functions_without_a_path() {
+        for text in
+            ["FUNCTION MODE MILL", "function reset tcpm", "FUNCTION FEED DWELL D-TIME0.5 F-TIME5", "FUNCTION COUNT INC"]
+        {
+            assert!(is_harmless(text.as_bytes()), "{text}");
+        }
+        for text in [
+            "FUNCTION MODE TURN",
+            "FUNCTION TCPM F TCP AXIS POS",
+            "FUNCTION COUNT REPEAT LBL \"A\"",
+            "FUNCTION MODE MILL \"K\"",
+        ] {
+            assert!(!is_harmless(text.as_bytes()), "{text}");
         }
     }
 }

@@ -13,19 +13,11 @@ use super::mfunc::Args;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
 
-const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
+pub(super) const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
 
 impl Run<'_> {
     pub(super) fn path_block(&mut self, function: PathFn, block: &Block) -> Outcome {
-        let admits = match function {
-            PathFn::Line => PATH,
-            PathFn::Circle => PATH.and(Admits::TURN),
-            PathFn::CircleRadius => PATH.and(Admits::TURN).and(Admits::RADIUS),
-            PathFn::CircleTangent => PATH,
-            PathFn::LinePolar | PathFn::TangentPolar => PATH.and(Admits::POLAR),
-            PathFn::CirclePolar => PATH.and(Admits::POLAR).and(Admits::TURN),
-        };
-        let result = self.gather(block, function.word(), admits).and_then(|w| {
+        let result = self.gather(block, function.word(), path_words(function)).and_then(|w| {
             let result = self.run_path(function, &w);
             self.put_back(w);
             result
@@ -86,6 +78,14 @@ impl Run<'_> {
             self.set_feed(w)?;
         }
         if let Some(speed) = w.speed {
+            self.job.diags.push_once(
+                Diagnostic::new(
+                    codes::K1015,
+                    self.loc(w.speed_span),
+                    "S stands in a positioning block, and the control takes it in TOOL CALL only",
+                )
+                .help("write `TOOL CALL S2500` in front of this block"),
+            );
             self.spindle_speed(speed, w.speed_span)?;
         }
         if machine {
@@ -298,10 +298,7 @@ impl Run<'_> {
     pub(super) fn corner_block(&mut self, block: &Block) -> Outcome {
         let rounding = block.stmt == Stmt::Rounding;
         let head = if rounding { "RND" } else { "CHF" };
-        let admits = Admits::FEED.and(Admits::M).and(Admits::NUMBER);
-        let w = self.gather(block, head, if rounding { admits.and(Admits::RADIUS) } else { admits })?;
-        self.check_m(&w)?;
-        self.forbid_m(&w, head, &[2, 30, 89, 91, 99, 140])?;
+        let w = self.gather(block, head, corner_words(rounding))?;
         let mm = self.level().unit.mm();
         let size = w.radius.or(w.number.map(|n| n * mm));
         let Some(size) = size.filter(|size| *size > 0.0) else {
@@ -331,13 +328,12 @@ impl Run<'_> {
             }
         };
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
-        self.m_at_start(&w, true)?;
         self.out.corner(
             &Corner { shape, feed: Some(feed), early: false, modal: false },
             &self.st.ctx,
             &self.here.origin,
         );
-        self.m_at_end(&w)
+        Ok(())
     }
 
     /// `X+50 R+ F200`: one axis.
@@ -400,6 +396,23 @@ impl Run<'_> {
         self.st.nominal.set(axis, target);
         Ok(())
     }
+}
+
+/// The words that a path function takes.
+pub(super) fn path_words(function: PathFn) -> Admits {
+    match function {
+        PathFn::Line | PathFn::CircleTangent => PATH,
+        PathFn::Circle => PATH.and(Admits::TURN),
+        PathFn::CircleRadius => PATH.and(Admits::TURN).and(Admits::RADIUS),
+        PathFn::LinePolar | PathFn::TangentPolar => PATH.and(Admits::POLAR),
+        PathFn::CirclePolar => PATH.and(Admits::POLAR).and(Admits::TURN),
+    }
+}
+
+/// The words of RND (true) or CHF: no M function, which would have no place to act at.
+pub(super) fn corner_words(rounding: bool) -> Admits {
+    let admits = Admits::FEED.and(Admits::NUMBER);
+    if rounding { admits.and(Admits::RADIUS) } else { admits }
 }
 
 /// Both axes of a plane.

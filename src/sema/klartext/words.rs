@@ -37,6 +37,27 @@ impl Admits {
     fn has(self, other: Admits) -> bool {
         self.0 & other.0 != 0
     }
+
+    /// Does a block with these words take `word`?
+    pub fn takes(self, word: &Word) -> bool {
+        match word.addr {
+            Addr::Axis { .. } => self.has(Admits::AXES),
+            Addr::Feed | Addr::FeedMax | Addr::FeedAuto | Addr::FeedPerRev | Addr::FeedOther => self.has(Admits::FEED),
+            Addr::M(_) => self.has(Admits::M),
+            Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty => true,
+            Addr::PolarRadius { .. } | Addr::PolarAngle { .. } => self.has(Admits::POLAR),
+            Addr::Radius { signed: false } if word.value == Value::Number(0.0) => {
+                self.has(Admits::COMP) || self.has(Admits::RADIUS)
+            }
+            Addr::Radius { .. } => self.has(Admits::RADIUS),
+            Addr::CompLeft | Addr::CompRight => self.has(Admits::COMP),
+            Addr::ParaxialPlus | Addr::ParaxialMinus => self.has(Admits::PARAXIAL),
+            Addr::TurnPlus | Addr::TurnMinus => self.has(Admits::TURN),
+            Addr::Speed => self.has(Admits::SPEED),
+            Addr::Value => self.has(Admits::NUMBER),
+            _ => false,
+        }
+    }
 }
 
 /// What a block says about radius compensation.
@@ -300,6 +321,7 @@ impl Run<'_> {
             (Addr::Radius { .. }, "L" | "C" | "CT" | "LP" | "CP" | "CTP") => {
                 "only CR takes a radius; compensation is R0, RL or RR"
             }
+            (Addr::M(_), "RND" | "CHF") => "write the M function into a block in front of the corner or behind it",
             _ => "remove the word, or put it into a block where it belongs",
         };
         let block = if head.is_empty() { "this block".to_owned() } else { format!("this {head} block") };
@@ -456,7 +478,7 @@ impl Run<'_> {
 }
 
 /// Do the two addresses exclude each other in one block?
-fn same_matter(a: Addr, b: Addr) -> bool {
+pub(super) fn same_matter(a: Addr, b: Addr) -> bool {
     use Addr::*;
     match (a, b) {
         (Axis { axis: a, .. }, Axis { axis: b, .. }) => a == b,

@@ -114,7 +114,7 @@ fn plain_holes() {
 
 #[test]
 fn boring_lifts_the_edge_off() {
-    let bore = Bore { dwell: 1.0, turn: Turn::Clockwise, orient: 45.0, lift: [-1.0, 0.0, 0.5] };
+    let bore = Bore { dwell: 1.0, turn: Turn::Clockwise, orient: 45.0, back: None, lift: [-1.0, 0.0, 0.5] };
     assert_eq!(
         words(&hole(levels(50.0, 0.0, 2.0, -20.0), Method::Bore(bore))),
         ["G0 Z2", "G1 F100 Z-20", "G4 1", "M19 R45", "G0 X9 Z-19.5", "G0 Z2", "G0 Z50", "G0 X10", "M3"]
@@ -126,6 +126,7 @@ fn tapping_turns_back_on_the_way_out() {
     let tap = Tap {
         lead: Some(1.25),
         turn: Turn::Clockwise,
+        dwell_reversed: false,
         dwell: 0.0,
         speed_in: Some(200.0),
         speed_out: Some(400.0),
@@ -194,7 +195,7 @@ fn refusals() {
     assert_eq!(code(hole(at, peck(5.0, endless, Removal::Break { way: 1.0 }))), "G3040");
     assert_eq!(code(hole(at, peck(1e-9, Degression::constant(1e-9), Removal::Break { way: 1.0 }))), "G3040");
     assert_eq!(code(hole(at, peck(0.0, endless, Removal::Break { way: 1.0 }))), "G3041");
-    let bore = Bore { dwell: 0.0, turn: Turn::Clockwise, orient: 0.0, lift: [1.0, 0.0, 0.0] };
+    let bore = Bore { dwell: 0.0, turn: Turn::Clockwise, orient: 0.0, back: None, lift: [1.0, 0.0, 0.0] };
     assert_eq!(code(hole(at, Method::Bore(bore))), "G3043");
     let none = Drilling { feed: Feed::PerMinute(0.0), ..hole(at, Method::Drill { dwell: 0.0 }) };
     assert_eq!(code(none), "G3041");

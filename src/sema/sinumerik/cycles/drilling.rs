@@ -312,6 +312,7 @@ impl Run<'_> {
             lead: Some(lead.abs()),
             turn: if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise },
             dwell: self.dwell_of(args, 6)?,
+            dwell_reversed: false,
             speed_in,
             speed_out: speed(12).or(speed_in),
             orient: args.number(10),
@@ -365,6 +366,7 @@ impl Run<'_> {
             lead,
             turn,
             dwell: self.dwell_of(args, 6)?,
+            dwell_reversed: false,
             speed_in: None,
             speed_out: None,
             orient: None,
@@ -383,6 +385,7 @@ impl Run<'_> {
             dwell: self.dwell_of(args, 6)?,
             turn: self.spindle_turn(args, 7)?,
             orient: args.or_zero(11),
+            back: None,
             lift,
         }))
     }

@@ -1,0 +1,162 @@
+//! Blocks that did not run: what `partc check` can say of them.
+//!
+//! The control refuses a program for words that have no place, for labels set twice and for calls of labels that do
+//! not exist, whether the block runs or not: errors. What only partc would refuse if the block ran is a warning,
+//! since no output depends on it. Blocks of which the run reported an error are left alone; in one that ran without an
+//! error nothing can be found here.
+
+use crate::diag::{CallPath, Code, Diagnostic, codes};
+use crate::parser::klartext::ast::{Addr, Block, LabelRef, Refused, Stmt, Word};
+use crate::parser::klartext::{SPLIT, parse_block};
+use crate::text::blocks::BlockText;
+use crate::text::{Loc, Next, Span, decode::readable};
+
+use super::super::Job;
+use super::super::exec::open_cursor;
+use super::super::here::Here;
+use super::cycle_names::{Nature, nature};
+use super::labels::{Label, Labels};
+use super::path::{PATH, corner_words, path_words};
+use super::words::{Admits, same_matter};
+use super::{mfunc, other};
+
+/// Looks at every block of the main program after its run.
+pub fn check_idle(job: &Job<'_>) {
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let reported = job.diags.errors_in(job.main);
+    let labels = Labels::scan(job, job.main, start, &mut |found| {
+        if !job.diags.knows(&found) {
+            job.diags.push(found);
+        }
+    });
+    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
+    let mut block = Block::default();
+    let mut problems = Vec::new();
+    while let Ok(next) = cursor.next(job.sources) {
+        let text = match next {
+            Next::Block(text) => text,
+            Next::TooLong { .. } => continue,
+            Next::End => return,
+        };
+        problems.clear();
+        parse_block(text.text, &mut block, &mut problems);
+        if matches!(block.stmt, Stmt::End { .. }) {
+            return;
+        }
+        if problems.is_empty() && !has_place(&reported, &text) {
+            look(job, &labels, &block, &text);
+        }
+    }
+}
+
+/// Does one of the ascending `places` lie in the block?
+fn has_place(places: &[u32], text: &BlockText<'_>) -> bool {
+    let first = places.partition_point(|place| *place < text.at);
+    places.get(first).is_some_and(|place| (*place as usize) < text.at as usize + text.text.len().max(1))
+}
+
+fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &BlockText<'_>) {
+    let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+    let found = called_label(block)
+        .and_then(|label| Label::written(label, text.text))
+        .filter(|label| *label != Label::Number(0) && labels.place(label).is_none())
+        .map(|label| labels.missing(&label, here.loc(job, block.span)))
+        .or_else(|| wrong_word(job, block, text.text, &here))
+        .or_else(|| {
+            let code = refused(job, block, text.text)?;
+            let message =
+                format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
+            Some(
+                Diagnostic::new(codes::K8001, here.loc(job, block.span), message)
+                    .help(format!("see `partc explain {}`", code.id)),
+            )
+        });
+    if let Some(found) = found {
+        job.diags.push(found);
+    }
+}
+
+fn called_label(block: &Block) -> Option<LabelRef> {
+    match block.stmt {
+        Stmt::CallLabel { label, .. } => Some(label),
+        Stmt::If { target, .. } => Some(target),
+        _ => None,
+    }
+}
+
+/// The words that the head of the block takes, where that is known without running it.
+fn admits(stmt: Stmt) -> Option<Admits> {
+    Some(match stmt {
+        Stmt::Path(function) => path_words(function),
+        Stmt::Paraxial => PATH.and(Admits::PARAXIAL),
+        Stmt::Functions => PATH,
+        Stmt::Pole => Admits::AXES,
+        Stmt::Rounding => corner_words(true),
+        Stmt::Chamfer => corner_words(false),
+        Stmt::Stop => Admits::M,
+        _ => return None,
+    })
+}
+
+/// A word that the block does not take, or that says again what an earlier one says.
+fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Here) -> Option<Diagnostic> {
+    let admits = admits(block.stmt)?;
+    for (at, word) in block.words.iter().enumerate() {
+        let shown = || readable(word.span.of(text)).into_owned();
+        let loc = || here.loc(job, word.span);
+        if !admits.takes(word) {
+            return Some(
+                Diagnostic::new(codes::K1005, loc(), format!("`{}` has no place in this block", shown()))
+                    .help("remove the word, or put it into a block where it belongs"),
+            );
+        }
+        if block.words[..at].iter().any(|first| excludes(first, word)) {
+            return Some(
+                Diagnostic::new(codes::K1004, loc(), format!("`{}` repeats a word of this block", shown()))
+                    .help("remove one of the two"),
+            );
+        }
+        // What follows may belong to the function.
+        if matches!(word.addr, Addr::M(number) if mfunc::takes_words(number)) {
+            return None;
+        }
+    }
+    None
+}
+
+fn excludes(first: &Word, second: &Word) -> bool {
+    let counts = |word: &Word| !matches!(word.addr, Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty);
+    // CR has a radius and may end the compensation.
+    let radius = |word: &Word| matches!(word.addr, Addr::Radius { .. });
+    counts(first) && counts(second) && !(radius(first) || radius(second)) && same_matter(first.addr, second.addr)
+}
+
+/// Why partc would refuse the block.
+fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
+    let code = match block.stmt {
+        Stmt::Approach => Some(codes::K9003),
+        Stmt::Fk => Some(codes::K9002),
+        Stmt::Surface => Some(codes::K9015),
+        Stmt::Iso => Some(codes::K9009),
+        Stmt::Refused(what, _) => match what {
+            Refused::Plane => Some(codes::K9004),
+            Refused::TouchProbe => Some(codes::K9005),
+            Refused::Pattern => Some(codes::K9010),
+            Refused::Contour => Some(codes::K9018),
+            Refused::Function if !other::is_harmless(block.span.of(text)) => Some(codes::K9011),
+            Refused::Function | Refused::SelectTable => None,
+        },
+        Stmt::FnOther { number: 26..=28, .. } => Some(codes::K9006),
+        Stmt::FnOther { number: 17 | 25, .. } => Some(codes::K9014),
+        Stmt::FnOther { number: 24, .. } => Some(codes::K9011),
+        Stmt::Cycle { number, part: None | Some(0) } if nature(number) == Nature::Unknown => Some(codes::K9001),
+        _ => None,
+    };
+    code.or_else(|| {
+        block.words.iter().find_map(|word| match word.addr {
+            Addr::M(number) => mfunc::refused_code(number, &job.settings.output.pass_m),
+            Addr::FeedOther => Some(codes::K9013),
+            _ => None,
+        })
+    })
+}

@@ -1,0 +1,197 @@
+//! Cycles 220 and 221, and CYCL CALL POS: a drilling cycle at many places.
+//!
+//! Source: reference sections 4.4 and 6.4. On the way to the first place the tool goes to the 2nd set-up clearance
+//! unless it stands higher; Q301 decides how high it goes from place to place; after the last one it stands at the 2nd
+//! set-up clearance.
+
+use crate::diag::codes;
+use crate::geo::{Deg, Point2};
+use crate::ir::contour::{EndPoint, Path};
+use crate::ir::{Feed, Pos};
+use crate::machine::AxisSet;
+use crate::parser::klartext::ast::Block;
+
+use super::cycle::Machining;
+use super::holes::{Heights, Retract};
+use super::path::plane_axes;
+use super::words::Admits;
+use super::{Outcome, Reported, Run};
+
+/// Most places of a pattern.
+const MOST: f64 = 99_999.0;
+
+/// The Q parameters that each pattern needs.
+const POLAR: &[u32] = &[216, 217, 244, 245, 246, 247, 241, 200, 203, 204, 301];
+const CARTESIAN: &[u32] = &[225, 226, 237, 238, 242, 243, 224, 200, 203, 204, 301];
+
+impl Run<'_> {
+    /// Runs the machining cycle at the places of a pattern, whose Q200, Q203 and Q204 hold instead of its own.
+    pub(super) fn pattern_cycle(&mut self, pattern: &Machining) -> Outcome {
+        let by = format!("cycle {}", pattern.number);
+        let cycle = self.pattern_subject(&by)?;
+        let needed = match pattern.number {
+            220 => POLAR,
+            221 => CARTESIAN,
+            _ => return self.cycle_unbuilt(pattern, "this pattern"),
+        };
+        let missing: Vec<String> = needed.iter().filter(|q| !pattern.sets(**q)).map(|q| format!("Q{q}")).collect();
+        if !missing.is_empty() {
+            let span = self.block_span();
+            let text = format!("{by} lacks {}", missing.join(", "));
+            return self.fail_help(codes::K2402, span, text, "program all parameters of the cycle");
+        }
+        if cycle.number < 20 {
+            return self.cycle_unbuilt(pattern, &format!("a pattern of the old cycle {}", cycle.number));
+        }
+        if self.cycle_option(pattern, 365)? != 0.0 {
+            return self.cycle_unbuilt(pattern, "going from place to place on arcs (Q365=1)");
+        }
+        let near = match self.cycle_number(pattern, 301)? {
+            0.0 => true,
+            1.0 => false,
+            other => return self.cycle_value(pattern, &format!("Q301 = {other} is not 0 or 1")),
+        };
+        let places = if pattern.number == 220 { self.polar_places(pattern)? } else { self.grid_places(pattern)? };
+        let enough = self.budget.take(places.len() as u64);
+        if !enough {
+            let (here, call) = (self.here.origin.loc, self.here.origin.call);
+            self.job.diags.push(self.budget.exceeded(here, call));
+            self.ended = true;
+            return Err(Reported);
+        }
+        let heights = self.heights(pattern, 0.0)?;
+        self.lift_to(&heights);
+        for (i, place) in places.iter().enumerate() {
+            self.rapid_in_plane(*place);
+            let last = i + 1 == places.len();
+            self.drill(&cycle, 0.0, if near && !last { Retract::Near } else { Retract::Far })?;
+        }
+        Ok(())
+    }
+
+    /// To the 2nd set-up clearance, unless the tool is known to stand there or higher.
+    fn lift_to(&mut self, heights: &Heights) {
+        let axis = self.st.axis();
+        if self.st.pos.get(axis).is_some_and(|at| at >= heights.second) {
+            return;
+        }
+        let mut end = Pos::UNKNOWN;
+        end.set(axis, heights.second);
+        self.send(EndPoint::Cartesian(end), &end, Path::Rapid, None);
+    }
+
+    fn rapid_in_plane(&mut self, place: Point2) {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.st.plane(), place);
+        self.st.polar = None;
+        self.send(EndPoint::Cartesian(end), &end, Path::Rapid, None);
+    }
+
+    /// Q216/Q217 centre, Q244 diameter, Q245 first angle, Q246 last angle, Q247 step, Q241 number.
+    fn polar_places(&mut self, pattern: &Machining) -> Outcome<Vec<Point2>> {
+        let center = Point2::new(self.cycle_length(pattern, 216)?, self.cycle_length(pattern, 217)?);
+        let radius = self.cycle_length(pattern, 244)? / 2.0;
+        let (first, last) = (self.cycle_number(pattern, 245)?, self.cycle_number(pattern, 246)?);
+        let step = self.cycle_number(pattern, 247)?;
+        let count = self.count(pattern, 241)?;
+        if radius < 0.0 {
+            return self.cycle_value(pattern, "the pitch circle diameter Q244 is negative");
+        }
+        if step == 0.0 && first == last {
+            return self
+                .cycle_value(pattern, "start angle Q245 and stop angle Q246 are the same, and no step Q247 is given");
+        }
+        let span = last - first;
+        let full = span.abs() == 360.0;
+        let angle = |i: u32| {
+            let i = f64::from(i);
+            match step {
+                // One division keeps a third of a turn exact.
+                0.0 if full => first + i * span / f64::from(count),
+                0.0 if count > 1 => first + i * span / f64::from(count - 1),
+                0.0 => first,
+                step => first + i * step,
+            }
+        };
+        Ok((0..count).map(|i| center + Deg(angle(i)).unit() * radius).collect())
+    }
+
+    /// Q225/Q226 first place, Q237/Q238 spacing, Q242 columns, Q243 lines, Q224 rotation; line by line, to and fro.
+    fn grid_places(&mut self, pattern: &Machining) -> Outcome<Vec<Point2>> {
+        let start = Point2::new(self.cycle_length(pattern, 225)?, self.cycle_length(pattern, 226)?);
+        let (across, up) = (self.cycle_length(pattern, 237)?, self.cycle_length(pattern, 238)?);
+        let (columns, lines) = (self.count(pattern, 242)?, self.count(pattern, 243)?);
+        if f64::from(columns) * f64::from(lines) > MOST {
+            return self.cycle_value(pattern, "the pattern has more than 99999 places");
+        }
+        let turn = Deg(self.cycle_number(pattern, 224)?);
+        let (along, beside) = (turn.unit(), Deg(turn.0 + 90.0).unit());
+        let mut places = Vec::new();
+        for line in 0..lines {
+            for i in 0..columns {
+                let column = if line % 2 == 0 { i } else { columns - 1 - i };
+                places.push(start + along * (f64::from(column) * across) + beside * (f64::from(line) * up));
+            }
+        }
+        Ok(places)
+    }
+
+    fn count(&mut self, pattern: &Machining, q: u32) -> Outcome<u32> {
+        let n = self.cycle_number(pattern, q)?;
+        if n.fract() == 0.0 && (1.0..=MOST).contains(&n) {
+            return Ok(n as u32);
+        }
+        self.cycle_value(pattern, &format!("Q{q} = {n} is no number of places"))
+    }
+
+    /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
+    /// the surface, it first goes to the set-up clearance.
+    pub(super) fn drill_at(&mut self, cycle: &Machining, block: &Block) -> Outcome {
+        // The first word is POS itself.
+        let mut rest = block.clone();
+        rest.words.drain(..1);
+        let w = self.gather(&rest, "CYCL CALL POS", Admits::AXES.and(Admits::FEED).and(Admits::M))?;
+        self.check_m(&w)?;
+        self.forbid_m(&w, "CYCL CALL POS", &[2, 30, 89, 91, 99])?;
+        let axis = self.st.axis();
+        let plane = plane_axes(self.st.plane());
+        let named = w.axes.known();
+        let all = plane.union(AxisSet::of(axis));
+        if cycle.number < 20
+            || !w.incremental.is_empty()
+            || !named.without(all).is_empty()
+            || !all.without(named).is_empty()
+        {
+            let span = if w.axes_span.is_empty() { self.block_span() } else { w.axes_span };
+            return self.fail_help(
+                codes::K9001,
+                span,
+                "CYCL CALL POS is supported for cycles from 200 on, with absolute X, Y and Z",
+                "write `CYCL CALL POS X+50 Y+50 Z+0 FMAX`, or move with L and call with M99",
+            );
+        }
+        self.m_at_start(&w, true)?;
+        self.set_feed(&w)?;
+        let shift = w.axes.get(axis).unwrap_or(0.0);
+        let heights = self.heights(cycle, shift)?;
+        let Some(at) = self.st.pos.get(axis) else {
+            self.position_of(axis, w.axes_span, "CYCL CALL POS")?;
+            return Err(Reported);
+        };
+        if at < heights.surface {
+            let mut up = Pos::UNKNOWN;
+            up.set(axis, heights.start());
+            self.send(EndPoint::Cartesian(up), &up, Path::Rapid, None);
+        }
+        let mut end = Pos::UNKNOWN;
+        for axis in plane.iter() {
+            end.set(axis, w.axes.get(axis).unwrap_or(0.0));
+        }
+        let feed: Option<Feed> = self.move_feed(&w)?;
+        self.st.polar = None;
+        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
+        self.send(EndPoint::Cartesian(end), &end, path, feed);
+        self.drill(cycle, shift, Retract::Far)?;
+        self.m_at_end(&w)
+    }
+}
