@@ -1,7 +1,9 @@
 //! Describing a contour: the blocks of a contour run, but what they move is kept instead of carried out.
 //!
 //! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
-//! and everything modal is afterwards what it was. Variables keep what the blocks wrote, as on the control.
+//! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
+
+use std::collections::BTreeMap;
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
@@ -12,6 +14,8 @@ use crate::text::{Loc, Span};
 
 use super::calls::LevelKind;
 use super::state::State;
+use super::value::Val;
+use super::vars::Vars;
 use super::{Outcome, Reported, Run};
 
 /// Most elements of a contour, roundings and chamfers counted.
@@ -69,10 +73,12 @@ impl Run<'_> {
         made.or_else(|unfit| self.unfit(call, unfit))
     }
 
-    /// Everything modal as it is, and a fresh position: a contour does not depend on where the tool stands.
+    /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
     fn enter_capture(&mut self, call: &ContourCall) -> Before {
         let before = Before {
             st: self.st.clone(),
+            vars: self.vars.clone(),
+            system: self.system.clone(),
             modal: self.modal.take(),
             modal_cycle: self.modal_cycle.take(),
             stored: self.stored.take(),
@@ -92,6 +98,8 @@ impl Run<'_> {
 
     fn leave_capture(&mut self, before: Before) {
         self.st = before.st;
+        self.vars = before.vars;
+        self.system = before.system;
         self.modal = before.modal;
         self.modal_cycle = before.modal_cycle;
         self.stored = before.stored;
@@ -215,6 +223,8 @@ impl Run<'_> {
 /// What a capture leaves as it was.
 struct Before {
     st: State,
+    vars: Vars,
+    system: BTreeMap<String, Val>,
     modal: Option<super::calls::Modal>,
     modal_cycle: Option<Box<super::cycles::ModalCycle>>,
     stored: Option<Box<super::stored::Stored>>,
