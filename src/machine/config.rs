@@ -216,6 +216,7 @@ impl Reader {
                     control.siemens.circle_error_factor = value;
                 }
             }
+            "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),
         }

@@ -173,6 +173,12 @@ pub const SECTIONS: &[Section] = &[
             key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm").or("0.01"),
             key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius")
                 .or("0.001"),
+            key(
+                "large_corners",
+                Kind::Choice(&["refuse", "shorten"]),
+                "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path",
+            )
+            .or(r#""refuse""#),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",

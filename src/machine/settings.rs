@@ -213,6 +213,8 @@ pub struct Siemens {
     pub tool_change_by_t: Option<bool>,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
+    /// A chamfer or rounding that does not fit is made as large as it fits.
+    pub shorten_corners: bool,
 }
 
 impl Default for Siemens {
@@ -223,6 +225,7 @@ impl Default for Siemens {
             circle_error_factor: 0.001,
             tool_change_by_t: None,
             main_variables_visible: false,
+            shorten_corners: false,
         }
     }
 }

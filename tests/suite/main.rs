@@ -19,6 +19,7 @@ mod props;
 mod reader;
 mod rs274;
 mod sinumerik;
+mod sinumerik_alarms;
 mod sweep;
 mod undercut;
 mod undercut_conditions;

@@ -34,6 +34,11 @@ G3008 Error "corner-too-large" "chamfer or rounding does not fit"
 "The corner would cut off more than a neighbouring element is long. Make the radius or chamfer smaller or the elements longer. \
 Where a short element has a corner at both ends, both have to fit on it."
 
+G3025 Warning "corner-shortened" "chamfer or rounding was made smaller"
+"The corner would cut off more than a neighbouring element is long, so it was made as large as the element allows: because what is missing \
+is less than 0.001 mm, which a source rounded to three decimals loses, or because `[control] large_corners` asks for it. SINUMERIK controls \
+shorten such corners without a word, in a way that is not documented. Check that the part may be so."
+
 G3009 Warning "corner-straight" "nothing to round or chamfer"
 "The elements before and after continue in the same direction, so there is no corner. Nothing is inserted, and the path is the one \
 without the block. Check whether the right corner was meant, else delete the block."

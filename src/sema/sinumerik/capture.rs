@@ -50,6 +50,7 @@ impl Run<'_> {
     /// Runs the blocks of a contour.
     pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
         let (here, expanded) = (self.here, self.expanded);
+        let back = self.place();
         let before = self.enter_capture(call);
         let entered = self.enter_contour(call);
         while entered.is_ok() && self.in_contour() && !self.ended.get() {
@@ -66,7 +67,7 @@ impl Run<'_> {
         if capture.failed || self.ended.get() {
             return Err(Reported);
         }
-        if !capture.complete {
+        if !capture.complete || self.place() != back {
             self.stop_run();
             return self.contour_fault(call, Span::default(), 0, "the program jumps out of the contour");
         }

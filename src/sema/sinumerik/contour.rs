@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
-use crate::ir::contour::{Coords, Corner, CornerShape, EndPoint, Move, Path};
+use crate::ir::contour::{Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -26,7 +26,7 @@ pub(super) struct Pending {
     feed: Option<Feed>,
     side: Side,
     corner: Option<Corner>,
-    origin: Origin,
+    pub(super) origin: Origin,
     /// What the program did since; it comes behind the line.
     functions: Vec<(Function, Origin)>,
 }
@@ -138,40 +138,13 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// An interpolation that is no line, with an angle or behind the first line of a pair.
-    pub(super) fn only_lines_by_angle(&mut self, w: &Words, span: Span) -> Outcome {
-        let (angle, pending) = (w.get(Address::Ang), self.pending.take());
-        let at = match (angle, &pending) {
-            (None, None) => return Ok(()),
-            (Some(given), _) => given.span,
-            (None, Some(_)) => span,
-        };
-        let found = Diagnostic::new(
-            codes::S2070,
-            self.loc(at),
-            "lines by angle are straight lines: this block moves otherwise (alarm 10792)",
-        );
-        let found = match pending {
-            Some(pending) => found.also(pending.origin.loc, "the first line"),
-            None => found,
-        };
-        self.report(found.help("program G0 or G1 in both blocks of a pair"));
-        Err(Reported)
-    }
-
-    /// The plane changes while the first line of a pair waits.
-    pub(super) fn plane_changes_in_a_pair(&mut self, span: Span) -> Outcome {
+    /// An interpolation that is no line behind the first line of a pair.
+    pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
         let Some(pending) = self.pending.take() else { return Ok(()) };
-        self.pair_lost = true;
         self.st.lose(crate::machine::AxisSet::MAIN);
-        let found = Diagnostic::new(
-            codes::S2070,
-            self.loc(span),
-            "the plane changes between the two lines of a pair (alarm 10790)",
-        );
-        self.report(
-            found.also(pending.origin.loc, "the first line").help("change the plane in front of the first line"),
-        );
+        let message = "the second line of the pair is no straight line (alarm 10792)";
+        let found = Diagnostic::new(codes::S2070, self.loc(span), message);
+        self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
         Err(Reported)
     }
 
@@ -389,7 +362,12 @@ impl Run<'_> {
             CornerShape::ChamferLength { length } => length,
             CornerShape::Undercut(_) => 0.0,
         };
-        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit }))
+        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large: self.large_corner() }))
+    }
+
+    /// What the control does with a corner that does not fit.
+    pub(super) fn large_corner(&self) -> LargeCorner {
+        if self.job.settings.control.siemens.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
     }
 
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {

@@ -236,7 +236,7 @@ impl Run<'_> {
         for record in &made.chosen {
             self.stand_at(stored, *record);
             let found = Diagnostic::new(
-                codes::S8029,
+                codes::S8030,
                 self.here.origin.loc,
                 "this record leaves two solutions, and the stored choice is not confirmed",
             );
@@ -269,7 +269,7 @@ impl Run<'_> {
                 _ => continue,
             };
             self.stand_at(stored, block.corner_record);
-            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false }));
+            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false, large: self.large_corner() }));
         }
         self.here.origin = here;
         Ok(())

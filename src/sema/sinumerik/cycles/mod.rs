@@ -140,6 +140,9 @@ impl Run<'_> {
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
         }
+        if self.st.per_revolution() {
+            self.master_is_main(args.span, "a feed per revolution")?;
+        }
         match args.name.as_str() {
             "HOLES1" | "HOLES2" | "CYCLE801" | "CYCLE802" => self.pattern(args),
             "CYCLE97" | "CYCLE98" | "CYCLE99" => self.thread_cycle(args),
@@ -185,6 +188,9 @@ impl Run<'_> {
     /// Drills the modal hole where the tool stands.
     pub(super) fn drill_modal(&mut self) -> Outcome {
         let Some(modal) = self.modal_cycle.as_deref().cloned() else { return Ok(()) };
+        if self.st.per_revolution() {
+            self.master_is_main(Span::default(), "a feed per revolution")?;
+        }
         let mut hole = modal.hole;
         if modal.feed_of_block
             && let Some(feed) = self.st.feed
@@ -201,6 +207,7 @@ impl Run<'_> {
 
     fn send_cycle(&mut self, cycle: Cycle) {
         let end = cycle.leaves(&self.st.pos);
+        self.st.heading = super::tangent::Heading::Later;
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         self.moved_to(&end);
     }
