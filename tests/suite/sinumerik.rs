@@ -205,7 +205,6 @@ fn contours_that_turn_in_circles_end() {
     for text in [
         "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nCYCLE62(\"A\",1)\nE_LAB_E_A:\n",
         "E_LAB_A_A:\nG0 X1 Z1\nG1 X2\nCYCLE62(\"A\",1)\nZ2\nE_LAB_E_A:\nM30\n",
-        "CYCLE62(,2,\"AA\",\"AA\")\nM30\nAA: G0 X1 Z1\n",
         "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nG0 X1 Z1\nLOOP\nG1 X2\nX1\nENDLOOP\nE_LAB_E_A:\n",
         "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nG0 X1 Z1\nHERE:\nGOTOB HERE\nE_LAB_E_A:\n",
         "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nG0 X1 Z1\nEXECSTRING(\"CYCLE62(\"\"A\"\",1)\")\nE_LAB_E_A:\n",
