@@ -22,6 +22,7 @@ mod rs274;
 mod sinumerik;
 mod sinumerik_alarms;
 mod sweep;
+mod turning_parameters;
 mod undercut;
 mod undercut_conditions;
 mod worked_examples;

@@ -176,4 +176,10 @@ G3047 Error "roughing-contour" "contour cannot be roughed in parallel cuts"
 "Seen from where the cuts begin, the contour has to rise: what falls behind a part that stands higher could only be reached by plunging, and what \
 leans over not at all. Recesses and undercuts get cycles of their own."
 
+G3048 Error "finishing-way" "no free way to the contour or from it"
+"Before finishing the tool travels to the start of the contour at rapid traverse, and afterwards away from its end. The way has to keep clear of the contour. Position the tool in front of the start, or choose another way of retraction."
+
+G3049 Error "finishing-nose" "nose of the tool does not fit the contour"
+"The way of the nose runs parallel to the contour at its radius. Where a hollow, an inner corner between short elements or a recess is narrower than that, the tool would cut into the finished part. Take a smaller nose, or leave the narrow part out of the contour."
+
 }
