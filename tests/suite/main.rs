@@ -13,6 +13,7 @@ mod idle;
 mod layering;
 mod mtc200;
 mod oracle;
+mod peer;
 mod pictures;
 mod props;
 mod reader;

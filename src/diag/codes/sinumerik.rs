@@ -329,6 +329,11 @@ S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
 "The NC blocks of a contour of the contour editor are missing. Its hidden records determine it, so the blocks are made from them, at the feed that \
 is modal. Compare the result with the drawing."
 
+S8030 Warning "siemens-block-not-run" "block that does not run could not be compiled"
+"`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
+jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \
+with the code that the text names says why."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 

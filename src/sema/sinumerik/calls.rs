@@ -422,7 +422,7 @@ impl Run<'_> {
 }
 
 /// Extensions of programs that are called by name.
-const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
+pub(super) const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
 
 /// `/_N_SPF_DIR/_N_X_SPF` is `/_N_SPF_DIR/X.SPF`.
 fn file_name(path: &str) -> String {

@@ -15,6 +15,7 @@ mod feed;
 mod flow;
 mod frames;
 mod functions;
+mod idle;
 mod macros;
 mod modal;
 mod motion;
@@ -67,6 +68,8 @@ use value::Val;
 use vars::Vars;
 use vocabulary::{GCodes, Meaning};
 use words::Words;
+
+pub use idle::check_idle;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
