@@ -409,7 +409,7 @@ impl Run<'_> {
         self.refuse_arguments();
         if self.in_main() {
             let unit = &self.programs.units[self.unit()];
-            if unit.kind == UnitKind::Main {
+            if unit.kind == UnitKind::Main && !self.iso {
                 let loc = self.here.origin.loc;
                 let found = Diagnostic::new(codes::S2026, loc, "the program ends without M30, M2 or M17 (alarm 14000)");
                 self.report(found.help("write M30 as its last block"));
