@@ -21,4 +21,5 @@ mod rs274;
 mod sinumerik;
 mod sinumerik_alarms;
 mod sweep;
+mod turning_parameters;
 mod undercut;
