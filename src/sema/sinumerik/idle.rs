@@ -250,7 +250,7 @@ impl<'a> Idle<'a> {
                 "this block does not run; if it did, it would call `{bare}`, which is not here ({})",
                 codes::S2002.id
             );
-            Diagnostic::new(codes::S8030, here.loc(self.job, span), message)
+            Diagnostic::new(codes::S8040, here.loc(self.job, span), message)
                 .help("put the program beside this one or into an include root; or correct the word")
         })
     }
@@ -374,5 +374,5 @@ fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnos
 
 fn refused(job: &Job<'_>, here: &Here, span: Span, code: &'static Found) -> Diagnostic {
     let message = format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
-    Diagnostic::new(codes::S8030, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
+    Diagnostic::new(codes::S8040, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
 }
