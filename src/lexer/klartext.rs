@@ -160,6 +160,7 @@ pub enum Tok {
     #[token("TABDATA", tail, ignore(case))]
     #[token("SECTION", tail, ignore(case))]
     #[token("MONITORING", tail, ignore(case))]
+    #[token("PRESET", tail, ignore(case))]
     Function(Span),
 
     // Path functions.

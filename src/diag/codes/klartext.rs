@@ -329,6 +329,10 @@ K2511 Warning "rotation-plane" "tool axis changes under a rotation"
 "A rotation turns the coordinates in the working plane in which it was programmed. The manuals do not say what becomes of it when a \
 TOOL CALL changes the working plane: partc leaves it where it is. Reset it before the change, and program it again after."
 
+K2512 Note "rotary-axes-at-zero" "rotary axes are taken to stand at zero"
+"PLANE with TURN or MOVE and without a tilt turns the rotary axes to zero. The program moved none of them away from zero, so nothing turns. On a \
+machine whose rotary axes stand elsewhere at the start, bring them to zero first."
+
 K2601 Error "compensation-in-arc" "radius compensation starts or ends in an arc"
 "RL, RR and R0 take effect over a straight block, at whose end the tool stands beside the contour. The control refuses to switch in \
 C, CR, CT, CP and CTP. Put a straight block in front of or behind the arc."

@@ -20,6 +20,7 @@ mod mfunc;
 mod other;
 mod path;
 mod patterns;
+mod plane;
 mod polar;
 mod rotary;
 mod state;
@@ -263,7 +264,7 @@ impl Run<'_> {
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
-            Stmt::PlaneReset(rest) => self.plane_reset(rest.of(text), block),
+            Stmt::PlaneReset(_) => self.plane_block(block, text),
             Stmt::Approach => {
                 let (name, span) = self.block_name(block, text, 2);
                 self.refuse_motion(codes::K9003, span, &format!("{name} is not supported yet"))

@@ -229,6 +229,10 @@ impl Run<'_> {
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
         let end = w.axes;
+        for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
+            self.check_tip(w, axis, None)?;
+            self.st.rotary_moved.insert(axis);
+        }
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         let coords = Coords::Machine;
         self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });

@@ -57,6 +57,10 @@ pub(super) struct State {
     pub edge_feed: bool,
     /// Whole turns between the printed and the programmed position of A, B, C, in degrees.
     pub rotary_offset: [f64; 3],
+    /// Rotary axes that the program moved.
+    pub rotary_moved: AxisSet,
+    /// M128: the tool tip stays where it is when rotary axes turn.
+    pub follows_tip: bool,
     /// Angle of cycle 13.
     pub orientation: Option<f64>,
     /// A tool change was printed and no M6 belonged to it yet.
@@ -154,6 +158,8 @@ impl State {
             rotary_feed: false,
             edge_feed: false,
             rotary_offset: [0.0; 3],
+            rotary_moved: AxisSet::EMPTY,
+            follows_tip: false,
             orientation: None,
             change_printed: false,
             moved: false,
