@@ -286,6 +286,13 @@ K2409 Note "tapping-chuck" "tapping reverses the spindle by M3 and M4"
 "The output taps with moves in step with the spindle (or at the programmed feed) and reverses it between them, which takes a chuck with length \
 compensation. A target with its own cycle for rigid tapping does it better."
 
+K2410 Note "pattern-order" "order of a grid of places"
+"Manuals do not say in which order the control visits the places of PAT and FRAME. partc goes line by line, to and fro; the holes are the same."
+
+K2411 Error "pattern-data" "pattern cannot be read"
+"PATTERN DEF takes POS, ROW, PAT, FRAME, CIRC and PITCHCIRC, each with a number and its data in brackets, absolute: \
+`ROW1 (X+12 Y+20 D+9 NUM4 ROT+15 Z+0)`. Where the places have a surface Z of their own, Q203 of the cycle has to be 0."
+
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
 partc measures it along the original axes; `[control] shift_axes = \"transformed\"` along the transformed ones. \
@@ -418,9 +425,9 @@ K9009 Error "iso-block" "DIN/ISO block in a Klartext program"
 "A G word stands in a Klartext program. Where such blocks occur the meaning of I and J differs between writers (centre or offset), \
 so the block is refused. Convert it to L, C or CR."
 
-K9010 Error "pattern-unsupported" "point patterns are not supported yet"
-"PATTERN DEF, point tables and CYCL CALL PAT run a machining cycle at many points; machining cycles are not supported yet, and \
-without them the holes would be missing. Program the points as blocks with a subprogram."
+K9010 Error "pattern-unsupported" "point table is not available"
+"SEL PATTERN names a point table of the control, whose points are not in the program; CYCL CALL PAT without PATTERN DEF would run over it. \
+Put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`."
 
 K9011 Error "function-unsupported" "function is not supported"
 "The block is a function of newer controls that partc reads by name but does not execute. It may influence the path, so it is refused."

@@ -491,8 +491,11 @@ impl Run<'_> {
             }
             CallKind::At => self.call_cycle_at(block),
             CallKind::Pattern => {
-                self.error(codes::K9010, "CYCL CALL PAT is not supported yet");
-                Err(Reported)
+                let result = self.call_pattern(block);
+                if result.is_err() {
+                    self.lose_all();
+                }
+                result
             }
         }
     }

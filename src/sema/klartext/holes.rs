@@ -49,12 +49,14 @@ fn parts(number: u32) -> u32 {
 }
 
 /// Where the tool goes behind a hole of a pattern.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Retract {
     /// To the second set-up clearance, or to the set-up clearance where that is higher.
     Far,
     /// To the set-up clearance.
     Near,
+    /// To this height, or to the 2nd set-up clearance where that is higher.
+    To(f64),
 }
 
 /// Heights of a hole by their Q parameters, in mm.
@@ -155,7 +157,11 @@ impl Run<'_> {
             );
             return Ok(None);
         }
-        let far = if retract == Retract::Far { heights.second } else { heights.start() };
+        let far = match retract {
+            Retract::Far => heights.second,
+            Retract::Near => heights.start(),
+            Retract::To(height) => height.max(heights.second),
+        };
         let levels = Levels {
             retract: far,
             reference: heights.surface,

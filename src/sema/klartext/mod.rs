@@ -19,6 +19,7 @@ mod labels;
 mod mfunc;
 mod other;
 mod path;
+mod pattern_def;
 mod patterns;
 mod plane;
 mod polar;
@@ -64,6 +65,8 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         budget: Budget::new(job.settings.limits.steps),
         cycles: Cycles::default(),
         defined: tool::Defined::default(),
+        places: None,
+        places_lost: false,
         selected: None,
         stack: Vec::new(),
         words: None,
@@ -131,6 +134,10 @@ struct Run<'a> {
     cycles: Cycles,
     /// Tools of TOOL DEF.
     defined: tool::Defined,
+    /// Places of PATTERN DEF.
+    places: Option<pattern_def::Places>,
+    /// The last PATTERN DEF was refused.
+    places_lost: bool,
     /// Program of SEL PGM.
     selected: Option<String>,
     stack: Vec<Val>,
@@ -264,6 +271,7 @@ impl Run<'_> {
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
+            Stmt::PatternDef(rest) => self.pattern_def(rest, text),
             Stmt::PlaneReset(_) => self.plane_block(block, text),
             Stmt::Approach => {
                 let (name, span) = self.block_name(block, text, 2);

@@ -165,7 +165,9 @@ impl Run<'_> {
         match what {
             Refused::Plane => self.plane_block(block, text),
             Refused::TouchProbe => self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine"),
-            Refused::Pattern => self.fail(codes::K9010, span, format!("{name}: point patterns are not supported yet")),
+            Refused::Pattern => {
+                self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
+            }
             // Only selects: a shift from the table is refused where it is programmed.
             Refused::SelectTable => Ok(()),
             Refused::Contour => {

@@ -9,7 +9,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
 use super::words::Words;
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// What stands behind PLANE.
 #[derive(Debug, Default, PartialEq)]
@@ -123,7 +123,8 @@ impl Run<'_> {
     fn stands_upright(&self) -> bool {
         let at = self.st.ctx.frame.apply(&self.st.pos);
         [Axis::A, Axis::B, Axis::C].into_iter().filter(|axis| self.st.rotary_moved.contains(*axis)).all(|axis| {
-            at.get(axis).is_some_and(|angle| (angle - self.st.rotary_offset[axis.index() - Axis::A.index()]) % 360.0 == 0.0)
+            at.get(axis)
+                .is_some_and(|angle| (angle - self.st.rotary_offset[axis.index() - Axis::A.index()]) % 360.0 == 0.0)
         })
     }
 
@@ -145,6 +146,9 @@ impl Run<'_> {
     pub(super) fn check_tip(&mut self, w: &Words, axis: Axis, target: Option<f64>) -> Outcome {
         if !self.st.follows_tip || (target.is_some() && target == self.st.pos.get(axis)) {
             return Ok(());
+        }
+        if self.st.lost.contains(axis) {
+            return Err(Reported);
         }
         self.fail_help(
             codes::K9008,
