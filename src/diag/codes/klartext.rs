@@ -357,6 +357,10 @@ K2604 Error "paraxial-compensation" "R+ or R- where it cannot act"
 several axes, without a way, in machine coordinates or while RL or RR is active; and no arc or polar block can start where they left the \
 tool. Split the block, or program RL or RR."
 
+K2605 Error "approach-radius" "radius of an approach or departure does not fit"
+"The point outside lies inside the circle of APPR LCT or DEP LCT, so that no line touches it, or the arc of a negative R is not larger than the tool. \
+R counts on the path of the tool centre. Start further away, or change R."
+
 K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
 If the target machine understands the same number, list it: `[output] pass_m = [25]`. Else take it out of the program."
@@ -400,8 +404,10 @@ K9002 Error "fk-unsupported" "free contour programming (FK) is not supported yet
 "FL, FLT, FC, FCT, FPOL and FSELECT describe a contour by partial data. partc reads them but does not solve them yet. \
 Most controls can convert an FK program to conventional blocks (CONVERT PROGRAM)."
 
-K9003 Error "approach-unsupported" "APPR and DEP are not supported yet"
-"The approach and departure functions depend on the tool radius and on the neighbouring contour elements; they are read but not computed yet."
+K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
+"LT, CT and LCT in Cartesian coordinates are supported, onto a contour with RL or RR that begins with a line or an arc by centre or radius. LN is not, \
+because the manuals leave open whether LEN counts from the contour or from the tool centre; the polar forms, R0, M functions and FMAX in these blocks are \
+not built. Program the approach as L and C blocks."
 
 K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
 "PLANE functions other than RESET, and cycle 19 with angles, turn the coordinate system in space. The output has no word for that on \
