@@ -90,6 +90,21 @@ pub fn cut_off(before: &Element, after: &Element, size: Size) -> Option<f64> {
     })
 }
 
+/// The largest part of `size` for which a corner fits, from 0 to 1.
+pub fn largest(before: &Element, after: &Element, size: Size, tol: f64) -> f64 {
+    if let Some(back) = cut_off(before, after, size) {
+        return (before.length().min(after.length()) / back).min(1.0);
+    }
+    let Size::Radius(radius) = size else { return 0.0 };
+    let (mut fits, mut large) = (0.0, 1.0);
+    // Each step halves what is not known.
+    for _ in 0..50 {
+        let middle = 0.5 * (fits + large);
+        if rounding(before, after, radius * middle, tol).is_ok() { fits = middle } else { large = middle }
+    }
+    fits
+}
+
 /// Chamfers the corner between two lines by a chamfer of `length`, the same angle to both.
 ///
 /// # Errors

@@ -112,6 +112,18 @@ pub struct Corner {
     pub early: bool,
     /// Asked for at every corner: where there is none, nothing is inserted and nothing is said.
     pub modal: bool,
+    pub large: LargeCorner,
+}
+
+/// What becomes of a corner that cuts off more than a neighbour has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LargeCorner {
+    /// The control refuses it.
+    Refuse,
+    /// The control makes it smaller, but its way is not documented: the user may choose ours.
+    Ask,
+    /// It is made as large as it fits.
+    Shorten,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]

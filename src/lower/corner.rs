@@ -3,7 +3,7 @@
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
-use crate::ir::contour::{Corner, CornerShape};
+use crate::ir::contour::{Corner, CornerShape, LargeCorner};
 use crate::ir::motion::{Arc, Path};
 use crate::ir::undercut::Undercut;
 use crate::ir::{Feed, Function, Origin};
@@ -13,6 +13,8 @@ use super::{at, undercut};
 
 /// How much an element may fall short of the cut, in mm: what rounding of the source loses.
 const SHORT: f64 = 1e-6;
+/// How much of a corner may be missing in any program, in mm: what a source rounded to three decimals loses.
+const HAIR: f64 = 1e-3;
 /// Functions that may stand between a corner and the element behind it.
 const MOST_BETWEEN: usize = 32;
 
@@ -127,7 +129,7 @@ impl Corners {
         }
         let (before, after) = (self.waiting, self.waiting ^ 1);
         let trimmed = std::mem::take(&mut self.trimmed);
-        match cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed) {
+        match cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed, diags) {
             Ok((shortened, inserted, rest)) => {
                 self.trimmed = true;
                 out(Event::Step(&shortened));
@@ -201,6 +203,7 @@ fn cut(
     corner: &Corner,
     origin: Origin,
     trimmed: bool,
+    diags: &Diags,
 ) -> Result<(Step, Option<Step>, Step), Box<Diagnostic>> {
     let plane = after.ctx.plane;
     let name = match corner.shape {
@@ -232,20 +235,39 @@ fn cut(
     let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
         return refuse(codes::G3007, format!("the start of the element before the {name} is not known"));
     };
-    let result = match corner.shape {
-        CornerShape::Rounding { radius } => corner::rounding(&a, &b, radius, SHORT),
-        CornerShape::Chamfer { side } => corner::chamfer(&a, &b, side, SHORT),
-        CornerShape::ChamferLength { length } => corner::chamfer_of_length(&a, &b, length, SHORT),
-        // Undercuts take another way, which puts in more than one element.
-        CornerShape::Undercut(_) => Err(NoCut::Degenerate),
-    };
+    let mut result = make(&a, &b, corner.shape);
+    if result == Err(NoCut::TooLarge)
+        && let Some(shape) = shortened(&a, &b, corner)
+    {
+        result = make(&a, &b, shape);
+        if result.is_ok() {
+            let less = extent(corner.shape) - extent(shape);
+            let message = if less <= HAIR {
+                format!("the {name} is {less:.6} mm larger than its neighbours allow; it is made so much smaller")
+            } else {
+                let made = length(extent(shape));
+                format!("{}; it is made with {made}", too_large(name, corner, &a, &b, trimmed))
+            };
+            diags.push(at(codes::G3025, origin, message));
+        }
+    }
     let made = match result {
         Ok(made) => made,
         Err(NoCut::TooLarge) => {
-            return refuse(codes::G3008, too_large(name, corner, &a, &b, trimmed));
+            let refused = refuse(codes::G3008, too_large(name, corner, &a, &b, trimmed));
+            if corner.large != LargeCorner::Ask {
+                return refused;
+            }
+            let help = "make the corner smaller, or the short element longer; the control makes it smaller by itself: \
+                        for a corner as large as it fits set `[control] large_corners = \"shorten\"`";
+            return refused.map_err(|found| Box::new(found.help(help)));
         }
         Err(NoCut::Arc) => return refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned()),
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
+        Err(NoCut::Degenerate) if trimmed && corner.large == LargeCorner::Shorten => {
+            let message = format!("the corner in front of the {name} left nothing of the element; it is left out");
+            return refuse(codes::G3025, message);
+        }
         Err(NoCut::Degenerate) => {
             return refuse(codes::G3007, format!("an element at the {name} has no length in the plane"));
         }
@@ -258,6 +280,47 @@ fn cut(
         return refuse(codes::G3024, format!("the {name} lies between two blocks at rapid traverse and has no feed"));
     }
     Ok(pieces(before, after, corner, origin, &made))
+}
+
+fn make(before: &Element, after: &Element, shape: CornerShape) -> Result<Cut, NoCut> {
+    match shape {
+        CornerShape::Rounding { radius } => corner::rounding(before, after, radius, SHORT),
+        CornerShape::Chamfer { side } => corner::chamfer(before, after, side, SHORT),
+        CornerShape::ChamferLength { length } => corner::chamfer_of_length(before, after, length, SHORT),
+        // Undercuts take another way, which puts in more than one element.
+        CornerShape::Undercut(_) => Err(NoCut::Degenerate),
+    }
+}
+
+/// The largest corner of this kind that fits; `None` where it may not be made smaller that far.
+#[cold]
+fn shortened(before: &Element, after: &Element, corner: &Corner) -> Option<CornerShape> {
+    let size = match corner.shape {
+        CornerShape::Rounding { radius } => Size::Radius(radius),
+        CornerShape::Chamfer { side } => Size::Side(side),
+        CornerShape::ChamferLength { length } => Size::Length(length),
+        CornerShape::Undercut(_) => return None,
+    };
+    let whole = extent(corner.shape);
+    let left = whole * corner::largest(before, after, size, SHORT);
+    if left <= SHORT || corner.large != LargeCorner::Shorten && whole - left > HAIR {
+        return None;
+    }
+    Some(match size {
+        Size::Radius(_) => CornerShape::Rounding { radius: left },
+        Size::Side(_) => CornerShape::Chamfer { side: left },
+        Size::Length(_) => CornerShape::ChamferLength { length: left },
+    })
+}
+
+/// The number that gives the size of a corner.
+fn extent(shape: CornerShape) -> f64 {
+    match shape {
+        CornerShape::Rounding { radius: size }
+        | CornerShape::Chamfer { side: size }
+        | CornerShape::ChamferLength { length: size } => size,
+        CornerShape::Undercut(_) => 0.0,
+    }
 }
 
 /// What a corner would need, and what there is.

@@ -205,6 +205,16 @@ impl Reader {
                     number(node).filter(|mm| *mm > 0.0).ok_or_else(|| node.fail("a clearance is above 0"))?;
                 control.turning.clearance = Some(clearance);
             }
+            "recess_side" => {
+                let plus = text(node) == "plus";
+                control.turning.recess_side = Some(if plus { RecessSide::Plus } else { RecessSide::Minus });
+            }
+            "recess_blank" => {
+                let radius = text(node) == "radius";
+                control.turning.recess_blank = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
+            }
+            "simple_thread" => control.turning.refuse_simple_thread = text(node) == "refuse",
+            "contour_words" => control.turning.refuse_contour_words = text(node) == "refuse",
             "tool_change_point" => control.turning.change_point = Some(change_point(node)?),
             "retract_max" => control.retract_max = number(node),
             "sd42440" => control.siemens.frame_offset_incremental = Some(flag(node)),
@@ -216,6 +226,7 @@ impl Reader {
                     control.siemens.circle_error_factor = value;
                 }
             }
+            "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),
         }

@@ -167,12 +167,37 @@ pub const SECTIONS: &[Section] = &[
                 Kind::Number,
                 "clearance of turning cycles in mm where the program sets none; 1 mm if not given",
             ),
+            key(
+                "recess_side",
+                Kind::Choice(&["plus", "minus"]),
+                "side of its corner, along Z, on which a wide recess of G86 lies; refused if not given",
+            ),
+            key("recess_blank", Kind::Choice(&["diameter", "radius"]), "what RI of G869 (blank oversize in X) counts")
+                .or(r#""diameter""#),
+            key(
+                "simple_thread",
+                Kind::Choice(&["documented", "refuse"]),
+                "G32 of turning programs: its words as in docs/turning.md, or refused",
+            )
+            .or(r#""documented""#),
+            key(
+                "contour_words",
+                Kind::Choice(&["documented", "refuse"]),
+                "contour in the words of G80: as in docs/turning.md, or refused",
+            )
+            .or(r#""documented""#),
             key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
             key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too"),
             key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm").or("0.01"),
             key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius")
                 .or("0.001"),
+            key(
+                "large_corners",
+                Kind::Choice(&["refuse", "shorten"]),
+                "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path",
+            )
+            .or(r#""refuse""#),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",

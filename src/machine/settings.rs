@@ -152,12 +152,21 @@ pub enum ArcChoice {
     ZeroIsFar,
 }
 
-/// What an incremental depth of a recess counts.
+/// What a depth or height of a recess counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RecessDepth {
     #[default]
     Diameter,
     Radius,
+}
+
+/// On which side of the programmed corner a recess of G86 lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecessSide {
+    /// Towards +Z.
+    Plus,
+    /// Towards -Z.
+    Minus,
 }
 
 /// What turning programs leave to the control.
@@ -169,6 +178,14 @@ pub struct Turning {
     pub clearance: Option<f64>,
     /// Machine coordinates of the tool change point: X as a diameter, Z, in mm.
     pub change_point: Option<(f64, f64)>,
+    /// Where a recess of G86 lies that is wider than the tool; `None` refuses it.
+    pub recess_side: Option<RecessSide>,
+    /// What RI of G869 counts.
+    pub recess_blank: RecessDepth,
+    /// G32, whose words no manual at hand lists, is refused.
+    pub refuse_simple_thread: bool,
+    /// A contour in the words of G80, which no manual at hand lists, is refused.
+    pub refuse_contour_words: bool,
 }
 
 /// `[control]`
@@ -213,6 +230,8 @@ pub struct Siemens {
     pub tool_change_by_t: Option<bool>,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
+    /// A chamfer or rounding that does not fit is made as large as it fits.
+    pub shorten_corners: bool,
 }
 
 impl Default for Siemens {
@@ -223,6 +242,7 @@ impl Default for Siemens {
             circle_error_factor: 0.001,
             tool_change_by_t: None,
             main_variables_visible: false,
+            shorten_corners: false,
         }
     }
 }

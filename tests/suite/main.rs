@@ -18,5 +18,7 @@ mod props;
 mod reader;
 mod rs274;
 mod sinumerik;
+mod sinumerik_alarms;
 mod sweep;
+mod turning_parameters;
 mod undercut;

@@ -5,7 +5,9 @@ use std::rc::Rc;
 use partc::diag::Diags;
 use partc::geo::undercut::{Allowance, Shape};
 use partc::geo::{Deg, Plane};
-use partc::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, Move, Path, Sink};
+use partc::ir::contour::{
+    Arc, ArcShape, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink,
+};
 use partc::ir::undercut::{Surface, Undercut, form_e, form_f, thread_by_contour};
 use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
 use partc::lower::Lower;
@@ -71,7 +73,17 @@ fn lower(
         lower.movement(mv, &ctx, &origin);
     }
     let feed = Some(Feed::PerRevolution(0.05));
-    lower.corner(&Corner { shape: CornerShape::Undercut(undercut), feed, early: false, modal: false }, &ctx, &origin);
+    lower.corner(
+        &Corner {
+            shape: CornerShape::Undercut(undercut),
+            feed,
+            early: false,
+            modal: false,
+            large: LargeCorner::Refuse,
+        },
+        &ctx,
+        &origin,
+    );
     for mv in after {
         lower.movement(mv, &ctx, &origin);
     }

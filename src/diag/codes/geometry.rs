@@ -34,6 +34,11 @@ G3008 Error "corner-too-large" "chamfer or rounding does not fit"
 "The corner would cut off more than a neighbouring element is long. Make the radius or chamfer smaller or the elements longer. \
 Where a short element has a corner at both ends, both have to fit on it."
 
+G3025 Warning "corner-shortened" "chamfer or rounding was made smaller"
+"The corner would cut off more than a neighbouring element is long, so it was made as large as the element allows: because what is missing \
+is less than 0.001 mm, which a source rounded to three decimals loses, or because `[control] large_corners` asks for it. SINUMERIK controls \
+shorten such corners without a word, in a way that is not documented. Check that the part may be so."
+
 G3009 Warning "corner-straight" "nothing to round or chamfer"
 "The elements before and after continue in the same direction, so there is no corner. Nothing is inserted, and the path is the one \
 without the block. Check whether the right corner was meant, else delete the block."
@@ -170,5 +175,11 @@ safe way. Check blank, contour and the position in front of the cycle."
 G3047 Error "roughing-contour" "contour cannot be roughed in parallel cuts"
 "Seen from where the cuts begin, the contour has to rise: what falls behind a part that stands higher could only be reached by plunging, and what \
 leans over not at all. Recesses and undercuts get cycles of their own."
+
+G3048 Error "finishing-way" "no free way to the contour or from it"
+"Before finishing the tool travels to the start of the contour at rapid traverse, and afterwards away from its end. The way has to keep clear of the contour. Position the tool in front of the start, or choose another way of retraction."
+
+G3049 Error "finishing-nose" "nose of the tool does not fit the contour"
+"The way of the nose runs parallel to the contour at its radius. Where a hollow, an inner corner between short elements or a recess is narrower than that, the tool would cut into the finished part. Take a smaller nose, or leave the narrow part out of the contour."
 
 }

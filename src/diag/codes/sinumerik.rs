@@ -225,6 +225,10 @@ S3007 Error "siemens-end-off-circle" "end point does not lie on the circle"
 "Start and end have the same distance from the centre, within MD 21000 (0.01 mm) or MD 21010 (a thousandth of the radius): alarm 14040. Check \
 start, end and centre; I, J and K count from the start point."
 
+S3008 Error "siemens-tangent" "CT has no tangent"
+"CT goes on in the direction of the block before, which has to travel in the working plane, and cannot turn back: alarm 14045. Put a line or an \
+arc in front of it, and the end point not straight behind the start."
+
 S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
 "Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \
 Put each comparison in brackets. The program is compiled as the control reads it."
@@ -271,7 +275,8 @@ S8013 Note "siemens-limits" "working-area limits are left out"
 "G25 and G26 set limits for axes or spindle speeds in the control. They are no moves and have no word on the target."
 
 S8014 Note "siemens-master" "another spindle is the master"
-"SETMS makes another spindle the master. Its speed and sense of rotation are printed as those of the main spindle."
+"SETMS makes another spindle the master: S, M3, M4, M5 and SPOS without a number are its words from here on and are printed with its number. \
+Feed per revolution, threads and G96 would follow it, too, and are refused: the target follows its first spindle."
 
 S8015 Note "siemens-channels" "channel words are left out"
 "INIT, START, WAITM and others synchronize programs in several channels. The output is for one channel; what the others do is not in it."
@@ -316,6 +321,10 @@ of the two was changed by hand. The blocks are compiled, as the control does."
 S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be checked"
 "The hidden records of this contour use elements that cannot be solved here. The NC blocks are compiled; nothing is lost but the check."
 
+S8029 Note "siemens-swivel-zero" "swivelling by nothing is left out"
+"CYCLE800 with angles, offsets and retraction of 0 leaves the plane where it is. Rotary axes stay where they are: the output has a machine in \
+mind whose plane is not swivelled."
+
 S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
 "The NC blocks of a contour of the contour editor are missing. Its hidden records determine it, so the blocks are made from them, at the feed that \
 is modal. Compare the result with the drawing."
@@ -339,7 +348,8 @@ S9006 Error "siemens-transformation" "transformation is not supported"
 "TRAORI, TRANSMIT, TRACYL, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine."
 
 S9007 Error "siemens-other-spindle" "word for another spindle"
-"Only speed and sense of rotation of further spindles can be printed. Look at the word that is marked, and at the value behind it."
+"Only speed and sense of rotation of further spindles can be printed. Feed per revolution, threads, tapping and G96 follow the master spindle \
+(SETMS); the target follows its first one, so they are refused while another is the master."
 
 S9008 Error "siemens-axis-motion" "axis motion that cannot be printed"
 "Positioning axes that run beside the path, and approaches of machine-fixed points, need data of the machine. Reference and fixed points can be \

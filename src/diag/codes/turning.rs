@@ -159,6 +159,18 @@ T2026 Note "turning-left-standing" "falling parts of the contour are left standi
 "Parts of the contour that fall behind a higher one can only be reached by plunging, which this cycle does not do on the control either. The cuts \
 end as if the contour went on level. Rough these parts with a cycle of their own."
 
+T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
+"Contour cycles compensate the radius of the nose. The program does not hold it: without tool data the programmed point of the tool follows the \
+contour, as if its radius were 0. Add `radius` and `orientation` of the tool to `[tools]` in partc.toml."
+
+T2028 Note "turning-descending-feed" "feed on descending elements is partc's choice"
+"Where E is missing the control lowers the feed on descending elements by up to a half, depending on their angle. partc takes half the feed on \
+all of them. Program E to set it."
+
+T2029 Note "turning-strokes-only" "recess is cut in strokes only"
+"G86 finishes a recess, with chamfers at its rims, when an oversize is programmed (I of a radial recess, K of an axial one). Without one partc cuts the \
+strokes to their full depth and leaves the rims sharp."
+
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
 `B0` a corner; a line by angle is fixed by one coordinate or by the next element."

@@ -84,7 +84,7 @@ impl Printer<'_> {
             Spindle::Stop => self.text.word(b"M5"),
             Spindle::Speed(speed) => {
                 let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                if std::mem::take(&mut self.constant_cut) {
+                if number.is_none() && std::mem::take(&mut self.constant_cut) {
                     self.text.word(b"G97");
                 }
                 self.text.number(b'S', units, self.places)

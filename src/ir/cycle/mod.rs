@@ -3,6 +3,7 @@
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
 pub mod drilling;
+pub mod finishing;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -14,6 +15,7 @@ use crate::geo::Plane;
 use super::Pos;
 
 pub use drilling::Drilling;
+pub use finishing::Finishing;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
@@ -22,6 +24,7 @@ pub use undercut::UndercutCycle;
 /// A machining cycle with all its arguments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cycle {
+    Finishing(Finishing),
     RecessTurning(RecessTurning),
     Roughing(Roughing),
     Thread(Thread),
@@ -35,6 +38,7 @@ impl Cycle {
     pub fn leaves(&self, at: &Pos) -> Pos {
         let mut end = *at;
         match self {
+            Cycle::Finishing(finishing) => finishing.leaves(&mut end),
             Cycle::RecessTurning(recess) => recess.leaves(&mut end),
             Cycle::Roughing(roughing) => roughing.leaves(&mut end),
             Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),

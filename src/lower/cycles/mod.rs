@@ -1,6 +1,7 @@
 //! Cycles become moves: one file per family.
 
 pub mod drilling;
+pub mod finishing;
 pub mod infeed;
 pub mod recess;
 pub mod roughing;
@@ -50,6 +51,7 @@ pub fn expand(
         return Err(report(Failure::new(codes::G3043, message, "position X and Z in front of the cycle"), origin));
     };
     match cycle {
+        Cycle::Finishing(cycle) => finishing::expand(cycle, from, &mut send),
         Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
         Cycle::Roughing(cycle) => roughing::expand(cycle, from, &mut send),
         Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),

@@ -65,6 +65,11 @@ impl Slope {
         Ok(Slope { chain: list, floor, top })
     }
 
+    /// The chain, falling towards +x.
+    pub fn chain(&self) -> &[Element] {
+        &self.chain
+    }
+
     /// The wall for a nose of `radius`, moved by `oversize`.
     pub fn wall(&self, radius: f64, oversize: Vec2) -> Result<Wall, NoWall> {
         let moved: Vec<Element> = self.chain.iter().map(|e| shifted(e, oversize)).collect();

@@ -93,6 +93,11 @@ impl View {
         View { swap: !into.is_radial(), along: if along < 0.0 { -1.0 } else { 1.0 }, out }
     }
 
+    /// The part as it is, for cycles that follow a contour.
+    pub fn plain() -> View {
+        View { swap: false, along: 1.0, out: 1.0 }
+    }
+
     /// A point of the part in the view.
     pub fn point(&self, p: Point2) -> Point2 {
         if self.swap {

@@ -26,6 +26,8 @@ pub struct Block {
     pub arms: Vec<Arm>,
     /// Variables of DEF, parameters of PROC and EXTERN.
     pub variables: Vec<Variable>,
+    /// LLI and ULI of DEF.
+    pub limits: [Option<f64>; 2],
 }
 
 impl Block {
@@ -41,6 +43,7 @@ impl Block {
         self.args.clear();
         self.arms.clear();
         self.variables.clear();
+        self.limits = [None; 2];
     }
 
     /// The operations of a formula.

@@ -266,6 +266,16 @@ impl<'a> Build<'a> {
         self.op(op);
     }
 
+    /// `LLI 0`, `ULI 10` of DEF; units and access rights (`PHU 5`, `APR 7`) mean nothing here.
+    pub fn limit(&mut self, start: u32, end: u32, value: f64) {
+        let name = Span { start, end }.of(self.text).to_ascii_uppercase();
+        match name.as_slice() {
+            b"LLI" => self.block.limits[0] = Some(value),
+            b"ULI" => self.block.limits[1] = Some(value),
+            _ => {}
+        }
+    }
+
     /// A text in quotes.
     pub fn text(&mut self, start: u32, end: u32) {
         self.op(Op::Text(Span { start: start + 1, end: end - 1 }));

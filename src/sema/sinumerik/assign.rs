@@ -1,27 +1,19 @@
-//! Assignments and declarations: DEF, SET and REP, macros, definition files.
+//! Assignments to variables, arrays and system variables; SET and REP.
 //!
 //! Source: reference sections 5.1 and 5.6.
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
-use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Stmt, Target, TypeName, Value, Variable, Word};
-use crate::parser::sinumerik::{SPLIT, parse_block};
+use crate::diag::codes;
+use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Target, TypeName, Value, Word};
 use crate::parser::symbols::Symbol;
-use crate::sema::exec::open_cursor;
-use crate::text::{Next, Request, Span};
+use crate::text::Span;
 
 use super::frames::Component;
-use super::value::{MOST_TEXT, NoValue, Val, type_name, whole};
-use super::vars::{MOST_ELEMENTS, MOST_R, Slot, Var};
+use super::value::{NoValue, Val, type_name, whole};
+use super::vars::{MOST_R, Slot, Var};
 use super::vocabulary::Meaning;
 use super::{Outcome, Reported, Run};
-
-/// Definition files that a control reads at power-on, if they stand beside the program.
-const DEFINITION_FILES: &[&str] =
-    &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
-/// Longest text of a macro.
-const MOST_MACRO: usize = 256;
 
 impl Run<'_> {
     /// `target = formula`
@@ -70,6 +62,13 @@ impl Run<'_> {
         }
         self.vars.set_r(n, value);
         Ok(())
+    }
+
+    fn variable_slot(&self, name: crate::parser::symbols::Symbol, span: Span) -> Outcome<Slot> {
+        match self.vars.find(name) {
+            Some(slot) => Ok(slot),
+            None => self.undefined(name, span),
+        }
     }
 
     /// Reads a target, for counting loops.
@@ -142,7 +141,10 @@ impl Run<'_> {
                         let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
                         self.write_indexed(slot, &indices, value, span)
                     }
-                    Base::Letter(_) => self.fail(codes::S1001, 12080, span, "this takes no value"),
+                    Base::Letter(letter) => match self.letter_variable(letter) {
+                        Some(slot) => self.write_indexed(slot, &indices, value, span),
+                        None => self.fail(codes::S1001, 12080, span, "this takes no value"),
+                    },
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
@@ -177,7 +179,7 @@ impl Run<'_> {
 
     fn write_element(&mut self, slot: Slot, indices: &[i32], value: Val, span: Span) -> Outcome {
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
-        let (kind, length) = (var.kind, var.length);
+        let (kind, length, limits) = (var.kind, var.length, var.limits);
         let Some(at) = var.offset(indices) else {
             let message = if var.sizes.is_empty() {
                 "the variable is no array".to_owned()
@@ -188,6 +190,7 @@ impl Run<'_> {
         };
         let value = self.converted(&value, kind, span)?;
         self.check_length(&value, length, span)?;
+        self.check_limits(&value, limits, [17080, 17090], span)?;
         if let Some(var) = self.vars.get_mut(slot)
             && let Some(element) = var.values.get_mut(at)
         {
@@ -198,7 +201,21 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn check_length(&self, value: &Val, length: usize, span: Span) -> Outcome {
+    /// LLI and ULI; the alarms are those below and above.
+    pub(super) fn check_limits(&self, value: &Val, limits: [Option<f64>; 2], alarms: [u32; 2], span: Span) -> Outcome {
+        let Some(number) = value.number() else { return Ok(()) };
+        match limits {
+            [Some(least), _] if number < least => {
+                self.fail(codes::S2029, alarms[0], span, format!("{number} is below the limit LLI {least}"))
+            }
+            [_, Some(most)] if number > most => {
+                self.fail(codes::S2029, alarms[1], span, format!("{number} is above the limit ULI {most}"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn check_length(&self, value: &Val, length: usize, span: Span) -> Outcome {
         match value {
             Val::Text(text) if text.len() > length => {
                 let message = format!("the text has {} characters, the variable takes {length}", text.len());
@@ -210,15 +227,20 @@ impl Run<'_> {
 
     /// A value as one of another type.
     pub(super) fn converted(&self, value: &Val, kind: TypeName, span: Span) -> Outcome<Val> {
+        self.converted_or(value, kind, span, [12150, 12560])
+    }
+
+    /// The same with the alarms for a wrong type and a value out of range.
+    pub(super) fn converted_or(&self, value: &Val, kind: TypeName, span: Span, alarms: [u32; 2]) -> Outcome<Val> {
         match value.converted(kind) {
             Ok(value) => Ok(value),
             Err(NoValue::Type) => {
                 let message = format!("{} does not become {}", value.what(), type_name(kind));
-                self.fail(codes::S2005, 12150, span, message)
+                self.fail(codes::S2005, alarms[0], span, message)
             }
             Err(NoValue::Range) => {
                 let message = format!("the value lies outside what {} holds", type_name(kind));
-                self.fail(codes::S2029, 12560, span, message)
+                self.fail(codes::S2029, alarms[1], span, message)
             }
         }
     }
@@ -226,7 +248,7 @@ impl Run<'_> {
     // Lists of values.
 
     /// The values of `SET(…)`, `(…)` or `REP(…)`; `None` for anything else.
-    fn list_of(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Option<Fill>> {
+    pub(super) fn list_of(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Option<Fill>> {
         match block.formula(formula) {
             [inner @ .., Op::List(_)] => {
                 let inner = formula_part(formula, inner.len());
@@ -283,18 +305,22 @@ impl Run<'_> {
     }
 
     fn fill_target(&mut self, target: Target, fill: &Fill, span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let (name, indices) = match target {
-            Target::Name(name) | Target::Numbered(_, _, name) => (name, Vec::new()),
-            Target::Indexed(Base::Name(name), args) => {
-                let mut values = Vec::new();
-                for formula in block.arguments(args).to_vec() {
-                    values.push(self.eval(formula, block, text)?);
-                }
-                (name, self.indices(&values, span)?)
+        let (slot, args) = match target {
+            Target::Name(name) | Target::Numbered(_, _, name) => (self.variable_slot(name, span)?, None),
+            Target::Indexed(Base::Name(name), args) => (self.variable_slot(name, span)?, Some(args)),
+            Target::Indexed(Base::Letter(letter), args) if self.letter_variable(letter).is_some() => {
+                (self.letter_variable(letter).ok_or(Reported)?, Some(args))
+            }
+            Target::Letter(letter) if self.letter_variable(letter).is_some() => {
+                (self.letter_variable(letter).ok_or(Reported)?, None)
             }
             _ => return self.fail(codes::S2005, 12150, span, "a list of values fills an array"),
         };
-        let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
+        let mut values = Vec::new();
+        for formula in args.map(|args| block.arguments(args).to_vec()).unwrap_or_default() {
+            values.push(self.eval(formula, block, text)?);
+        }
+        let indices = self.indices(&values, span)?;
         let Some(var) = self.vars.get(slot).cloned() else { return Err(Reported) };
         let start = if indices.is_empty() { Some(0) } else { var.offset(&indices) };
         let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
@@ -307,7 +333,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn filled(&self, var: &Var, start: usize, fill: &Fill, span: Span) -> Outcome<Var> {
+    pub(super) fn filled(&self, var: &Var, start: usize, fill: &Fill, span: Span) -> Outcome<Var> {
         let mut made = var.clone();
         made.written = true;
         let room = made.values.len() - start.min(made.values.len());
@@ -333,271 +359,6 @@ impl Run<'_> {
             }
         }
         Ok(made)
-    }
-
-    // Declarations.
-
-    pub(super) fn def_block(
-        &mut self,
-        kind: TypeName,
-        length: Option<Formula>,
-        global: bool,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        if self.program_level().executed && !global {
-            return self.fail_help(
-                codes::S2015,
-                14500,
-                block.span,
-                "DEF stands behind executed blocks",
-                "move it to the top of the program",
-            );
-        }
-        let length = match length {
-            Some(formula) => {
-                let n = self.number(formula, block, text)?;
-                match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= MOST_TEXT) {
-                    Some(n) => n,
-                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 400 characters"),
-                }
-            }
-            None if kind == TypeName::String => 32,
-            None => MOST_TEXT,
-        };
-        let mut result = Ok(());
-        for variable in block.variables.clone() {
-            if let Err(reported) = self.define(variable, kind, length, global, block, text) {
-                result = Err(reported);
-            }
-        }
-        result
-    }
-
-    fn define(
-        &mut self,
-        variable: Variable,
-        kind: TypeName,
-        length: usize,
-        global: bool,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let Some(name) = variable.name else { return Ok(()) };
-        let word = self.symbols.name(name).to_owned();
-        let defined = self.loc(variable.span);
-        if let Some(first) = self.vars.of_level(name).map(|var| var.defined).filter(|first| *first != defined) {
-            let found = Diagnostic::new(codes::S2016, defined, format!("`{word}` is defined twice (alarm 12170)"));
-            self.report(found.also(first, "the first definition").help("rename one of them"));
-            return Err(Reported);
-        }
-        let taken = match self.meaning(name) {
-            Meaning::Axis(axis) if self.st.geometry_axes.contains(&axis) => Some("a geometry axis"),
-            Meaning::Code(_) => Some("a word of the language"),
-            _ => None,
-        };
-        if let Some(what) = taken {
-            let message = format!("`{word}` is {what} and cannot be a variable");
-            return self.fail_help(codes::S2016, 12170, variable.span, message, "choose another name");
-        }
-        let mut sizes = Vec::new();
-        for formula in block.arguments(variable.sizes).to_vec() {
-            let n = self.number(formula, block, text)?;
-            match whole(n).and_then(|n| u32::try_from(n).ok()).filter(|n| (1..=MOST_ELEMENTS).contains(n)) {
-                Some(n) => sizes.push(n),
-                None => {
-                    return self.fail(
-                        codes::S2018,
-                        12430,
-                        formula.span,
-                        "an array has 1 to 32767 elements in a direction",
-                    );
-                }
-            }
-        }
-        if sizes.len() > 3 {
-            return self.fail(codes::S2018, 12190, variable.span, "an array has at most three directions");
-        }
-        let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
-        if count > u64::from(MOST_ELEMENTS) * 4 {
-            return self.fail(codes::S2018, 12380, variable.span, format!("{count} elements are too many"));
-        }
-        // Making them is work.
-        self.budget.take(count / 64);
-        let values = vec![Val::zero(kind); count as usize];
-        let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false };
-        if let Some(formula) = variable.value {
-            if kind == TypeName::Frame {
-                return self.fail(codes::S2017, 12261, formula.span, "a FRAME cannot be given a value by DEF");
-            }
-            var = self.started(var, formula, block, text)?;
-        }
-        if !self.vars.define(name, var, global) {
-            return self.fail(codes::S2018, 12380, variable.span, "the variables of the program are too large");
-        }
-        Ok(())
-    }
-
-    fn started(&mut self, mut var: Var, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Var> {
-        if let Some(fill) = self.list_of(formula, block, text)? {
-            return self.filled(&var, 0, &fill, formula.span);
-        }
-        let value = self.eval(formula, block, text)?;
-        let value = self.converted(&value, var.kind, formula.span)?;
-        self.check_length(&value, var.length, formula.span)?;
-        // A single value fills the first element.
-        if let Some(first) = var.values.first_mut() {
-            *first = value;
-        }
-        Ok(var)
-    }
-
-    // Macros.
-
-    /// `NAME AS words`
-    pub(super) fn define_macro(&mut self, rest: &[u8], span: Span) -> Outcome {
-        let rest = rest.trim_ascii();
-        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
-        let (name, body) = rest.split_at(len);
-        let body = body.trim_ascii_start();
-        let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
-        if len == 0 || !keyword {
-            return self.fail_help(
-                codes::S1001,
-                12080,
-                span,
-                "a macro is written DEFINE NAME AS words",
-                "DEFINE M_START AS M3 S1000",
-            );
-        }
-        let body = body[2..].trim_ascii();
-        if body.len() > MOST_MACRO {
-            return self.fail(codes::S2030, 12280, span, "the text of a macro has at most 256 characters");
-        }
-        let symbol = self.symbols.intern(name);
-        if let Some(message) = self.macro_in_use(symbol) {
-            return self.fail_help(codes::S2016, 12270, span, message, "choose a name that means nothing yet");
-        }
-        if self.vars.find(symbol).is_some() {
-            let message = format!("`{}` is a variable already", self.symbols.name(symbol));
-            return self.fail(codes::S2016, 12270, span, message);
-        }
-        if self.macros.insert(symbol, body.into()).as_deref() != Some(body) {
-            // Blocks that were read before may contain the name.
-            for file in &mut self.programs.files {
-                file.cache = Default::default();
-            }
-        }
-        Ok(())
-    }
-
-    /// A macro must not give a word of the language another meaning.
-    fn macro_in_use(&mut self, symbol: Symbol) -> Option<String> {
-        let word = self.symbols.name(symbol).to_owned();
-        let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
-        let taken = match (word.as_bytes().first(), digits) {
-            (Some(b'G'), Some(digits)) => {
-                digits.len() > 3 || digits.parse().ok().is_some_and(|n: f64| self.gcodes.get(n).is_some())
-            }
-            (Some(b'M'), Some(digits)) => {
-                let number: Option<u32> = digits.parse().ok();
-                digits.len() > 2 || number.is_some_and(|n| n <= 9 || n == 17 || n == 19 || n == 30)
-            }
-            (Some(b'H'), Some(_)) => false,
-            (Some(_), Some(_)) => true,
-            _ => word.len() == 1 || self.meaning(symbol) != Meaning::Unknown || is_keyword(&word),
-        };
-        taken.then(|| format!("`{word}` is a word of the language"))
-    }
-
-    /// The block with its macros replaced; `None` if it has none.
-    pub(super) fn expanded(&mut self, text: &[u8]) -> Option<Vec<u8>> {
-        let mut current = self.replaced(text)?;
-        // Macros in macros, with an end to it.
-        for _ in 0..8 {
-            match self.replaced(&current) {
-                Some(next) => current = next,
-                None => break,
-            }
-        }
-        Some(current)
-    }
-
-    fn replaced(&mut self, text: &[u8]) -> Option<Vec<u8>> {
-        let end = crate::lexer::sinumerik::comment_start(text).unwrap_or(text.len());
-        if text.get(..end)?.windows(6).any(|w| w.eq_ignore_ascii_case(b"DEFINE")) {
-            return None;
-        }
-        let mut out = Vec::new();
-        let mut any = false;
-        let mut at = 0;
-        while at < end {
-            let byte = text[at];
-            if byte == b'"' {
-                let close = text[at + 1..end].iter().position(|b| *b == b'"').map_or(end, |n| at + n + 2);
-                out.extend_from_slice(&text[at..close]);
-                at = close;
-                continue;
-            }
-            let len = text[at..end].iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
-            if len == 0 {
-                out.push(byte);
-                at += 1;
-                continue;
-            }
-            let word = &text[at..at + len];
-            let upper = word.to_ascii_uppercase();
-            let known = std::str::from_utf8(&upper).ok().and_then(|name| self.symbols.find(name));
-            match known.and_then(|symbol| self.macros.get(&symbol)) {
-                Some(body) if out.len() + body.len() <= 4 * MOST_MACRO => {
-                    out.extend_from_slice(body);
-                    any = true;
-                }
-                _ => out.extend_from_slice(word),
-            }
-            at += len;
-        }
-        out.extend_from_slice(&text[end..]);
-        any.then_some(out)
-    }
-
-    // Definition files.
-
-    /// True if the definition files were read before; otherwise reads them now.
-    pub(super) fn definitions_known(&mut self) -> bool {
-        if std::mem::replace(&mut self.definitions_read, true) {
-            return true;
-        }
-        let identity = self.job.sources.identity(self.job.main);
-        let mut any = false;
-        for name in DEFINITION_FILES {
-            let request = Request { from: &identity, name, extensions: &["DEF"] };
-            let Ok(opened) = self.job.files.open(&request) else { continue };
-            let Some(file) = self.job.sources.add(opened) else { continue };
-            any = true;
-            self.read_definitions(file);
-        }
-        !any
-    }
-
-    fn read_definitions(&mut self, file: crate::text::FileId) {
-        let Some(mut cursor) = open_cursor(&self.job, file, SPLIT, self.here.origin.loc) else { return };
-        let here = self.here;
-        let mut block = Block::default();
-        while let Ok(Next::Block(found)) = cursor.next(self.job.sources) {
-            let (at, line, text) = (found.at, found.line, found.text.to_vec());
-            parse_block(&text, &mut block, &mut self.symbols, &mut self.problems);
-            self.here = crate::sema::here::Here::new(file, at, line, 1, here.origin.call);
-            self.here.origin.loc.span = block.span.shifted(at);
-            self.report_problems();
-            let _ = match block.stmt {
-                Stmt::Def { kind, length, .. } => self.def_block(kind, length, true, &block, &text),
-                Stmt::Define(span) => self.define_macro(span.of(&text), span),
-                Stmt::Empty | Stmt::Header | Stmt::Bad | Stmt::Redef(_) | Stmt::Words => Ok(()),
-                _ => self.fail(codes::S2013, 12500, block.span, "a definition file holds DEF and DEFINE only"),
-            };
-        }
-        self.here = here;
     }
 
     /// A component of a frame: `[X,TR]`.
@@ -661,16 +422,8 @@ impl Run<'_> {
     }
 }
 
-/// Words of control structures and declarations.
-fn is_keyword(word: &str) -> bool {
-    const KEYWORDS: &str = "IF ELSE ENDIF WHILE ENDWHILE FOR TO ENDFOR LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS \
-        CASE OF DEFAULT DEF REDEF PROC EXTERN DEFINE VAR CALL PCALL MCALL EXTCALL ISOCALL BLOCK NOT AND OR XOR B_NOT B_AND B_OR B_XOR \
-        DIV MOD TRUE FALSE INT REAL BOOL CHAR STRING AXIS FRAME SAVE";
-    KEYWORDS.split_ascii_whitespace().any(|keyword| keyword == word)
-}
-
 /// What fills an array.
-enum Fill {
+pub(super) enum Fill {
     Set(Vec<Val>),
     Repeat(Val, Option<usize>),
 }

@@ -3,7 +3,7 @@
 //! Source: reference section 5.6.
 
 use crate::diag::{CallPath, Diagnostic, codes};
-use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op, TypeName, Variable};
+use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::exec::open_program;
 use crate::text::blocks::Place;
@@ -11,8 +11,8 @@ use crate::text::{FileError, Loc, Request, Span};
 
 use super::programs::{UnitKind, bare_name};
 use super::state::Saved;
-use super::value::{Val, type_name};
-use super::vars::{Slot, Var};
+use super::value::Val;
+use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
 /// A level of the call stack.
@@ -201,53 +201,6 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    /// Evaluates the arguments of a call.
-    pub(super) fn arguments(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Vec<Argument>> {
-        let formulas: Vec<Formula> = block.arguments(args).to_vec();
-        let mut list = Vec::with_capacity(formulas.len());
-        for formula in formulas {
-            let reference = self.reference(formula, block, text)?;
-            let array = match reference {
-                Some(Reference::Variable(slot)) => self.vars.get(slot).is_some_and(|var| !var.sizes.is_empty()),
-                _ => false,
-            };
-            let value = if array { Val::Missing } else { self.eval(formula, block, text)? };
-            list.push(Argument { value, reference, loc: self.loc(formula.span) });
-        }
-        Ok(list)
-    }
-
-    /// The variable that a formula is, if it is nothing else.
-    fn reference(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Option<Reference>> {
-        Ok(match block.formula(formula) {
-            [Op::R(n, _)] => Some(Reference::R(*n)),
-            [Op::Name(name, _)] => self.known_variable(*name).map(Reference::Variable),
-            [indices @ .., Op::Index(base, count, span)] if indices.len() == *count as usize => {
-                let mut values = Vec::with_capacity(indices.len());
-                for op in indices {
-                    let one = Block { ops: vec![*op], ..Block::default() };
-                    let formula = Formula { from: 0, to: 1, span: *span };
-                    values.push(self.eval(formula, &one, text)?);
-                }
-                match base {
-                    crate::parser::sinumerik::ast::Base::Letter(b'R') => {
-                        Some(Reference::R(self.r_index(&values, *span)?))
-                    }
-                    crate::parser::sinumerik::ast::Base::Name(name) => match self.vars.find(*name) {
-                        Some(slot) => {
-                            let indices = self.indices(&values, *span)?;
-                            let offset = self.vars.get(slot).and_then(|var| var.offset(&indices));
-                            offset.map(|at| Reference::Element(slot, at))
-                        }
-                        None => None,
-                    },
-                    _ => None,
-                }
-            }
-            _ => None,
-        })
-    }
-
     /// Calls a program.
     pub(super) fn call_unit(&mut self, unit: usize, arguments: Vec<Argument>, passes: u32, modal: bool) -> Outcome {
         self.call_part(unit, arguments, passes, modal, None)
@@ -292,6 +245,17 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Leaves the current program without its further passes. Returns where in the caller it was called.
+    pub(super) fn leave_for_good(&mut self) -> u32 {
+        let mut called = 0;
+        if let LevelKind::Program { passes, site, .. } = &mut self.program_level().kind {
+            *passes = 1;
+            called = site.span.start;
+        }
+        self.leave_program();
+        called
+    }
+
     /// The current program is over: M17, RET, its end of file.
     pub(super) fn leave_program(&mut self) {
         while matches!(self.level().kind, LevelKind::Section { .. }) {
@@ -327,220 +291,6 @@ impl Run<'_> {
         let cursor = &mut self.programs.files[caller].cursor;
         if cursor.place() != back {
             let _ = cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, back));
-        }
-    }
-
-    fn give_back(&mut self, references: &[(Symbol, Reference)]) {
-        for (name, reference) in references {
-            let Some(value) = self.vars.of_level(*name).and_then(|var| var.values.first()).cloned() else { continue };
-            match *reference {
-                Reference::R(n) => self.vars.set_r(n, value.number().unwrap_or(0.0)),
-                Reference::Variable(slot) => {
-                    if let Some(first) = self.vars.get_mut(slot).and_then(|var| var.values.first_mut()) {
-                        *first = value;
-                    }
-                }
-                Reference::Element(slot, at) => {
-                    if let Some(element) = self.vars.get_mut(slot).and_then(|var| var.values.get_mut(at)) {
-                        *element = value;
-                    }
-                }
-            }
-        }
-    }
-
-    /// PROC: the arguments of the call become variables.
-    pub(super) fn proc_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let level = self.program_level();
-        if level.executed {
-            return self.fail(codes::S2015, 14500, block.span, "PROC stands behind executed blocks");
-        }
-        let arguments = level.arguments.take().unwrap_or_default();
-        let in_main = matches!(level.kind, LevelKind::Main);
-        let save = block.words.iter().any(|word| match word.target {
-            crate::parser::sinumerik::ast::Target::Name(name) => self.symbols.name(name) == "SAVE",
-            _ => false,
-        });
-        if save {
-            let state = self.save();
-            if let LevelKind::Program { saved, .. } = &mut self.program_level().kind {
-                *saved = Some(Box::new(state));
-            }
-        }
-        if arguments.len() > block.variables.len() {
-            let loc = arguments[block.variables.len()].loc;
-            let count = block.variables.len();
-            let found =
-                Diagnostic::new(codes::S2021, loc, format!("the program takes {count} arguments (alarm 12340)"));
-            self.report(found.also(self.loc(block.span), "its parameters"));
-            return Err(Reported);
-        }
-        let mut arguments = arguments.into_iter();
-        let mut result = Ok(());
-        for variable in block.variables.clone() {
-            let argument = arguments.next();
-            if self.parameter(variable, argument, in_main, block, text).is_err() {
-                self.lose_parameter(variable);
-                result = Err(Reported);
-            }
-        }
-        result
-    }
-
-    fn parameter(
-        &mut self,
-        variable: Variable,
-        argument: Option<Argument>,
-        in_main: bool,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let Some(name) = variable.name else {
-            return self.fail(codes::S2021, 12080, variable.span, "a parameter of PROC needs a name");
-        };
-        let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
-        if variable.by_reference {
-            return self.reference_parameter(name, variable, given, in_main);
-        }
-        let shown = self.symbols.name(name).to_owned();
-        let value = match (given, variable.value) {
-            (Some(argument), _) => match argument.value.converted(variable.kind) {
-                Ok(value) => value,
-                Err(_) => {
-                    let message = format!(
-                        "parameter {shown} is {}, the argument is {} (alarm 12330)",
-                        type_name(variable.kind),
-                        argument.value.what()
-                    );
-                    self.report(Diagnostic::new(codes::S2021, argument.loc, message));
-                    return Err(Reported);
-                }
-            },
-            (None, Some(formula)) => {
-                let value = self.eval(formula, block, text)?;
-                self.converted(&value, variable.kind, formula.span)?
-            }
-            (None, None) if variable.kind == TypeName::Axis && !in_main => {
-                return self.missing_argument(&shown, 12310);
-            }
-            (None, None) => Val::zero(variable.kind),
-        };
-        let length = match variable.length {
-            Some(formula) => self.number(formula, block, text)? as usize,
-            None => super::value::MOST_TEXT,
-        };
-        let var = Var {
-            kind: variable.kind,
-            sizes: Vec::new(),
-            values: vec![value],
-            length,
-            defined: self.loc(variable.span),
-            lost: false,
-            written: true,
-        };
-        self.vars.define(name, var, false);
-        self.given_parameters.push((name, given.is_some()));
-        Ok(())
-    }
-
-    /// A parameter whose argument was refused: what reads it is not reported again.
-    fn lose_parameter(&mut self, variable: Variable) {
-        let Some(name) = variable.name else { return };
-        let var = Var {
-            kind: variable.kind,
-            sizes: Vec::new(),
-            values: vec![Val::zero(variable.kind)],
-            length: super::value::MOST_TEXT,
-            defined: self.loc(variable.span),
-            lost: true,
-            written: true,
-        };
-        self.vars.define(name, var, false);
-    }
-
-    fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
-        let LevelKind::Program { site, .. } = self.program_level().kind else { return Ok(()) };
-        let message = format!("the argument for parameter {name} is missing (alarm {alarm})");
-        self.report(
-            Diagnostic::new(codes::S2021, site, message).help("give a variable; this parameter has no default"),
-        );
-        Err(Reported)
-    }
-
-    fn reference_parameter(
-        &mut self,
-        name: Symbol,
-        variable: Variable,
-        given: Option<&Argument>,
-        in_main: bool,
-    ) -> Outcome {
-        let shown = self.symbols.name(name).to_owned();
-        let Some(argument) = given else {
-            if in_main {
-                self.lose_parameter(variable);
-                return self.fail_help(
-                    codes::S2021,
-                    12300,
-                    variable.span,
-                    format!("parameter {shown} is VAR: the program needs a caller"),
-                    "compile the program that calls it",
-                );
-            }
-            return self.missing_argument(&shown, 12300);
-        };
-        let Some(reference) = argument.reference else {
-            let message = format!("parameter {shown} is VAR and needs a variable (alarm 12320)");
-            self.report(Diagnostic::new(codes::S2021, argument.loc, message).help("a formula cannot take the result"));
-            return Err(Reported);
-        };
-        let (kind, array) = match reference {
-            Reference::R(_) => (TypeName::Real, false),
-            Reference::Variable(slot) | Reference::Element(slot, _) => {
-                let Some(var) = self.vars.get(slot) else { return Err(Reported) };
-                (var.kind, matches!(reference, Reference::Variable(_)) && !var.sizes.is_empty())
-            }
-        };
-        let wants_array = variable.open || variable.sizes.count > 0;
-        if kind != variable.kind || array != wants_array {
-            let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
-            let message = format!(
-                "parameter {shown} is VAR {}, the argument is {} (alarm 12330)",
-                what(variable.kind, wants_array),
-                what(kind, array)
-            );
-            self.report(Diagnostic::new(codes::S2021, argument.loc, message).help("both need the same type"));
-            return Err(Reported);
-        }
-        if let Reference::Variable(slot @ Slot::Local(_)) = reference {
-            self.vars.bind(name, slot);
-            return Ok(());
-        }
-        let var = match reference {
-            Reference::Variable(slot) => self.vars.get(slot).cloned(),
-            _ => None,
-        };
-        let var = var.unwrap_or_else(|| Var {
-            kind,
-            sizes: Vec::new(),
-            values: vec![argument.value.clone()],
-            length: super::value::MOST_TEXT,
-            defined: argument.loc,
-            lost: false,
-            written: true,
-        });
-        self.vars.define(name, var, false);
-        if let LevelKind::Program { references, .. } = &mut self.program_level().kind {
-            references.push((name, reference));
-        }
-        Ok(())
-    }
-
-    /// A call waits for a PROC that does not come.
-    pub(super) fn refuse_arguments(&mut self) {
-        if let Some(argument) = self.program_level().arguments.take().and_then(|list| list.into_iter().next()) {
-            let message = "arguments are given, but the program has no PROC (alarm 14510)";
-            let found = Diagnostic::new(codes::S2021, argument.loc, message);
-            self.report(found.help("write `PROC NAME(…)` as the first block of the called program"));
         }
     }
 

@@ -16,7 +16,7 @@ use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
 
 /// Points closer than this are the same, in mm: half the last digit of a program.
-const SAME: f64 = 5e-5;
+pub(super) const SAME: f64 = 5e-5;
 /// Most extra turns of a helix.
 const MOST_TURNS: f64 = 999.0;
 
@@ -171,7 +171,7 @@ impl Run<'_> {
         Ok(best.filter(|point| near(point) <= 10.0 * off + 1e-6).unwrap_or(center))
     }
 
-    fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Option<Feed>, span: Span) -> Outcome {
+    pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Option<Feed>, span: Span) -> Outcome {
         if let Some(third) =
             AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.pos.get(*axis).is_none())
         {
@@ -199,7 +199,7 @@ impl Run<'_> {
     }
 
     /// Where the arc starts.
-    fn start_in(&mut self, plane: Plane, w: &Words) -> Outcome<Point2> {
+    pub(super) fn start_in(&mut self, plane: Plane, w: &Words) -> Outcome<Point2> {
         if let Some(start) = self.st.pos.in_plane(plane) {
             return Ok(start);
         }
@@ -210,7 +210,7 @@ impl Run<'_> {
     }
 
     /// The end in the plane; coordinates that are not named stay.
-    fn end_in(&self, end: &Pos, plane: Plane, start: Point2) -> Point2 {
+    pub(super) fn end_in(&self, end: &Pos, plane: Plane, start: Point2) -> Point2 {
         let (first, second, _) = plane.axes();
         Point2::new(end.get(Axis::ALL[first]).unwrap_or(start.x), end.get(Axis::ALL[second]).unwrap_or(start.y))
     }
@@ -277,7 +277,7 @@ impl Run<'_> {
         Ok(Deg(if ccw { ar.value } else { -ar.value }))
     }
 
-    fn turns(&self, w: &mut Words) -> Outcome<u32> {
+    pub(super) fn turns(&self, w: &mut Words) -> Outcome<u32> {
         let Some(turn) = w.take(Address::Turn) else { return Ok(0) };
         if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
             let message = format!("TURN={} is no number of turns", turn.value);
@@ -409,18 +409,5 @@ impl Run<'_> {
             );
         }
         self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
-    }
-
-    /// CT
-    pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
-        let plane = self.st.plane();
-        let feed = self.path_feed(w, false)?;
-        let turns = self.turns(w)?;
-        let start = self.start_in(plane, w)?;
-        let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
-        let mut end = if polar { self.polar_end(w)? } else { self.targets(w)? };
-        let to = self.end_in(&end, plane, start);
-        end.set_in_plane(plane, to);
-        self.send_arc(&end, Arc { plane, shape: ArcShape::Tangent, turns }, feed, Span::default())
     }
 }

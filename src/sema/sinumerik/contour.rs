@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
-use crate::ir::contour::{Coords, Corner, CornerShape, EndPoint, Move, Path};
+use crate::ir::contour::{Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -26,7 +26,7 @@ pub(super) struct Pending {
     feed: Option<Feed>,
     side: Side,
     corner: Option<Corner>,
-    origin: Origin,
+    pub(super) origin: Origin,
     /// What the program did since; it comes behind the line.
     functions: Vec<(Function, Origin)>,
 }
@@ -329,7 +329,12 @@ impl Run<'_> {
             CornerShape::ChamferLength { length } => length,
             CornerShape::Undercut(_) => 0.0,
         };
-        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit }))
+        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large: self.large_corner() }))
+    }
+
+    /// What the control does with a corner that does not fit.
+    pub(super) fn large_corner(&self) -> LargeCorner {
+        if self.job.settings.control.siemens.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
     }
 
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {

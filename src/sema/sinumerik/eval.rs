@@ -133,6 +133,10 @@ impl Run<'_> {
         if let Some(value) = constant(word) {
             return Ok(value);
         }
+        // Names of machine axes (MD 10000), which index machine data.
+        if word.strip_prefix("AX").is_some_and(|n| n.parse::<u8>().is_ok_and(|n| (1..=31).contains(&n))) {
+            return Ok(Val::text(word.as_bytes()));
+        }
         self.undefined(name, span)
     }
 
@@ -204,21 +208,28 @@ impl Run<'_> {
                 let n = self.r_index(args, span)?;
                 self.r_value(n, span)
             }
-            Base::Letter(letter) => {
-                let message = format!("`{}` has no index here", letter as char);
-                self.fail(codes::S1001, 12080, span, message)
-            }
+            Base::Letter(letter) => match self.letter_variable(letter) {
+                Some(slot) => self.indexed_variable(slot, args, span),
+                None => {
+                    let message = format!("`{}` has no index here", letter as char);
+                    self.fail(codes::S1001, 12080, span, message)
+                }
+            },
             Base::System(name) => self.system_value(name, args, span),
             Base::Name(name) => {
                 let Some(slot) = self.known_variable(name) else { return self.undefined(name, span) };
-                self.warn_of_global(slot, span);
-                if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
-                    return self.frame_component(&frame, args, span);
-                }
-                let indices = self.indices(args, span)?;
-                self.element_or_character(slot, &indices, span)
+                self.indexed_variable(slot, args, span)
             }
         }
+    }
+
+    fn indexed_variable(&mut self, slot: Slot, args: &[Val], span: Span) -> Outcome<Val> {
+        self.warn_of_global(slot, span);
+        if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
+            return self.frame_component(&frame, args, span);
+        }
+        let indices = self.indices(args, span)?;
+        self.element_or_character(slot, &indices, span)
     }
 
     /// `S[2]` of a text is its third character.
@@ -266,7 +277,16 @@ impl Run<'_> {
             ),
             Count(takes) => self.fail(codes::S2021, 14021, span, format!("{word} takes {takes}")),
             Type => self.fail(codes::S2005, 12150, span, format!("{word} does not take a value of this type")),
-            Domain(why) => self.fail(codes::S2006, 14051, span, format!("{word}: {why}")),
+            Domain(why) => {
+                let alarm = match word.as_str() {
+                    "SPRINT" => 14065,
+                    "RTOI" | "BTOI" => 14096,
+                    "AXNAME" => 14097,
+                    "NUMBER" => 14098,
+                    _ => 14051,
+                };
+                self.fail(codes::S2006, alarm, span, format!("{word}: {why}"))
+            }
         }
     }
 

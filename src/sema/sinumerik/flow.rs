@@ -383,4 +383,72 @@ impl Run<'_> {
             }
         }
     }
+
+    // Return.
+
+    /// `RET`, `RET("LABEL", after, levels)`
+    pub(super) fn return_block(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let target = formulas.first().filter(|formula| !formula.is_missing());
+        let sub = self.programs.units[self.unit()].kind == super::programs::UnitKind::Sub;
+        if self.in_main() && sub && target.is_none() {
+            // A subprogram that is compiled by itself ends here.
+            self.pending_must_be_done(span)?;
+            self.function(crate::ir::Function::End { rewind: false });
+            self.stop_run();
+            return Ok(());
+        }
+        if self.in_main() {
+            let help = if sub { "compile the program that calls this one" } else { "end it by M30" };
+            return self.fail_help(codes::S2020, 14091, span, "RET stands in the main program", help);
+        }
+        self.pending_must_be_done(span)?;
+        let result = self.return_to(target.copied(), formulas, span, block, text);
+        if result.is_err() {
+            self.stop_run();
+        }
+        result
+    }
+
+    fn return_to(
+        &mut self,
+        target: Option<Formula>,
+        formulas: &[Formula],
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let value = match target {
+            Some(formula) => Some((formula, self.eval(formula, block, text)?)),
+            None => None,
+        };
+        let number = |run: &mut Self, at: usize, usual: i32| -> Outcome<i32> {
+            let Some(formula) = formulas.get(at).filter(|formula| !formula.is_missing()) else { return Ok(usual) };
+            let value = run.number(*formula, block, text)?;
+            match whole(value) {
+                Some(n) => Ok(n),
+                None => run.fail(codes::S2021, 14020, formula.span, "this argument of RET is a whole number"),
+            }
+        };
+        let behind = number(self, 1, 0)? > 0;
+        let levels = number(self, 2, 1)?;
+        if number(self, 3, 0)? != 0 {
+            return self.fail(codes::S9001, 0, span, "RET back to the start of the main program is for ISO programs");
+        }
+        let programs = self.levels.iter().filter(|level| matches!(level.kind, LevelKind::Program { .. })).count();
+        if levels < 1 || levels as usize > programs {
+            let message = format!("RET goes back over {levels} levels, and there are {programs}");
+            return self.fail_help(codes::S2020, 14091, span, message, "check the third argument of RET");
+        }
+        let mut site = self.here.at;
+        for _ in 0..levels {
+            site = self.leave_for_good();
+        }
+        let Some((formula, value)) = value else { return Ok(()) };
+        let jump = Jump { search: Search::Both, target: JumpTarget::Text(formula), span };
+        let (found, what) = self.named_target(&value, site, jump)?;
+        match found {
+            Some(mark) => self.go_to(if behind { mark.after } else { mark.place }),
+            None => self.no_target(jump, &what),
+        }
+    }
 }

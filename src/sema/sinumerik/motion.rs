@@ -3,8 +3,8 @@
 //! Source: reference sections 0, 2.1, 2.6, 2.8 and 2.9.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::Pos;
+use crate::ir::contour::Path;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
@@ -82,13 +82,16 @@ impl Run<'_> {
             self.check_codes(w)?;
             if let Some((code, span)) = w.code_of(2) {
                 self.modal_codes(w)?;
-                return self.special_block(code, span, w, block);
+                return self.special_block(code, span, w);
             }
             if let Some((code, span)) = w.code_of(3) {
                 self.modal_codes(w)?;
-                return self.frame_block(code, span, w, block);
+                return self.frame_block(code, span, w);
             }
             self.modal_codes(w)?;
+            if let Some((code, span)) = w.code_of(4).filter(|(code, _)| *code != Code::FIFOCTRL) {
+                return self.buffer_code(code, span, w);
+            }
         }
         self.technology(w)?;
         self.early_functions(w)?;
@@ -99,7 +102,9 @@ impl Run<'_> {
         }
         self.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
-            return self.does_not_fit(left.span);
+            // The control tells a code that is written from one that holds on.
+            let alarm = if w.code_of(1).is_some() { 12110 } else { 15460 };
+            return self.does_not_fit_code(left.span, alarm);
         }
         if let Some(span) = w.machine_axes.first().map(|(_, span)| *span) {
             return self.fail_help(
@@ -121,125 +126,17 @@ impl Run<'_> {
     }
 
     pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
+        self.does_not_fit_code(span, 12110)
+    }
+
+    fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
         self.fail_help(
             codes::S2012,
-            12110,
+            alarm,
             span,
             "the word does not fit the other words of the block",
             "check which G code of group 1 is in force, and what it takes",
         )
-    }
-
-    pub(super) fn two_shapes(&self, a: Code, first: Span, b: Code, second: Span) -> Outcome {
-        let (a, b) = (super::vocabulary::word(a), super::vocabulary::word(b));
-        let message = format!("{a} and {b} cannot stand in one block (alarm 12070)");
-        let found = Diagnostic::new(codes::S2009, self.loc(second), message);
-        self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));
-        Err(Reported)
-    }
-
-    /// Groups 1 to 4 shape the block: it takes one of them.
-    fn check_codes(&mut self, w: &Words) -> Outcome {
-        let mut shaping = w.codes.iter().filter(|(code, _)| code.group <= 4);
-        if let (Some((a, first)), Some((b, second))) = (shaping.next(), shaping.next()) {
-            return self.two_shapes(*a, *first, *b, *second);
-        }
-        Ok(())
-    }
-
-    /// The codes that hold on.
-    pub(super) fn modal_codes(&mut self, w: &Words) -> Outcome {
-        for at in 0..w.codes.len() {
-            let (code, span) = w.codes[at];
-            self.modal_code(code, span)?;
-        }
-        if let Some((indexed, axis, span)) = w.diameter {
-            self.axis_diameter(indexed, axis, span)?;
-        }
-        if let Some(span) = w.dynamics {
-            self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
-        }
-        Ok(())
-    }
-
-    fn modal_code(&mut self, code: Code, span: Span) -> Outcome {
-        let old = self.st.groups[code.group as usize];
-        match code.group {
-            1 => {
-                self.check_interpolation(code, span)?;
-                self.st.groups[1] = code.index;
-            }
-            2 | 3 | 9 | 11 | 62 => {}
-            6 => {
-                self.st.groups[6] = code.index;
-                if old != code.index {
-                    self.plane_change(code.index, span)?;
-                }
-            }
-            7 => self.compensation_code(code, span)?,
-            8 => self.work_offset(code.index, span)?,
-            15 => self.feed_code(code, span)?,
-            29 => {
-                if code != Code::DIAMOF && self.job.settings.machine.diameter_axis.is_none() {
-                    return self.no_diameter_axis(span);
-                }
-                self.st.groups[29] = code.index;
-                self.st.diameter = None;
-            }
-            10 | 12 | 21 | 24 | 30 | 34 | 39 | 57 | 59 => {
-                self.st.groups[code.group as usize] = code.index;
-                if !(code.group == 10 && code.index <= 2 || code.group == 12 || code.group == 30 && code.index == 1) {
-                    self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
-                }
-            }
-            _ => {
-                self.refused_code(code, span)?;
-                self.st.groups[code.group as usize] = code.index;
-            }
-        }
-        Ok(())
-    }
-
-    fn plane_change(&mut self, index: u8, span: Span) -> Outcome {
-        if self.st.side() != Side::None {
-            return self.fail_help(
-                codes::S2080,
-                10757,
-                span,
-                "the plane changes while radius compensation is on",
-                "program G40 in a block in front of it",
-            );
-        }
-        self.pending_must_be_done(span)?;
-        self.set_plane(index);
-        let plane = self.st.plane();
-        self.function(crate::ir::Function::Plane(plane));
-        Ok(())
-    }
-
-    fn refused_code(&self, code: Code, span: Span) -> Outcome {
-        let what = match (code.group, code.index) {
-            (47, 2) => {
-                return self.fail_help(
-                    codes::S9003,
-                    0,
-                    span,
-                    "G291 switches to ISO dialect",
-                    "translate the ISO part, or compile it by itself",
-                );
-            }
-            (49, i) if i > 1 => "point-to-point travel",
-            (52, 2) => "a frame turned to the workpiece",
-            (53, i) if i > 1 => "a frame turned to the tool",
-            (42, i) if i > 1 => "an orientable tool carrier",
-            (35, i) if i > 1 => "punching",
-            (31 | 32, _) => "a code of the machine builder",
-            (40, 2) => "compensation with a constant offset",
-            (64, _) => "a grinding frame",
-            _ => return Ok(()),
-        };
-        let message = format!("{} is {what}, which cannot be printed", super::vocabulary::word(code));
-        self.fail_help(codes::S9001, 0, span, message, "leave it out, or replace it by plain moves")
     }
 
     // Motion.
@@ -255,6 +152,19 @@ impl Run<'_> {
         let moves = !w.axes.is_empty() || polar || arc || w.get(Address::Ang).is_some();
         if !w.positioning.is_empty() {
             self.positioning(w)?;
+        }
+        if let Some(angle) = w.get(Address::Ang)
+            && !matches!(interpolation, Code::G0 | Code::G1)
+        {
+            let help = "program G1 or G0 in front of it";
+            return self.fail_help(codes::S2070, 10792, angle.span, "ANG= is for straight lines only", help);
+        }
+        if !moves && interpolation == Code::G33 {
+            let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
+            if let Some(lead) = lead {
+                let help = "program the end point of the thread with it";
+                return self.fail_help(codes::S2081, 16740, lead.span, "the thread block moves no axis", help);
+            }
         }
         if !moves {
             if self.has_corner_words(w) {
@@ -363,7 +273,12 @@ impl Run<'_> {
             Mode::Ic | Mode::Dic | Mode::Ric => true,
             Mode::Dc | Mode::Acp | Mode::Acn => {
                 let message = format!("{} is no rotary axis", axis.letter());
-                return self.fail_help(codes::S2061, 16800, given.span, message, "DC, ACP and ACN are for rotary axes");
+                let alarm = match given.mode {
+                    Mode::Dc => 16800,
+                    Mode::Acp => 16810,
+                    _ => 16820,
+                };
+                return self.fail_help(codes::S2061, alarm, given.span, message, "DC, ACP and ACN are for rotary axes");
             }
             Mode::Quick => return self.does_not_fit(given.span),
         };
@@ -475,192 +390,5 @@ impl Run<'_> {
             _ => return self.no_diameter_axis(given.span),
         };
         if incremental { Ok(self.increment_base(axis, given.span)? + given.value) } else { Ok(given.value) }
-    }
-
-    /// Sends a move to the named axes of `end`.
-    #[inline]
-    pub(super) fn send(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
-        self.send_end(EndPoint::Cartesian(*end), end, path, feed);
-    }
-
-    pub(super) fn send_end(&mut self, end_point: EndPoint, end: &Pos, path: Path, feed: Option<Feed>) {
-        if self.st.machine_coordinates {
-            return self.send_in_machine(end, path, feed);
-        }
-        if self.stored.is_some() {
-            self.note_stored(end, &path);
-        }
-        let mv = Move { end: end_point, path, feed, side: self.st.side(), coords: Coords::Frame };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        self.moved_to(end);
-    }
-
-    #[inline]
-    pub(super) fn moved_to(&mut self, end: &Pos) {
-        self.st.pos.update(end);
-        self.st.programmed.update(end);
-        if !self.st.lost.is_empty() {
-            self.st.lost = self.st.lost.without(end.known());
-        }
-    }
-
-    /// G500 is in force: the coordinates are the machine's.
-    fn send_in_machine(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
-        if !matches!(path, Path::Rapid | Path::Line) {
-            let _: Outcome = self.fail_help(
-                codes::S9011,
-                0,
-                Span::default(),
-                "under G500 only straight moves can be printed, in machine coordinates",
-                "select G54, or say which work offset G500 is: `[datums] G500 = \"G54\"`",
-            );
-            return;
-        }
-        if !self.st.ctx.frame.is_shift() || self.st.side() != Side::None {
-            let _: Outcome = self.fail(
-                codes::S9011,
-                0,
-                Span::default(),
-                "under G500 neither a rotated frame nor radius compensation can be printed",
-            );
-            return;
-        }
-        let machine = self.st.ctx.frame.apply(end);
-        let mv = Move { end: EndPoint::Cartesian(machine), path, feed, side: Side::None, coords: Coords::Machine };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        self.moved_to(end);
-    }
-
-    /// A block under G53, G153 or SUPA.
-    fn machine_move(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
-        self.pending_must_be_done(span)?;
-        if !matches!(code, Code::G0 | Code::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
-            return self.fail_help(
-                codes::S9011,
-                0,
-                span,
-                "in machine coordinates only straight moves can be printed",
-                "program G0 or G1 with axes in this block",
-            );
-        }
-        if self.st.side() != Side::None {
-            return self.fail(codes::S2080, 0, span, "a block in machine coordinates under radius compensation");
-        }
-        let feed = self.path_feed(w, code == Code::G0)?;
-        let mut end = Pos::UNKNOWN;
-        for axis in w.axes.iter() {
-            let Some(given) = w.axis(axis) else { continue };
-            let incremental = match given.mode {
-                Mode::Plain => self.st.is(Code::G91),
-                Mode::Ic | Mode::Dic | Mode::Ric => true,
-                _ => false,
-            };
-            if incremental {
-                return self.fail_help(
-                    codes::S9011,
-                    0,
-                    given.span,
-                    "an increment in machine coordinates starts from a place that only the machine knows",
-                    "program the machine coordinate with AC(…) or under G90",
-                );
-            }
-            let value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
-            end.set(axis, value);
-        }
-        let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
-        let mv = Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Machine };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        for axis in w.axes.iter() {
-            self.st.forget(axis);
-        }
-        Ok(())
-    }
-
-    /// `POS[X]=10 FA[X]=500`
-    fn positioning(&mut self, w: &mut Words) -> Outcome {
-        if !w.axes.is_empty() || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
-            let span = w.positioning[0].given.span;
-            return self.fail_help(
-                codes::S9008,
-                0,
-                span,
-                "POS beside a path motion: the two run at the same time",
-                "give POS a block of its own",
-            );
-        }
-        for at in 0..w.positioning.len() {
-            let positioning = w.positioning[at];
-            let axis = positioning.axis;
-            let value = self.target(axis, positioning.given)?;
-            let feed = w.axis_feeds.iter().find(|(known, _)| *known == axis).map(|(_, feed)| *feed);
-            let Some(feed) = feed.or_else(|| self.axis_feed.get(&axis).copied()) else {
-                return self.fail_help(
-                    codes::S2040,
-                    10860,
-                    positioning.given.span,
-                    format!("the feed of {} as a positioning axis is a machine datum", axis.letter()),
-                    "give it: FA[X]=500",
-                );
-            };
-            let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
-            self.axis_feed.insert(axis, feed);
-            let mut end = Pos::UNKNOWN;
-            end.set(axis, value);
-            self.send(&end, Path::Line, Some(Feed::PerMinute(feed * unit)));
-        }
-        Ok(())
-    }
-
-    /// G33
-    fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
-        let end = self.targets(w)?;
-        if let Some(start) = w.take(Address::Sf)
-            && start.value != 0.0
-        {
-            return self.fail_help(
-                codes::S9012,
-                0,
-                start.span,
-                "a start angle of the thread cannot be printed",
-                "shift the start point along the thread instead: lead · angle / 360",
-            );
-        }
-        let [first, second, third] = self.st.geometry_axes;
-        for (address, axis) in [(Address::I, first), (Address::J, second), (Address::K, third)] {
-            if let Some(lead) = w.take(address) {
-                if lead.value == 0.0 {
-                    return self.fail(codes::S2081, 16720, lead.span, "the lead of the thread is 0");
-                }
-                self.lead = Some((axis, lead.value.abs() * self.st.length_unit()));
-                if !w.axes.contains(axis) {
-                    let message = format!("the lead counts along {}, which the block does not move", axis.letter());
-                    return self.fail(codes::S2081, 16730, lead.span, message);
-                }
-            }
-        }
-        let Some((axis, lead)) = self.lead else {
-            return self.fail_help(codes::S2081, 16720, span, "the thread has no lead", "program K along Z, I along X");
-        };
-        for axis in w.axes.iter().filter(|axis| axis.is_main()) {
-            if self.st.pos.get(axis).is_none() {
-                return self.unknown_axis(axis, span);
-            }
-        }
-        let way = |axis: Axis| match (end.get(axis), self.st.pos.get(axis)) {
-            (Some(to), Some(from)) => (to - from).abs(),
-            _ => 0.0,
-        };
-        if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + 1e-9) {
-            let message = format!("the lead is given along {}, but {} moves further", axis.letter(), longer.letter());
-            return self.fail_help(
-                codes::S2081,
-                16730,
-                span,
-                message,
-                "give the lead along the axis that moves further",
-            );
-        }
-        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
-        Ok(())
     }
 }

@@ -6,13 +6,11 @@ use crate::diag::codes;
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
-use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
 use super::frames::FrameValue;
-use super::value::{Val, to_text, whole};
-use super::vocabulary::{Address, Code, Meaning, Procedure, word};
-use super::words::{CallWord, Words};
+use super::vocabulary::{Address, Code, word};
+use super::words::Words;
 use super::{Outcome, Run};
 
 /// Longest dwell.
@@ -20,18 +18,33 @@ const MOST_SECONDS: f64 = 1e5;
 
 impl Run<'_> {
     /// A code of group 2.
-    pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words, block: &Block) -> Outcome {
+    pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        let mut moved = false;
         match code {
-            Code::G4 => self.dwell(span, w)?,
+            Code::G4 => {
+                if let Some(m) = w.m.first() {
+                    return self.not_alone(m.span);
+                }
+                self.dwell(span, w)?;
+            }
             Code::G63 => {
+                if let Some((_, suppressed)) = w.code_of(9) {
+                    return self.not_alone(suppressed);
+                }
                 self.technology(w)?;
                 self.early_functions(w)?;
+                moved = true;
                 let feed = self.path_feed(w, false)?;
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
                 self.send(&end, Path::Line, feed);
             }
-            Code::G74 | Code::G75 => self.fixed_point(code, span, w)?,
+            Code::G74 | Code::G75 => {
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.fixed_point(code, span, w)?;
+                w.machine_axes.clear();
+            }
             _ => {
                 let message = format!("{} is not supported", word(code));
                 return self.fail_help(
@@ -43,19 +56,33 @@ impl Run<'_> {
                 );
             }
         }
-        self.nothing_left(w, block)?;
-        self.late_functions(w)
+        self.nothing_left(w)?;
+        self.late_functions(w)?;
+        if moved && !self.ended.get() {
+            self.call_modal()?;
+        }
+        Ok(())
     }
 
-    fn nothing_left(&self, w: &Words, block: &Block) -> Outcome {
-        if let Some(given) = w.left() {
-            return self.not_alone(given.span);
+    /// STARTFIFO and STOPFIFO only steer the buffer of the control.
+    pub(super) fn buffer_code(&mut self, code: Code, span: Span, w: &Words) -> Outcome {
+        let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
+        if let Some(other) = axis.or(w.m.first().map(|m| m.span)) {
+            return self.not_alone(other);
         }
-        if let Some(s) = w.s.first() {
-            return self.not_alone(s.span);
-        }
-        let _ = block;
+        self.nothing_left(w)?;
+        self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
+        self.st.groups[4] = code.index;
         Ok(())
+    }
+
+    fn nothing_left(&self, w: &Words) -> Outcome {
+        let s = w.s.first().map(|s| s.span);
+        let words = w.left().or(w.passes).map(|given| given.span).or(s).or(w.h);
+        match words.or(w.axis_word_left()).or(w.diameter.map(|(_, _, span)| span)) {
+            Some(span) => self.not_alone(span),
+            None => Ok(()),
+        }
     }
 
     fn not_alone<T>(&self, span: Span) -> Outcome<T> {
@@ -149,12 +176,17 @@ impl Run<'_> {
     // Frames, poles and limits.
 
     /// A code of group 3.
-    pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words, block: &Block) -> Outcome {
+    pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         match code {
             Code::G110 | Code::G111 | Code::G112 => self.pole_block(code, span, w)?,
             Code::G25 | Code::G26 => {
+                if code == Code::G26 {
+                    for at in 0..w.s.len() {
+                        self.highest_speed(w.s[at]);
+                    }
+                }
                 w.s.clear();
-                self.note_once(codes::S8013, span, "working-area and spindle limits (G25, G26) are left out");
+                self.note_once(codes::S8013, span, "working-area and spindle limits (G25, G26) are left out; G26 S only limits a constant cutting speed");
             }
             Code::G58 | Code::G59 => self.axial_shift(code, span, w)?,
             _ => {
@@ -165,7 +197,7 @@ impl Run<'_> {
         if let Some(m) = w.m.first() {
             return self.not_alone(m.span);
         }
-        self.nothing_left(w, block)
+        self.nothing_left(w)
     }
 
     fn frame_statement(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
@@ -284,344 +316,6 @@ impl Run<'_> {
             }
         }
         self.refresh_frame();
-        Ok(())
-    }
-
-    // Calls.
-
-    /// A block with a call: of a procedure of the language or of a program.
-    pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
-        let passes = w.passes.take();
-        if let Some((name, span)) = w.l.take() {
-            if w.call.is_some() || self.has_other_words(w) {
-                return self.call_not_alone(span);
-            }
-            return self.call_program(&name, span, None, passes, block, text);
-        }
-        let Some(call) = w.call else { return Ok(()) };
-        if let Meaning::Procedure(procedure) = call.meaning {
-            w.passes = passes;
-            let alone = matches!(
-                procedure,
-                Procedure::ExecString | Procedure::Return | Procedure::SetAlarm | Procedure::Refused(_)
-            );
-            if alone && (self.has_other_words(w) || w.passes.is_some()) {
-                return self.call_not_alone(call.span);
-            }
-            self.procedure(procedure, call, w, block, text)?;
-            return self.rest_of_block(w, block);
-        }
-        // A name in a definition file may be a macro.
-        if !self.definitions_known() && self.macros.contains_key(&call.name) {
-            return self.again(block, text);
-        }
-        self.begins_executing();
-        if self.has_other_words(w) {
-            // Modal words beside the name of a program: an unknown word most often.
-            return self.unknown_word(call);
-        }
-        let name = self.symbols.name(call.name).to_owned();
-        self.call_program(&name, call.span, Some(call), passes, block, text)
-    }
-
-    /// A program of the user with the name of a cycle goes before it.
-    fn own_program(&mut self, name: &str) -> bool {
-        let file = self.programs.units[self.unit()].file;
-        let listed = self.programs.list(&self.job, file).is_ok();
-        if listed && (self.programs.find_in_file(file, name).is_some() || self.programs.find_in_file(0, name).is_some())
-        {
-            return true;
-        }
-        let identity = self.job.sources.identity(self.here.file);
-        let request = crate::text::Request { from: &identity, name, extensions: &["SPF"] };
-        self.job.files.open(&request).is_ok()
-    }
-
-    fn has_other_words(&self, w: &Words) -> bool {
-        !w.axes.is_empty()
-            || !w.codes.is_empty()
-            || !w.m.is_empty()
-            || !w.s.is_empty()
-            || w.has_addresses()
-            || w.h.is_some()
-    }
-
-    fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2013,
-            12120,
-            span,
-            "a call stands beside other words",
-            "give the call a block of its own",
-        )
-    }
-
-    fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {
-        let name = self.symbols.name(call.name);
-        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
-        if letters.len() < name.len() && matches!(self.vocabulary.get(letters), Some(Meaning::Address(_))) {
-            let digits = &name[letters.len()..];
-            return self.fail_help(
-                codes::S1001,
-                12080,
-                call.span,
-                format!("`=` is missing in `{name}`"),
-                &format!("an address of more than one letter takes `=`: {letters}={digits}"),
-            );
-        }
-        let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
-        known.sort_unstable();
-        let like = crate::machine::tree::did_you_mean(name, known);
-        let help = match like {
-            Some(like) => format!("did you mean `{like}`?"),
-            None => "a call needs a block of its own; an address takes `=`".to_owned(),
-        };
-        self.fail_help(codes::S2001, 12550, call.span, format!("the word `{name}` is not known here"), &help)
-    }
-
-    fn call_program(
-        &mut self,
-        name: &str,
-        span: Span,
-        call: Option<CallWord>,
-        passes: Option<super::words::Given>,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let passes = match passes {
-            Some(given) => self.check_passes(given.value, given.span)?,
-            None => 1,
-        };
-        let arguments = match call.and_then(|call| call.args) {
-            Some(args) => self.arguments(args, block, text)?,
-            None => Vec::new(),
-        };
-        self.pending_must_be_done(span)?;
-        let result = self.find_program(name, span);
-        let unit = match result {
-            Ok(unit) => unit,
-            Err(reported) => {
-                // What it would have done is not known.
-                self.st.lose(Axis::ALL.into_iter().collect());
-                self.lost();
-                return Err(reported);
-            }
-        };
-        self.call_unit(unit, arguments, passes, false)
-    }
-
-    /// A word of the language that is written like a call.
-    fn procedure(
-        &mut self,
-        procedure: Procedure,
-        call: CallWord,
-        w: &mut Words,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        let name = self.symbols.name(call.name).to_owned();
-        let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
-        if let Some(result) = self.machining_cycle(&name, call, block, text) {
-            if self.has_other_words(w) {
-                return self.call_not_alone(call.span);
-            }
-            return result;
-        }
-        match procedure {
-            Procedure::NoEffect => Ok(()),
-            Procedure::Dynamics => {
-                self.note_once(codes::S8002, call.span, "words that only shape speed and accuracy are left out");
-                Ok(())
-            }
-            Procedure::Message => self.message(&formulas, block, text),
-            Procedure::SetAlarm => {
-                let mut shown = String::new();
-                if let Some(formula) = formulas.first()
-                    && let Ok(number) = self.number(*formula, block, text)
-                    && !(60_000.0..70_000.0).contains(&number)
-                {
-                    self.ended.set(true);
-                    let message = format!("SETAL({number}) is no alarm of a program");
-                    return self.fail_help(
-                        codes::S2027,
-                        15700,
-                        call.span,
-                        message,
-                        "programs have the alarms 60000 to 69999",
-                    );
-                }
-                for formula in &formulas {
-                    let value = self.eval(*formula, block, text)?;
-                    if let Some(text) = to_text(&value) {
-                        shown = format!("{shown} {}", String::from_utf8_lossy(&text));
-                    }
-                }
-                self.ended.set(true);
-                self.fail_help(
-                    codes::S2027,
-                    0,
-                    call.span,
-                    format!("the program raises alarm{shown}"),
-                    "it found its own data wrong: look at the conditions in front of SETAL",
-                )
-            }
-            Procedure::SetMaster => {
-                let n = match formulas.first() {
-                    Some(formula) => self.number(*formula, block, text)?,
-                    None => 1.0,
-                };
-                match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
-                    Some(n) => {
-                        self.st.master = n;
-                        if n != 1 {
-                            self.note_once(
-                                codes::S8014,
-                                call.span,
-                                format!("spindle {n} is the master: it is printed as the main spindle"),
-                            );
-                        }
-                        Ok(())
-                    }
-                    None => self.fail(codes::S2045, 0, call.span, format!("there is no spindle {n}")),
-                }
-            }
-            Procedure::Channel => {
-                self.note_once(
-                    codes::S8015,
-                    call.span,
-                    "words that synchronize channels are left out: the output has one channel",
-                );
-                Ok(())
-            }
-            Procedure::Interrupt => {
-                self.note_once(codes::S8016, call.span, "interrupt programs are left out");
-                Ok(())
-            }
-            Procedure::FileAccess => {
-                self.note_once(codes::S8017, call.span, "reading and writing files of the control is left out");
-                if name == "READ" {
-                    return self.fail(codes::S9001, 0, call.span, "READ takes values from a file of the control");
-                }
-                Ok(())
-            }
-            Procedure::CallPath => Ok(()),
-            Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
-            Procedure::Return => self.return_block(&formulas, call.span),
-            Procedure::TransformationOff if formulas.is_empty() => Ok(()),
-            Procedure::TransformationOff => {
-                self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
-            }
-            Procedure::Swivel if formulas.is_empty() => Ok(()),
-            Procedure::Swivel => self.fail_help(
-                codes::S9006,
-                0,
-                call.span,
-                "CYCLE800 swivels the working plane, which plain G-code in three axes cannot say",
-                "have the CAM system put out the swivelled part by itself",
-            ),
-            Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
-            Procedure::EndLabel => Ok(()),
-            Procedure::DiameterChannel => {
-                self.st.diameter = None;
-                Ok(())
-            }
-            Procedure::Refused(_) if self.own_program(&name) => {
-                self.call_program(&name, call.span, Some(call), None, block, text)
-            }
-            Procedure::Refused(what) => {
-                self.st.lose(Axis::ALL.into_iter().collect());
-                self.lost();
-                let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
-                self.fail_help(
-                    code,
-                    0,
-                    call.span,
-                    format!("{name} ({what}) is not supported"),
-                    "replace it by plain moves, or compile the program without it",
-                )
-            }
-        }
-    }
-
-    /// Words beside a procedure that has no effect.
-    fn rest_of_block(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.has_other_words(w) || w.passes.is_some() {
-            w.call = None;
-            self.begins_executing();
-            return self.words_again(w, block);
-        }
-        Ok(())
-    }
-
-    fn message(&mut self, formulas: &[Formula], block: &Block, text: &[u8]) -> Outcome {
-        let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
-        let value = self.eval(*formula, block, text)?;
-        if self.job.settings.output.comments
-            && let Some(shown) = to_text(&value)
-            && !shown.is_empty()
-        {
-            self.function(Function::Comment(shown));
-        }
-        Ok(())
-    }
-
-    fn return_block(&mut self, formulas: &[Formula], span: Span) -> Outcome {
-        if !formulas.is_empty() {
-            return self.fail_help(
-                codes::S9001,
-                0,
-                span,
-                "RET with a jump target is not supported",
-                "return, and jump in the calling program",
-            );
-        }
-        // A subprogram that is compiled by itself ends here.
-        if self.in_main() && self.programs.units[self.unit()].kind == super::programs::UnitKind::Sub {
-            self.pending_must_be_done(span)?;
-            self.function(Function::End { rewind: false });
-            self.ended.set(true);
-            return Ok(());
-        }
-        if self.in_main() {
-            return self.fail_help(codes::S2020, 14091, span, "RET stands in the main program", "end it by M30");
-        }
-        self.pending_must_be_done(span)?;
-        self.leave_program();
-        Ok(())
-    }
-
-    fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let [formula] = *formulas else {
-            return self.fail(codes::S2021, 14021, span, "EXECSTRING takes one text");
-        };
-        match self.eval(formula, block, text)? {
-            Val::Text(line) => self.execute_line(&line, span),
-            other => {
-                self.fail(codes::S2005, 12150, formula.span, format!("a text is needed, this is {}", other.what()))
-            }
-        }
-    }
-
-    fn geo_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        for pair in formulas.chunks(2) {
-            let [number, axis] = pair else { break };
-            let n = self.number(*number, block, text)?;
-            let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
-            let same =
-                match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {
-                    (Some(known), Val::Axis(axis)) => known == axis,
-                    _ => false,
-                };
-            if !same {
-                return self.fail_help(
-                    codes::S9001,
-                    0,
-                    span,
-                    "GEOAX gives the geometry axes other names",
-                    "name the axes of the machine by `[machine] geometry_axes`",
-                );
-            }
-        }
         Ok(())
     }
 }

@@ -34,6 +34,8 @@ pub(super) struct State {
     pub pos: Pos,
     /// Axes whose position was lost by a reported error.
     pub lost: AxisSet,
+    /// The way of the last block that travelled.
+    pub heading: super::tangent::Heading,
     /// Coordinates as last programmed, before any change of the frame (SD 42440).
     pub programmed: Pos,
     pub pole: Point2,
@@ -47,12 +49,17 @@ pub(super) struct State {
     pub rndm: f64,
     pub frcm: Option<Feed>,
     pub speed: Option<f64>,
+    /// LIMS of the master spindle.
     pub speed_limit: Option<f64>,
+    /// G26 S of the master spindle.
+    pub highest_speed: Option<f64>,
     pub constant_cut: bool,
     /// Sense of rotation of the master spindle, while it turns.
     pub turn: Option<crate::ir::function::Turn>,
     /// Master spindle.
     pub master: u8,
+    /// What the spindles that are not the master were told.
+    pub spindles: BTreeMap<u8, SpindleState>,
     pub programmable: FrameValue,
     /// Work offsets that the program wrote, by number (0 is G500).
     pub written: BTreeMap<u8, FrameValue>,
@@ -68,6 +75,18 @@ pub(super) struct State {
     pub diameter: Option<Diameter>,
     pub tool: Tool,
     pub basic_unit: Unit,
+}
+
+/// The spindle that the target turns when no number is said, and the master of the control at the start.
+pub(super) const MAIN_SPINDLE: u8 = 1;
+
+/// What a spindle was told while another one is the master.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SpindleState {
+    pub speed: Option<f64>,
+    pub turn: Option<crate::ir::function::Turn>,
+    pub limit: Option<f64>,
+    pub highest: Option<f64>,
 }
 
 /// The tool in use.
@@ -112,6 +131,7 @@ impl State {
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
             pos: Pos::UNKNOWN,
             lost: AxisSet::EMPTY,
+            heading: super::tangent::Heading::None,
             programmed: Pos::UNKNOWN,
             pole: Point2::origin(),
             pole_lost: false,
@@ -123,9 +143,11 @@ impl State {
             frcm: None,
             speed: None,
             speed_limit: None,
+            highest_speed: None,
             constant_cut: false,
             turn: None,
-            master: 1,
+            master: MAIN_SPINDLE,
+            spindles: BTreeMap::new(),
             programmable: FrameValue::default(),
             written: BTreeMap::new(),
             settable: None,
@@ -277,6 +299,7 @@ impl Run<'_> {
         if frame != self.st.ctx.frame {
             let tool = self.st.ctx.frame.apply(&self.st.pos);
             self.st.pos = frame.unapply(&tool);
+            self.st.heading = super::tangent::Heading::Later;
             self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });
         }
     }

@@ -199,7 +199,7 @@ impl Run<'_> {
                 Some(CornerWord::Chamfer(side)) if side > 0.0 => CornerShape::Chamfer { side },
                 _ => continue,
             };
-            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false }));
+            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false, large: self.large_corner() }));
         }
         Ok(())
     }

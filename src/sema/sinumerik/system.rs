@@ -54,6 +54,12 @@ impl Run<'_> {
                 None => return Ok(None),
             },
             "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge.unwrap_or(1)).unwrap_or(1)),
+            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.system.contains_key(&system_key(word, args)) => {
+                match self.table_value(word, args) {
+                    Some(value) => Val::Real(value / self.st.length_unit()),
+                    None => return Ok(None),
+                }
+            }
             "$P_TOOLR" => match self.active_tool().and_then(|tool| tool.radius) {
                 Some(radius) => Val::Real(radius / self.st.length_unit()),
                 None => return Ok(None),
@@ -113,6 +119,26 @@ impl Run<'_> {
             "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
+    }
+
+    /// Length and radius of a tool in the tool table: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`.
+    fn table_value(&self, word: &str, args: &[Val]) -> Option<f64> {
+        let numbers: Vec<i32> = args.iter().map(|arg| arg.number().and_then(whole)).collect::<Option<_>>()?;
+        let active = (self.st.tool.active.unwrap_or(0), self.st.tool.edge.unwrap_or(1));
+        let edge_of = |edge: i32| u32::try_from(edge).ok().filter(|edge| *edge == 1);
+        let (number, parameter) = match (word, numbers.as_slice()) {
+            ("$TC_DP3", [t, d]) => (edge_of(*d).and(u32::try_from(*t).ok())?, 3),
+            ("$TC_DP6", [t, d]) => (edge_of(*d).and(u32::try_from(*t).ok())?, 6),
+            ("$P_AD", [parameter]) if active.1 == 1 => (active.0, *parameter),
+            ("$P_TOOLL", [1]) if active.1 == 1 => (active.0, 3),
+            _ => return None,
+        };
+        let tool = self.job.settings.tools.by_number(number, 0)?;
+        match parameter {
+            3 => tool.length,
+            6 => tool.radius,
+            _ => None,
+        }
     }
 
     fn frame_or_component(&self, frame: &Rc<FrameValue>, args: &[Val], span: Span) -> Outcome<Val> {
@@ -219,6 +245,13 @@ impl Run<'_> {
                 self.system.insert(system_key(&word, args), value);
                 Ok(())
             }
+            _ if word.starts_with("$P_") && !word.contains("FR") => self.fail_help(
+                codes::S2028,
+                17070,
+                span,
+                format!("`{word}` is the state of the program and cannot be set"),
+                "program the words that bring the state about",
+            ),
             _ => self.fail_help(
                 codes::S2028,
                 0,

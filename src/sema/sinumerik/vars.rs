@@ -37,6 +37,8 @@ pub(super) struct Var {
     pub lost: bool,
     /// The program gave it a value.
     pub written: bool,
+    /// LLI and ULI.
+    pub limits: [Option<f64>; 2],
 }
 
 /// Names of one program level.

@@ -143,6 +143,7 @@ code_names! {
     G4 = 2 1  G63 = 2 2  G74 = 2 3  G75 = 2 4
     TRANS = 3 1  ROT = 3 2  SCALE = 3 3  MIRROR = 3 4  ATRANS = 3 5  AROT = 3 6  ASCALE = 3 7  AMIRROR = 3 8
     G25 = 3 10  G26 = 3 11  G110 = 3 12  G111 = 3 13  G112 = 3 14  G58 = 3 15  G59 = 3 16
+    FIFOCTRL = 4 3
     G18 = 6 2
     G40 = 7 1
     SUPD = 9 4
@@ -199,6 +200,10 @@ pub(super) enum Address {
     Toffl,
     Toffr,
     Tcarr,
+    /// Priority of an interrupt.
+    Prio,
+    /// Tool orientation: LEAD, TILT, THETA.
+    Orientation,
     /// Feed, acceleration and tolerance of the path or an axis: of no account for the path itself.
     Dynamics,
 }
@@ -416,6 +421,12 @@ const ADDRESS_NAMES: &[(&str, Address)] = &[
     ("TOFFL", Address::Toffl),
     ("TOFFR", Address::Toffr),
     ("TCARR", Address::Tcarr),
+    ("PRIO", Address::Prio),
+    ("LEAD", Address::Orientation),
+    ("TILT", Address::Orientation),
+    ("THETA", Address::Orientation),
+    ("NUT", Address::Orientation),
+    ("PSI", Address::Orientation),
     ("ADIS", Address::Dynamics),
     ("ADISPOS", Address::Dynamics),
     ("OVR", Address::Dynamics),

@@ -7,7 +7,7 @@ use crate::parser::turning::ast::Block;
 use crate::text::Loc;
 
 use super::super::here::Here;
-use super::contour::Builder;
+use super::contour::{Builder, Outline};
 use super::sections::Family;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -106,15 +106,18 @@ impl Run<'_> {
         if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
             return self.fail(codes::T1003, self.block_span(), "G80 stands alone in its block");
         }
-        if let Some((addr, num)) = w.longs().first() {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                format!("a contour in the words of G80 ({addr}) is not supported: no manual at hand lists them"),
-                "write the contour with G0, G1, G2 and G3 blocks before G80",
-            );
+        if let Some(outline) = self.contour_words(w, capture.number)? {
+            if !capture.builder.is_empty() || capture.broken {
+                return self.fail(
+                    codes::T1006,
+                    self.block_span(),
+                    "the contour stands in blocks and in the words of G80",
+                );
+            }
+            return self.captured_cycle(&capture, &outline);
         }
-        let outline = capture.builder.settle().and_then(|()| capture.builder.outline());
+        let left_out = if matches!(capture.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
+        let outline = capture.builder.settle().and_then(|()| capture.builder.outline(left_out));
         let empty = capture.builder.is_empty();
         match outline {
             _ if capture.broken => Err(Reported),
@@ -123,12 +126,14 @@ impl Run<'_> {
                 Err(Reported)
             }
             Ok(_) if empty => self.fail(codes::T3003, self.block_span(), "the contour has no element"),
-            Ok(outline) => {
-                let here = std::mem::replace(&mut self.here, capture.here);
-                let result = self.cycle(capture.number, capture.name, &capture.words, Some(&outline));
-                self.here = here;
-                result
-            }
+            Ok(outline) => self.captured_cycle(&capture, &outline),
         }
+    }
+
+    fn captured_cycle(&mut self, capture: &Capture, outline: &Outline) -> Outcome {
+        let here = std::mem::replace(&mut self.here, capture.here);
+        let result = self.cycle(capture.number, capture.name, &capture.words, Some(outline));
+        self.here = here;
+        result
     }
 }

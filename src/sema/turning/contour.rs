@@ -36,6 +36,8 @@ pub(super) struct Piece {
     pub recesses: Vec<(Recess, Mark)>,
     /// Between this element and the next.
     pub undercut: Option<(Undercut, Mark)>,
+    /// Codes of the recesses and of the undercut, by which D of a cycle leaves them out.
+    pub codes: (Vec<u32>, u32),
     /// mm per revolution: this element is a thread.
     pub thread: Option<f64>,
 }
@@ -102,7 +104,14 @@ impl Builder {
             let dir = last.filter(|_| open).and_then(|piece| piece.solved.end_direction());
             match self.chain.next(at, dir, closed) {
                 Ok(Some((solved, mark))) => {
-                    self.pieces.push(Piece { solved, mark, recesses: Vec::new(), undercut: None, thread: None });
+                    self.pieces.push(Piece {
+                        solved,
+                        mark,
+                        recesses: Vec::new(),
+                        undercut: None,
+                        codes: (Vec::new(), 0),
+                        thread: None,
+                    });
                 }
                 Ok(None) => return Ok(()),
                 Err((fault, mark)) => {
@@ -119,8 +128,8 @@ impl Builder {
         Ok(())
     }
 
-    /// The finished outline.
-    pub fn outline(&self) -> Result<Outline, Flaw> {
+    /// The finished outline, without the forms whose codes are all in `left_out`.
+    pub fn outline(&self, left_out: u32) -> Result<Outline, Flaw> {
         let mut rough = Vec::new();
         let mut skip_start: Option<Point2> = None;
         for (i, piece) in self.pieces.iter().enumerate() {
@@ -129,6 +138,7 @@ impl Builder {
                 line.from = from;
             }
             let undercut = match &piece.undercut {
+                Some(_) if is_left_out(piece.codes.1, left_out) => None,
                 None => None,
                 Some((undercut, mark)) => {
                     let next = self.pieces.get(i + 1).map(|next| next.solved);
@@ -146,7 +156,7 @@ impl Builder {
                 line.to = made.leaves;
                 transition = made.edge;
             }
-            element_with_recesses(piece, line, transition, &mut rough)?;
+            element_with_recesses(piece, line, transition, left_out, &mut rough)?;
             if let Some((made, mark)) = undercut {
                 for (element, transition) in made.elements {
                     rough.push(Part { element, transition, mark, corner_of: mark.number, form: true });
@@ -158,9 +168,21 @@ impl Builder {
     }
 }
 
-fn element_with_recesses(piece: &Piece, line: Solved, transition: Transition, out: &mut Vec<Part>) -> Result<(), Flaw> {
+/// Is a form with these codes left out?
+fn is_left_out(codes: u32, left_out: u32) -> bool {
+    codes != 0 && codes & !left_out == 0
+}
+
+fn element_with_recesses(
+    piece: &Piece,
+    line: Solved,
+    transition: Transition,
+    left_out: u32,
+    out: &mut Vec<Part>,
+) -> Result<(), Flaw> {
     let mut recesses: Vec<_> = Vec::new();
-    for (recess, mark) in &piece.recesses {
+    let codes = piece.codes.0.iter().copied();
+    for ((recess, mark), _) in piece.recesses.iter().zip(codes).filter(|(_, code)| !is_left_out(*code, left_out)) {
         let made = forms::build(recess, &line).map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;
         recesses.push((made, *mark));
     }
@@ -213,10 +235,35 @@ pub(super) struct Outline {
     pub edges: Vec<Edge>,
 }
 
+/// A part of an outline, in the order in which it is cut.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Section {
+    pub edges: Vec<Edge>,
+    /// It is cut against the order of the outline.
+    pub backwards: bool,
+    /// The whole outline in its own order.
+    pub whole: Vec<Element>,
+}
+
+impl Section {
+    pub fn elements(&self) -> Vec<Element> {
+        self.edges.iter().map(|edge| edge.element).collect()
+    }
+}
+
 impl Outline {
+    fn elements(&self) -> Vec<Element> {
+        self.edges.iter().map(|edge| edge.element).collect()
+    }
+
+    /// All of it.
+    pub fn all(&self) -> Section {
+        Section { edges: self.edges.clone(), backwards: false, whole: Vec::new() }
+    }
+
     /// The elements from the block `first` to the block `last`, turned around where `last` stands before `first` or
     /// is the same block. The number that is not found is the error.
-    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Vec<Edge>, u32> {
+    pub fn between(&self, first: u32, last: Option<u32>) -> Result<Section, u32> {
         let place = |number: u32| -> Result<(usize, usize), u32> {
             let belongs = |edge: &Edge| edge.number == Some(number);
             let from = self.edges.iter().position(belongs).ok_or(number)?;
@@ -228,10 +275,15 @@ impl Outline {
         let (from, to) = place(first)?;
         let (last_from, last_to) = place(last.unwrap_or(first))?;
         let backwards = last == Some(first) || last_from < from;
-        let range = from.min(last_from)..=to.max(last_to);
+        // The chamfer or rounding at the first element belongs to the block before it.
+        let first = from.min(last_from);
+        let first =
+            if first > 0 && self.edges[first - 1].corner && !self.edges[first - 1].form { first - 1 } else { first };
+        let range = first..=to.max(last_to);
         let edges = self.edges[range].iter();
         let turned = |edge: &Edge| Edge { element: reversed(edge.element), ..*edge };
-        Ok(if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() })
+        let edges = if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() };
+        Ok(Section { edges, backwards, whole: self.elements() })
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::diag::codes;
 use crate::ir::cycle::Cycle;
 
-use super::contour::{Edge, MOST_EDGES, Outline};
+use super::contour::{Edge, MOST_EDGES, Outline, Section};
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -12,10 +12,14 @@ impl Run<'_> {
     pub(super) fn cycle(&mut self, number: u16, name: &str, w: &Words, outline: Option<&Outline>) -> Outcome {
         match number {
             31 => self.thread_cycle(w, outline),
+            32 => self.simple_thread(w),
+            36 => self.tapping(w),
+            86 => self.simple_recess(w),
             71 | 74 => self.drilling(w, number == 74),
             81 | 82 => self.rectangle(w, number == 81),
             810 | 817..=819 | 820 | 827..=829 => self.contour_roughing(w, outline, number),
             85 => self.undercut_cycle(w),
+            890 => self.finishing(w, outline),
             869 => self.recess_turning(w, outline),
             _ => {
                 self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
@@ -33,19 +37,48 @@ impl Run<'_> {
     }
 
     /// The contour of a cycle: the blocks behind it, or those of a geometry section that NS and NE name.
-    pub(super) fn contour_of(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Vec<Edge>> {
-        let edges = match outline {
-            Some(outline) => outline.edges.clone(),
-            None => self.referenced(w)?,
+    pub(super) fn contour_of(&self, w: &Words, outline: Option<&Outline>, left_out: u32) -> Outcome<Section> {
+        let section = match outline {
+            Some(outline) => outline.all(),
+            None => self.referenced(w, left_out)?,
         };
-        if edges.len() > MOST_EDGES {
+        if section.edges.len() > MOST_EDGES {
             let message = format!("the contour of a cycle has more than {MOST_EDGES} elements");
             return self.fail(codes::T3003, self.block_span(), message);
         }
-        Ok(edges)
+        Ok(section)
     }
 
-    fn referenced(&self, w: &Words) -> Outcome<Vec<Edge>> {
+    /// The same; V leaves out the chamfer or rounding at the first or last element, D recesses and undercuts.
+    pub(super) fn contour_with_ends(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Section> {
+        let (begin, end) = match self.choice(w, b'V', 0, 4)? {
+            0 => (true, true),
+            1 => (true, false),
+            2 => (false, true),
+            3 => (false, false),
+            _ => {
+                return self.fail_help(
+                    codes::T9007,
+                    w.span(b'V', self.block_span()),
+                    "V4 (only the chamfer or rounding of an element) is not supported",
+                    "write the chamfer as an element of its own",
+                );
+            }
+        };
+        let left_out = self.left_out(w)?;
+        let mut section = self.contour_of(w, outline, left_out)?;
+        let edges = &mut section.edges;
+        let basic = |edge: &Edge| !edge.corner;
+        if !begin && let Some(at) = edges.iter().position(basic) {
+            edges.drain(..at);
+        }
+        if !end && let Some(at) = edges.iter().rposition(basic) {
+            edges.truncate(at + 1);
+        }
+        Ok(section)
+    }
+
+    fn referenced(&self, w: &Words, left_out: u32) -> Outcome<Section> {
         let span = self.block_span();
         let Some(first) = w.long("NS") else {
             return self.fail(codes::T1005, span, "the cycle has neither NS nor a contour behind it");
@@ -58,8 +91,15 @@ impl Run<'_> {
         let mut missing = ns;
         let mut found = Vec::new();
         for described in &self.geometry.contours {
-            match described.outline.between(ns, last.map(|_| ne)) {
-                Ok(edges) => found.push(edges),
+            let outline = match described.outline_without(left_out) {
+                Ok(outline) => outline,
+                Err(flaw) => {
+                    self.flaw(&flaw);
+                    return Err(Reported);
+                }
+            };
+            match outline.between(ns, last.map(|_| ne)) {
+                Ok(section) => found.push(section),
                 Err(number) if number != ns => missing = number,
                 Err(_) => {}
             }
@@ -72,8 +112,8 @@ impl Run<'_> {
                 "number the blocks of the geometry sections so that each number stands once",
             );
         }
-        if let Some(edges) = found.pop() {
-            return Ok(edges);
+        if let Some(section) = found.pop() {
+            return Ok(section);
         }
         if self.geometry.contours.iter().any(|described| described.broken) {
             return Err(Reported);

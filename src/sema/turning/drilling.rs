@@ -1,14 +1,17 @@
-//! G71 and G74: drilling along Z from where the tool stands.
+//! G71, G74 and G36: drilling and tapping along Z from where the tool stands.
 //!
 //! Source: reference section 9.
 
 use crate::diag::codes;
+use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
-use crate::ir::cycle::drilling::{Degression, Drilling, Levels, Method, Peck, Removal};
+use crate::ir::cycle::drilling::{Degression, Drilling, Levels, Method, Peck, Removal, Tap};
+use crate::ir::function::Spindle;
 use crate::machine::Axis;
 
 use super::chain::Coord;
+use super::state::SpeedMode;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -17,30 +20,7 @@ impl Run<'_> {
         let at = self.stand()?;
         let span = self.block_span();
         let feed = self.cutting_feed()?;
-        match self.coord(w.get(b'X'), Axis::X) {
-            Coord::Missing => {}
-            Coord::At(x) if (x - at.y).abs() <= 1e-6 => {}
-            _ => {
-                return self.fail_help(
-                    codes::T9007,
-                    w.span(b'X', span),
-                    "drilling along X is not supported",
-                    "position the tool over the hole, and program Z of its bottom",
-                );
-            }
-        }
-        let bottom = match self.coord(w.get(b'Z'), Axis::Z) {
-            Coord::At(z) => z,
-            Coord::By(d) => at.x + d,
-            _ => return self.fail(codes::T1005, span, "Z is missing: the bottom of the hole"),
-        };
-        if bottom >= at.x {
-            return self.fail(
-                codes::T1007,
-                w.span(b'Z', span),
-                "the hole does not lie in front of the tool, towards -Z",
-            );
-        }
+        let bottom = self.bottom_of_hole(w, at)?;
         if let Some(num) = w.get(b'V').filter(|num| num.value != 0.0) {
             return self.fail_help(
                 codes::T9007,
@@ -70,6 +50,86 @@ impl Run<'_> {
     fn send_drilling(&mut self, start: f64, depth: f64, feed: Feed, method: Method) {
         let levels = Levels { retract: start, reference: start, clearance: 0.0, depth };
         self.send_cycle(&Cycle::Drilling(Drilling { axis: Axis::Z, levels, feed, method }));
+    }
+
+    /// G36: the thread is cut with the spindle in step; it turns back on the way out.
+    pub(super) fn tapping(&mut self, w: &Words) -> Outcome {
+        let at = self.stand()?;
+        let span = self.block_span();
+        for (letter, what) in [(b'B', "run-in"), (b'Q', "spindle"), (b'H', "reference of the pitch")] {
+            if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    format!("{} of G36 ({what}): what its values do no manual at hand says", letter as char),
+                    "leave it out, and position the tool far enough in front of the thread",
+                );
+            }
+        }
+        let bottom = self.bottom_of_hole(w, at)?;
+        let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
+        let lead = self.above_zero(pitch, "the pitch of the thread")?;
+        let Some(turn) = self.st.spindle else {
+            return self.fail_help(
+                codes::T1005,
+                span,
+                "the spindle does not turn, so it is open whether the thread is right-handed",
+                "program M3 or M4 before G36",
+            );
+        };
+        if self.st.speed_mode == Some(SpeedMode::Cutting) {
+            return self.fail_help(
+                codes::T1006,
+                span,
+                "tapping under a constant cutting speed (G96)",
+                "program `G97 S…` before G36",
+            );
+        }
+        let tap = Tap {
+            lead: Some(lead),
+            turn,
+            dwell: 0.0,
+            dwell_reversed: false,
+            speed_in: None,
+            speed_out: None,
+            orient: None,
+            step: None,
+            after: Spindle::Start(turn),
+            speed_after: None,
+        };
+        // The feed of the hole is not used; the pitch is.
+        self.send_drilling(at.x, bottom, Feed::PerRevolution(lead), Method::Tap(tap));
+        Ok(())
+    }
+
+    /// Z of the bottom; the tool stands over the hole, in front of it.
+    fn bottom_of_hole(&self, w: &Words, at: Point2) -> Outcome<f64> {
+        let span = self.block_span();
+        match self.coord(w.get(b'X'), Axis::X) {
+            Coord::Missing => {}
+            Coord::At(x) if (x - at.y).abs() <= 1e-6 => {}
+            _ => {
+                return self.fail_help(
+                    codes::T9007,
+                    w.span(b'X', span),
+                    "drilling along X is not supported",
+                    "position the tool over the hole, and program Z of its bottom",
+                );
+            }
+        }
+        let bottom = match self.coord(w.get(b'Z'), Axis::Z) {
+            Coord::At(z) => z,
+            Coord::By(d) => at.x + d,
+            _ => return self.fail(codes::T1005, span, "Z is missing: the bottom of the hole"),
+        };
+        if bottom >= at.x {
+            return self.fail(
+                codes::T1007,
+                w.span(b'Z', span),
+                "the hole does not lie in front of the tool, towards -Z",
+            );
+        }
+        Ok(bottom)
     }
 
     fn not_negative(&self, w: &Words, letter: u8) -> Outcome<f64> {

@@ -2,6 +2,8 @@
 //!
 //! Source: reference section 6.
 
+use std::borrow::Cow;
+
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Point2;
 use crate::machine::{Axis, RecessDepth};
@@ -33,6 +35,16 @@ pub(super) struct Described {
     pub broken: bool,
 }
 
+impl Described {
+    /// The outline without the forms of these codes.
+    pub fn outline_without(&self, left_out: u32) -> Result<Cow<'_, Outline>, Flaw> {
+        if left_out == 0 || self.broken {
+            return Ok(Cow::Borrowed(&self.outline));
+        }
+        self.builder.outline(left_out).map(Cow::Owned)
+    }
+}
+
 /// All that the geometry sections describe.
 #[derive(Debug, Default)]
 pub(super) struct Geometry {
@@ -44,7 +56,48 @@ pub(super) struct Geometry {
 /// What a block of a contour may hold.
 const ELEMENT: Letters = letters("XZABQRIK");
 
+/// Codes by which D of a cycle leaves forms out. A recess of G22 is a sealing ring or a guard ring, which its block does
+/// not say, so both codes are needed. Source: reference section 6.3.
+const CODES_OF_G22: u32 = 512 | 1024;
+const CODE_OF_G23: u32 = 256;
+const ALL_CODES: u32 = 256 | 512 | 1024 | 2048 | 0x001f_8000;
+
+fn code_of_undercut(form: f64) -> u32 {
+    match form as i32 {
+        4 => 32_768,
+        0 | 5 => 65_536,
+        6 => 131_072,
+        7 => 262_144,
+        8 => 524_288,
+        _ => 1_048_576,
+    }
+}
+
 impl Run<'_> {
+    /// D of a cycle: the sum of the codes of the forms that it leaves out.
+    pub(super) fn left_out(&self, w: &Words) -> Outcome<u32> {
+        let Some(num) = w.get(b'D') else { return Ok(0) };
+        let whole = num.value.fract() == 0.0 && (0.0..=f64::from(ALL_CODES)).contains(&num.value);
+        let codes = if whole { num.value as u32 } else { u32::MAX };
+        if codes & !ALL_CODES != 0 {
+            return self.fail_help(
+                codes::T1007,
+                num.span,
+                format!("D{} is no sum of codes of recesses and undercuts", num.value),
+                "add 256 for G23, 1536 for G22, 32768 for U, 65536 for E, 131072 for F, 262144 for DIN 76",
+            );
+        }
+        if matches!(codes & CODES_OF_G22, 512 | 1024) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                "D names one kind of ring groove, and a recess of G22 does not say which kind it is",
+                "program 1536 for all recesses of G22",
+            );
+        }
+        Ok(codes)
+    }
+
     pub(super) fn begin_contour(&mut self) {
         self.geometry.contours.push(Described {
             builder: Builder::default(),
@@ -60,7 +113,7 @@ impl Run<'_> {
             return;
         }
         let Some(described) = self.geometry.contours.last_mut() else { return };
-        let result = described.builder.settle().and_then(|()| described.builder.outline());
+        let result = described.builder.settle().and_then(|()| described.builder.outline(0));
         match result {
             Ok(outline) => described.outline = outline,
             Err(_) if described.broken => {}
@@ -286,6 +339,7 @@ impl Run<'_> {
             Recess::Cylinder { first: start, second: z(start), floor: x(line.from.y), top, base }
         };
         piece.recesses.push((recess, mark));
+        piece.codes.0.push(CODES_OF_G22);
         Ok(())
     }
 
@@ -334,6 +388,7 @@ impl Run<'_> {
         let (near, far) = (edge(b'B'), edge(b'P'));
         let base = w.value(b'R').unwrap_or(0.0) * mm;
         piece.recesses.push((Recess::Centered { at, width, depth, near, far, base }, mark));
+        piece.codes.0.push(CODE_OF_G23);
         Ok(())
     }
 
@@ -347,6 +402,7 @@ impl Run<'_> {
         let diameter = 2.0 * piece.solved.to.y;
         let undercut = self.undercut_of(w, form.value, diameter)?;
         piece.undercut = Some((undercut, mark));
+        piece.codes.1 = code_of_undercut(form.value);
         Ok(())
     }
 

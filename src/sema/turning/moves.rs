@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
-use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, Move, Path, Thread};
+use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread};
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -201,7 +201,11 @@ impl Run<'_> {
             Transition::Rounding(radius) => CornerShape::Rounding { radius },
             Transition::Chamfer(side) => CornerShape::Chamfer { side },
         };
-        self.out.corner(&Corner { shape, feed, early: false, modal: false }, &self.st.ctx, origin);
+        self.out.corner(
+            &Corner { shape, feed, early: false, modal: false, large: LargeCorner::Refuse },
+            &self.st.ctx,
+            origin,
+        );
     }
 
     /// E: feed of a chamfer or rounding on the 4110, its share of the feed on later controls.

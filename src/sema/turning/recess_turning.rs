@@ -8,7 +8,7 @@ use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTool, RecessTurning};
 use crate::ir::cycle::turning::Towards;
-use crate::machine::Tool;
+use crate::machine::RecessDepth;
 use crate::machine::tools::Corner;
 
 use super::contour::Outline;
@@ -27,7 +27,7 @@ impl Run<'_> {
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
         let (tool, radial) = self.recess_tool()?;
-        let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
         let into = direction(&contour, radial);
         let clearance = self.cycle_clearance();
         let turn = self.cutting_feed()?;
@@ -71,20 +71,13 @@ impl Run<'_> {
                 );
             }
         }
-        if let Some(num) = w.get(b'V').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "V of G869 leaves out chamfers at the ends of the contour, which is not supported",
-                "leave V out, and write the contour without the chamfers",
-            );
-        }
-        match w.long("RI").or(w.long("RK")) {
+        let said = w.long("XA").or(w.long("ZA"));
+        match w.long("RI").or(w.long("RK")).filter(|_| said.is_some()) {
             Some(num) => self.fail_help(
-                codes::T9007,
+                codes::T1006,
                 num.span,
-                "whether RI counts as a diameter no manual at hand says",
-                "program the corner of the blank with XA and ZA",
+                "XA and ZA say where the corner of the blank is, and RI and RK say it again",
+                "leave one of the two out",
             ),
             None => Ok(()),
         }
@@ -114,7 +107,7 @@ impl Run<'_> {
     }
 
     /// The tool in the cutting position as a recessing tool, and whether it cuts radially.
-    fn recess_tool(&self) -> Outcome<(RecessTool, bool)> {
+    pub(super) fn recess_tool(&self) -> Outcome<(RecessTool, bool)> {
         let span = self.block_span();
         let Some(active) = &self.st.tool else {
             return self.fail_help(
@@ -124,9 +117,7 @@ impl Run<'_> {
                 "program T in front of the cycle",
             );
         };
-        let tools = &self.job.settings.tools;
-        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
-        let known: Option<&Tool> = tools.by_number(active.number, active.edge).or_else(by_name);
+        let known = self.known_tool();
         let radial = match known.and_then(|tool| tool.kind.as_deref()) {
             Some("recess-radial") => Some(true),
             Some("recess-axial") => Some(false),
@@ -162,6 +153,18 @@ impl Run<'_> {
             true => w.long("XA").map(|num| num.value * mm / 2.0),
             false => w.long("ZA").map(|num| num.value * mm),
         };
+        // RI and RK stand on the rim of the contour.
+        let half = self.job.settings.control.turning.recess_blank == RecessDepth::Diameter;
+        let proud = match into.is_radial() {
+            true => w.long("RI").map(|num| (num, if half { mm / 2.0 } else { mm })),
+            false => w.long("RK").map(|num| (num, mm)),
+        };
+        if let Some((num, scale)) = proud {
+            if num.value < 0.0 {
+                return self.fail(codes::T1007, num.span, "the oversize of a blank is not negative");
+            }
+            return Ok((rim + num.value * scale) * out);
+        }
         let stock = match (self.geometry.blank, into) {
             (Some(Blank::Bar { radius, .. }), Towards::MinusX) => Some(radius),
             (Some(Blank::Bar { bore, .. }), Towards::PlusX) if bore > 0.0 => Some(bore),

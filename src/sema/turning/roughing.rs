@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2};
-use crate::ir::cycle::roughing::{Falling, RoughingEnd, Smoothing};
+use crate::ir::cycle::roughing::{Falling, Nose, RoughingEnd, Smoothing};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Roughing};
 use crate::machine::Axis;
@@ -55,7 +55,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
+    pub(super) fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
         let ordinate = |coord: Coord, from: f64| match coord {
             Coord::At(v) => Some(v),
             Coord::By(d) => Some(from + d),
@@ -84,7 +84,7 @@ impl Run<'_> {
         }
     }
 
-    fn oversize_refused<T>(&self, loc: crate::text::Loc, message: &str) -> Outcome<T> {
+    pub(super) fn oversize_refused<T>(&self, loc: crate::text::Loc, message: &str) -> Outcome<T> {
         let found = Diagnostic::new(codes::T9007, loc, message);
         self.report(
             found.also(self.here.origin.loc, "the cycle").help("program I and K in the cycle, or G50 before it"),
@@ -97,7 +97,7 @@ impl Run<'_> {
         let at = self.stand()?;
         let span = self.block_span();
         let along_z = number / 10 == 81;
-        for letter in [b'X', b'Z', b'A', b'W', b'D'] {
+        for letter in [b'X', b'Z', b'A', b'W'] {
             if let Some(num) = w.get(letter) {
                 let message = format!("{} of G{number} is not supported", letter as char);
                 return self.fail_help(
@@ -108,12 +108,12 @@ impl Run<'_> {
                 );
             }
         }
-        if let Some(num) = [w.get(b'V'), w.get(b'Q')].into_iter().flatten().find(|num| num.value != 0.0) {
+        if let Some(num) = w.get(b'Q').filter(|num| num.value != 0.0) {
             return self.fail_help(
                 codes::T9007,
                 num.span,
-                "only the value 0 of this word is supported",
-                "leave it out",
+                "only the value 0 of Q is supported: back to the start",
+                "leave Q out, and position the tool behind the cycle",
             );
         }
         if let Some(num) = w.long("XA").or(w.long("ZA")) {
@@ -126,7 +126,7 @@ impl Run<'_> {
         }
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
-        let contour: Vec<Element> = self.contour_of(w, outline)?.into_iter().map(|edge| edge.element).collect();
+        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
         let into = towards(&contour, at, along_z);
         self.check_side(&contour, at, into, number)?;
         self.note_bridged(&contour, at, into, number);
@@ -141,10 +141,12 @@ impl Run<'_> {
             );
         }
         let beside = matches!(number, 817 | 827);
+        let nose = self.nose_of_tool()?;
         let feed = self.cutting_feed()?;
         let corner = if into.is_radial() { Point2::new(at.x - 1.0, at.y) } else { Point2::new(at.x, at.y - 1.0) };
         let roughing = Roughing {
             contour,
+            nose: nose.unwrap_or(Nose { radius: 0.0, tip: into.unit() }),
             blank: into.depth_coordinate(at),
             oversize: self.contour_oversize(w)?,
             smoothing: match self.choice(w, b'H', 1, 2)? {

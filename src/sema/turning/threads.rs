@@ -119,7 +119,7 @@ impl Run<'_> {
         outline: Option<&Outline>,
         lead: f64,
     ) -> Outcome<(Point2, Vec<ThreadPart>)> {
-        let edges = self.contour_of(w, outline)?;
+        let edges = self.contour_of(w, outline, 0)?.edges;
         // The thread lies on the basic elements; chamfers and undercuts are not cut.
         let elements: Vec<Element> =
             edges.iter().filter(|edge| !edge.corner && !edge.form).map(|edge| edge.element).collect();

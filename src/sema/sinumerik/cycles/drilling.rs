@@ -268,6 +268,7 @@ impl Run<'_> {
     }
 
     fn rigid_tap(&mut self, args: &Arguments) -> Outcome<Method> {
+        self.master_is_main(args.span, "tapping")?;
         let lead = self.pitch(args, 8, 9, args.or_zero(14) as i32)?;
         let step = match args.or_zero(16) {
             0.0 => None,
@@ -314,6 +315,7 @@ impl Run<'_> {
     }
 
     fn spindle_turn(&self, args: &Arguments, place: usize) -> Outcome<Turn> {
+        self.master_is_main(args.span, "the spindle of a cycle")?;
         match args.or_zero(place) {
             3.0 => Ok(Turn::Clockwise),
             4.0 => Ok(Turn::CounterClockwise),
@@ -322,6 +324,7 @@ impl Run<'_> {
     }
 
     fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
+        self.master_is_main(args.span, "tapping")?;
         let turn = match args.or_zero(7) {
             3.0 => Turn::CounterClockwise,
             4.0 => Turn::Clockwise,

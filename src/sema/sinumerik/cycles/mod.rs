@@ -131,6 +131,9 @@ impl Run<'_> {
         if self.st.machine_coordinates {
             return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
         }
+        if self.st.per_revolution() {
+            self.master_is_main(args.span, "a feed per revolution")?;
+        }
         match args.name.as_str() {
             "HOLES1" | "HOLES2" | "CYCLE801" | "CYCLE802" => self.pattern(args),
             "CYCLE97" | "CYCLE98" | "CYCLE99" => self.thread_cycle(args),
@@ -176,6 +179,9 @@ impl Run<'_> {
     /// Drills the modal hole where the tool stands.
     pub(super) fn drill_modal(&mut self) -> Outcome {
         let Some(modal) = self.modal_cycle.as_deref().cloned() else { return Ok(()) };
+        if self.st.per_revolution() {
+            self.master_is_main(Span::default(), "a feed per revolution")?;
+        }
         let mut hole = modal.hole;
         if modal.feed_of_block
             && let Some(feed) = self.st.feed
@@ -192,6 +198,7 @@ impl Run<'_> {
 
     fn send_cycle(&mut self, cycle: Cycle) {
         let end = cycle.leaves(&self.st.pos);
+        self.st.heading = super::tangent::Heading::Later;
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         self.moved_to(&end);
     }

@@ -117,6 +117,7 @@ impl Run<'_> {
     }
 
     fn thread(&mut self, args: &Arguments, places: &Places, points: &[Point2], leads: &[f64]) -> Outcome {
+        self.master_is_main(args.span, "the lead of a thread")?;
         let variant = if args.name == "CYCLE99" {
             f64::from(args.digit(places.variant, 0))
         } else {

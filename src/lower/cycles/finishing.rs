@@ -1,0 +1,193 @@
+//! Finishing: down to the start of the contour, once along it, and off it.
+//!
+//! ```text
+//!       ╲ lift                      ╱ approach
+//!        ╲                         ╱
+//!   ══════╲◄════╗           ╔═════◄
+//!               ╚═══════════╝
+//! ```
+
+use crate::diag::codes;
+use crate::geo::offset::{NoParallel, Part};
+use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
+use crate::ir::Feed;
+use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
+
+use super::slope::{Slope, reversed};
+use super::track::{Failure, Strokes, Track, View};
+use super::valley::seen;
+
+/// What arithmetic loses in a distance, mm.
+const SLACK: f64 = 1e-6;
+
+/// Sends the strokes of `finishing`; the tool stands at `from`.
+///
+/// # Errors
+/// G3041 bad arguments, G3047 descending parts that cannot be left out, G3048 no free way to the contour or from
+/// it, G3049 no room for the nose.
+pub fn expand<'a>(finishing: &Finishing, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
+    finishing.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the finishing data"))?;
+    let left_out = match finishing.descending {
+        Descending::Left => Some(level(finishing)?),
+        Descending::Cut { .. } => None,
+    };
+    let contour = left_out.as_deref().unwrap_or(&finishing.contour);
+    let path = finishing.path(contour).map_err(no_parallel)?;
+    let mut cutter = Cutter { track: Track::new(View::plain(), from, out), finishing, path: &path };
+    cutter.approach(from)?;
+    for part in &path {
+        let feed = feed_on(finishing, &part.element, contour.get(part.of));
+        match part.element {
+            Element::Line { to, .. } => cutter.track.line(to, feed),
+            Element::Arc { to, center, sweep, .. } => cutter.track.arc(to, center, sweep > 0.0, feed),
+        }
+    }
+    cutter.retract(from)
+}
+
+/// The contour with its descending parts left out.
+fn level(finishing: &Finishing) -> Result<Vec<Element>, Failure> {
+    let (Some(first), Some(last)) = (finishing.contour.first(), finishing.contour.last()) else {
+        return Ok(Vec::new());
+    };
+    let way = last.to() - first.from();
+    let along = if finishing.into.is_radial() { -way.x } else { -way.y };
+    let view = View::new(finishing.into, along);
+    let contour: Vec<Element> = finishing.contour.iter().map(|element| seen(&view, element)).collect();
+    let slope = Slope::new(&contour, true).map_err(super::roughing::no_slope)?;
+    let part = |element: &Element| unseen(&view, element);
+    Ok(slope.chain().iter().rev().map(|element| part(&reversed(element))).collect())
+}
+
+/// An element of the view on the part.
+fn unseen(view: &View, element: &Element) -> Element {
+    match *element {
+        Element::Line { from, to } => Element::Line { from: view.part(from), to: view.part(to) },
+        Element::Arc { from, to, center, sweep } => Element::Arc {
+            from: view.part(from),
+            to: view.part(to),
+            center: view.part(center),
+            sweep: if view.mirrors() { -sweep } else { sweep },
+        },
+    }
+}
+
+fn no_parallel(why: NoParallel) -> Failure {
+    let message = match why {
+        NoParallel::TooNarrow => "the nose of the tool has no room in a hollow, a corner or a recess of the contour",
+        NoParallel::Reversal => "the contour turns back on itself",
+        NoParallel::Empty => "the contour has no length",
+    };
+    Failure::new(codes::G3049, message, "take a tool with a smaller nose radius, or leave the narrow part out")
+}
+
+/// Feed on a piece of the path that comes from the element `of`.
+fn feed_on(finishing: &Finishing, element: &Element, of: Option<&Element>) -> Feed {
+    let feed = match finishing.descending {
+        Descending::Cut { feed } if of.is_some_and(|of| descends(of, finishing.into.unit())) => feed,
+        _ => finishing.feed,
+    };
+    // The roundings that the nose makes of outer corners are no arcs of the contour.
+    let (Element::Arc { .. }, Some(of @ Element::Arc { .. }), ArcFeed::Turns { turns, speed }) =
+        (element, of, finishing.arcs)
+    else {
+        return feed;
+    };
+    let most = match feed {
+        Feed::PerRevolution(_) => of.length() / turns,
+        Feed::PerMinute(_) => speed.map_or(f64::INFINITY, |speed| of.length() / turns * speed),
+    };
+    if feed.value() > most && most > 0.0 { feed.with_value(most) } else { feed }
+}
+
+/// Does the element go into the material from its start to its end?
+fn descends(element: &Element, into: Vec2) -> bool {
+    (element.to() - element.from()).dot(&into) > SAME_POINT
+}
+
+struct Cutter<'c> {
+    track: Track<'c>,
+    finishing: &'c Finishing,
+    path: &'c [Part],
+}
+
+impl Cutter<'_> {
+    /// To beside the start at rapid traverse, then down to it.
+    fn approach(&mut self, from: Point2) -> Result<(), Failure> {
+        let Some(start) = self.path.first().map(|part| part.element.from()) else { return Ok(()) };
+        if distance(from, start) <= SAME_POINT {
+            return Ok(());
+        }
+        let beside = self.finishing.beside(start).ok_or_else(|| {
+            Failure::new(
+                codes::G3048,
+                "there is no room beside the start of the contour for the tool to come down to it",
+                "begin the contour at a place that the tool reaches freely, or make the clearance smaller",
+            )
+        })?;
+        let ways =
+            [vec![beside], vec![Point2::new(from.x, beside.y), beside], vec![Point2::new(beside.x, from.y), beside]];
+        let Some(way) = ways.iter().find(|way| self.is_free(from, way)) else {
+            return Err(Failure::new(
+                codes::G3048,
+                "the tool cannot travel from where it stands to the start of the contour without touching it",
+                "position the tool in front of the start of the contour",
+            ));
+        };
+        for to in way {
+            self.track.rapid(*to);
+        }
+        self.track.line(start, self.finishing.feed);
+        Ok(())
+    }
+
+    fn retract(&mut self, from: Point2) -> Result<(), Failure> {
+        if self.finishing.end == FinishingEnd::Stay {
+            return Ok(());
+        }
+        let beside = self.finishing.beside(self.track.at()).ok_or_else(|| {
+            Failure::new(
+                codes::G3048,
+                "there is no room beside the end of the contour for the tool to lift off",
+                "end the contour at a place that the tool leaves freely, or make the clearance smaller",
+            )
+        })?;
+        self.track.line(beside, self.finishing.feed);
+        let (to, way) = match self.finishing.end {
+            FinishingEnd::Stay | FinishingEnd::Lift => return Ok(()),
+            FinishingEnd::Point { to, way } => (to, way),
+            FinishingEnd::Start { way } => (from, way),
+        };
+        let stops = match way {
+            Way::Diagonal | Way::AtFeed => vec![to],
+            Way::XThenZ => vec![Point2::new(beside.x, to.y), to],
+            Way::ZThenX => vec![Point2::new(to.x, beside.y), to],
+        };
+        if !self.is_free(beside, &stops) {
+            return Err(Failure::new(
+                codes::G3048,
+                "the way from the end of the contour to the end position of the cycle touches the contour",
+                "choose another order of the axes, or lift only and position afterwards",
+            ));
+        }
+        for stop in stops {
+            match way {
+                Way::AtFeed => self.track.line(stop, self.finishing.feed),
+                _ => self.track.rapid(stop),
+            }
+        }
+        Ok(())
+    }
+
+    /// Does the way keep the clearance from the contour, or as much of it as its ends have?
+    fn is_free(&self, from: Point2, way: &[Point2]) -> bool {
+        let to = way.last().copied().unwrap_or(from);
+        let clear = |a, b| self.finishing.clear(a, b);
+        let least = self.finishing.clearance.min(clear(from, from)).min(clear(to, to));
+        let mut at = from;
+        least > SLACK && way.iter().all(|to| clear(std::mem::replace(&mut at, *to), *to) >= least - SLACK)
+    }
+}
+
+#[cfg(test)]
+mod tests;

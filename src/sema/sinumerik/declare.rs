@@ -1,0 +1,194 @@
+//! Declarations: DEF in programs and in definition files.
+//!
+//! Source: reference section 5.1.
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::sinumerik::SPLIT;
+use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
+use crate::parser::sinumerik::parse_block;
+use crate::sema::exec::open_cursor;
+use crate::text::{Next, Request};
+
+use super::value::{MOST_TEXT, Val, whole};
+use super::vars::{MOST_ELEMENTS, Var};
+use super::vocabulary::Meaning;
+use super::{Outcome, Reported, Run};
+
+/// Definition files that a control reads at power-on, if they stand beside the program.
+const DEFINITION_FILES: &[&str] =
+    &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
+
+/// Characters of a name.
+const LONGEST_NAME: usize = 32;
+
+impl Run<'_> {
+    pub(super) fn def_block(
+        &mut self,
+        kind: TypeName,
+        length: Option<Formula>,
+        global: bool,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        if self.program_level().executed && !global {
+            return self.fail_help(
+                codes::S2015,
+                14500,
+                block.span,
+                "DEF stands behind executed blocks",
+                "move it to the top of the program",
+            );
+        }
+        let length = match length {
+            Some(formula) => {
+                let n = self.number(formula, block, text)?;
+                match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= MOST_TEXT) {
+                    Some(n) => n,
+                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 400 characters"),
+                }
+            }
+            None if kind == TypeName::String => 32,
+            None => MOST_TEXT,
+        };
+        let mut result = Ok(());
+        for variable in block.variables.clone() {
+            if let Err(reported) = self.define(variable, kind, length, global, block, text) {
+                result = Err(reported);
+            }
+        }
+        result
+    }
+
+    pub(super) fn define(
+        &mut self,
+        variable: Variable,
+        kind: TypeName,
+        length: usize,
+        global: bool,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let Some(name) = variable.name else { return Ok(()) };
+        let word = self.symbols.name(name).to_owned();
+        if word.len() > LONGEST_NAME {
+            let message = format!("the name has {} characters", word.len());
+            return self.fail_help(codes::S1014, 12420, variable.span, message, "shorten it to 31");
+        }
+        let defined = self.loc(variable.span);
+        if let Some(first) = self.vars.of_level(name).map(|var| var.defined).filter(|first| *first != defined) {
+            let found = Diagnostic::new(codes::S2016, defined, format!("`{word}` is defined twice (alarm 12170)"));
+            self.report(found.also(first, "the first definition").help("rename one of them"));
+            return Err(Reported);
+        }
+        let taken = match self.meaning(name) {
+            Meaning::Axis(axis) if self.st.geometry_axes.contains(&axis) => Some("a geometry axis"),
+            Meaning::Code(_) => Some("a word of the language"),
+            _ => None,
+        };
+        if let Some(what) = taken {
+            let message = format!("`{word}` is {what} and cannot be a variable");
+            return self.fail_help(codes::S2016, 12170, variable.span, message, "choose another name");
+        }
+        let mut sizes = Vec::new();
+        for formula in block.arguments(variable.sizes).to_vec() {
+            let n = self.number(formula, block, text)?;
+            match whole(n).and_then(|n| u32::try_from(n).ok()).filter(|n| (1..=MOST_ELEMENTS).contains(n)) {
+                Some(n) => sizes.push(n),
+                None => {
+                    return self.fail(
+                        codes::S2018,
+                        12430,
+                        formula.span,
+                        "an array has 1 to 32767 elements in a direction",
+                    );
+                }
+            }
+        }
+        if sizes.len() > 3 {
+            return self.fail(codes::S2018, 12190, variable.span, "an array has at most three directions");
+        }
+        let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
+        if count > u64::from(MOST_ELEMENTS) * 4 {
+            return self.fail(codes::S2018, 12380, variable.span, format!("{count} elements are too many"));
+        }
+        // Making them is work.
+        self.budget.take(count / 64);
+        let limits = block.limits;
+        if let [Some(least), Some(most)] = limits
+            && least > most
+        {
+            return self.fail(codes::S2029, 12161, variable.span, format!("LLI {least} is above ULI {most}"));
+        }
+        let mut zero = Val::zero(kind);
+        if zero.number().is_some() {
+            // The start value moves to the nearer limit.
+            let least = limits[0].unwrap_or(f64::NEG_INFINITY);
+            let most = limits[1].unwrap_or(f64::INFINITY);
+            zero = self.converted_or(&Val::Real(0.0f64.max(least).min(most)), kind, variable.span, [12390, 12160])?;
+        }
+        let values = vec![zero; count as usize];
+        let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false, limits };
+        if let Some(formula) = variable.value {
+            if kind == TypeName::Frame {
+                return self.fail(codes::S2017, 12261, formula.span, "a FRAME cannot be given a value by DEF");
+            }
+            var = self.started(var, formula, block, text)?;
+        }
+        if !self.vars.define(name, var, global) {
+            return self.fail(codes::S2018, 12380, variable.span, "the variables of the program are too large");
+        }
+        Ok(())
+    }
+
+    pub(super) fn started(&mut self, mut var: Var, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Var> {
+        if let Some(fill) = self.list_of(formula, block, text)? {
+            return self.filled(&var, 0, &fill, formula.span);
+        }
+        let value = self.eval(formula, block, text)?;
+        let value = self.converted_or(&value, var.kind, formula.span, [12390, 12160])?;
+        self.check_length(&value, var.length, formula.span)?;
+        self.check_limits(&value, var.limits, [12160, 12160], formula.span)?;
+        // A single value fills the first element.
+        if let Some(first) = var.values.first_mut() {
+            *first = value;
+        }
+        Ok(var)
+    }
+
+    /// True if the definition files were read before; otherwise reads them now.
+    pub(super) fn definitions_known(&mut self) -> bool {
+        if std::mem::replace(&mut self.definitions_read, true) {
+            return true;
+        }
+        let identity = self.job.sources.identity(self.job.main);
+        let mut any = false;
+        for name in DEFINITION_FILES {
+            let request = Request { from: &identity, name, extensions: &["DEF"] };
+            let Ok(opened) = self.job.files.open(&request) else { continue };
+            let Some(file) = self.job.sources.add(opened) else { continue };
+            any = true;
+            self.read_definitions(file);
+        }
+        !any
+    }
+
+    pub(super) fn read_definitions(&mut self, file: crate::text::FileId) {
+        let Some(mut cursor) = open_cursor(&self.job, file, SPLIT, self.here.origin.loc) else { return };
+        let here = self.here;
+        let mut block = Block::default();
+        while let Ok(Next::Block(found)) = cursor.next(self.job.sources) {
+            let (at, line, text) = (found.at, found.line, found.text.to_vec());
+            parse_block(&text, &mut block, &mut self.symbols, &mut self.problems);
+            self.here = crate::sema::here::Here::new(file, at, line, 1, here.origin.call);
+            self.here.origin.loc.span = block.span.shifted(at);
+            self.report_problems();
+            let _ = match block.stmt {
+                Stmt::Def { kind, length, .. } => self.def_block(kind, length, true, &block, &text),
+                Stmt::Define(span) => self.define_macro(span.of(&text), span),
+                Stmt::Empty | Stmt::Header | Stmt::Bad | Stmt::Redef(_) | Stmt::Words => Ok(()),
+                _ => self.fail(codes::S2013, 12500, block.span, "a definition file holds DEF and DEFINE only"),
+            };
+        }
+        self.here = here;
+    }
+}

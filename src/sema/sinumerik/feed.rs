@@ -1,0 +1,104 @@
+//! Feed: its kinds, and what a path block takes.
+//!
+//! Source: reference sections 2.1 and 2.15.
+
+use crate::diag::codes;
+use crate::ir::Feed;
+use crate::machine::Axis;
+use crate::text::Span;
+
+use super::vocabulary::{Address, Code};
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// A programmed feed with the kind that is in force.
+    pub(super) fn feed_of(&self, value: f64) -> Feed {
+        let value = value * self.st.feed_unit();
+        if self.st.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
+    }
+
+    /// The feed of a path block.
+    pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
+        if let Some(fb) = w.take(Address::Fb) {
+            if fb.value <= 0.0 {
+                return self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value));
+            }
+            if !rapid && self.st.per_revolution() {
+                self.master_is_main(fb.span, "a feed per revolution")?;
+            }
+            return Ok((!rapid).then(|| self.feed_of(fb.value)));
+        }
+        if rapid {
+            return Ok(None);
+        }
+        if self.st.feed_lost {
+            return Err(Reported);
+        }
+        if self.cut_speed_open.take().is_some() {
+            return self.fail_help(
+                codes::S2045,
+                10900,
+                Span::default(),
+                "G96 has no cutting speed",
+                "program S in m/min with G96; the S of before is a speed in turns",
+            );
+        }
+        match self.st.feed {
+            Some(feed) => {
+                if matches!(feed, Feed::PerRevolution(_)) {
+                    self.master_is_main(Span::default(), "a feed per revolution")?;
+                }
+                let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
+                if rotary_only && let Feed::PerMinute(f) = feed {
+                    // Degrees have no unit of length.
+                    return Ok(Some(Feed::PerMinute(f / self.st.feed_unit())));
+                }
+                Ok(Some(feed))
+            }
+            None => {
+                // Once is enough.
+                self.st.feed_lost = true;
+                self.fail_help(
+                    codes::S2040,
+                    10860,
+                    Span::default(),
+                    "no feed is programmed",
+                    "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+                )
+            }
+        }
+    }
+
+    pub(super) fn feed_code(&mut self, code: Code, span: Span) -> Outcome {
+        let old = self.st.groups[15];
+        match code.index {
+            1 | 6 | 9.. => {
+                let message = format!("{} gives feeds that plain G-code cannot say", super::vocabulary::word(code));
+                return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
+            }
+            _ => {}
+        }
+        if matches!(code.index, 4 | 7) && self.job.settings.machine.diameter_axis.is_none() {
+            let message = "constant cutting speed needs a diameter axis (MD 20100)";
+            return self.fail_help(codes::S2060, 10870, span, message, "set `[machine] diameter_axis = \"X\"`");
+        }
+        self.st.groups[15] = code.index;
+        if old != code.index {
+            self.feed_mode_changed();
+        }
+        Ok(())
+    }
+
+    /// F means something else now.
+    pub(super) fn feed_mode_changed(&mut self) {
+        let fits = match self.st.feed {
+            Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
+            Some(Feed::PerMinute(_)) => !self.st.per_revolution(),
+            None => true,
+        };
+        if !fits {
+            self.st.feed = None;
+        }
+    }
+}

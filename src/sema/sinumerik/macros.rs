@@ -1,0 +1,139 @@
+//! Macros: `DEFINE NAME AS words`.
+//!
+//! Source: reference section 5.6.
+
+use crate::diag::codes;
+use crate::parser::symbols::Symbol;
+use crate::text::Span;
+
+use super::vocabulary::Meaning;
+use super::{Outcome, Run};
+
+/// Longest text of a macro.
+const MOST_MACRO: usize = 256;
+
+impl Run<'_> {
+    /// `NAME AS words`
+    pub(super) fn define_macro(&mut self, rest: &[u8], span: Span) -> Outcome {
+        let rest = rest.trim_ascii();
+        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+        let (name, body) = rest.split_at(len);
+        let body = body.trim_ascii_start();
+        let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
+        if len == 0 || !keyword {
+            return self.fail_help(
+                codes::S1001,
+                12080,
+                span,
+                "a macro is written DEFINE NAME AS words",
+                "DEFINE M_START AS M3 S1000",
+            );
+        }
+        let body = body[2..].trim_ascii();
+        if body.len() > MOST_MACRO {
+            return self.fail(codes::S2030, 12280, span, "the text of a macro has at most 256 characters");
+        }
+        let symbol = self.symbols.intern(name);
+        if let Some(message) = self.macro_in_use(symbol) {
+            let digits = self.symbols.name(symbol).len() - 1;
+            let long = matches!(name.first(), Some(b'G' | b'g')) && digits > 3
+                || matches!(name.first(), Some(b'M' | b'm')) && digits > 2;
+            let numbered = name.get(1..).is_some_and(|rest| rest.iter().all(u8::is_ascii_digit));
+            let alarm = if numbered && long { 12530 } else { 12270 };
+            return self.fail_help(codes::S2016, alarm, span, message, "choose a name that means nothing yet");
+        }
+        if self.macros.get(&symbol).is_some_and(|known| **known != *body) {
+            let message = format!("the macro `{}` is defined twice", self.symbols.name(symbol));
+            return self.fail_help(codes::S2016, 12270, span, message, "rename one of them");
+        }
+        if self.vars.find(symbol).is_some() {
+            let message = format!("`{}` is a variable already", self.symbols.name(symbol));
+            return self.fail(codes::S2016, 12270, span, message);
+        }
+        if self.macros.insert(symbol, body.into()).as_deref() != Some(body) {
+            // Blocks that were read before may contain the name.
+            for file in &mut self.programs.files {
+                file.cache = Default::default();
+            }
+        }
+        Ok(())
+    }
+
+    /// A macro must not give a word of the language another meaning.
+    pub(super) fn macro_in_use(&mut self, symbol: Symbol) -> Option<String> {
+        let word = self.symbols.name(symbol).to_owned();
+        let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
+        let taken = match (word.as_bytes().first(), digits) {
+            (Some(b'G'), Some(digits)) => {
+                digits.len() > 3 || digits.parse().ok().is_some_and(|n: f64| self.gcodes.get(n).is_some())
+            }
+            (Some(b'M'), Some(digits)) => {
+                let number: Option<u32> = digits.parse().ok();
+                digits.len() > 2 || number.is_some_and(|n| n <= 9 || n == 17 || n == 19 || n == 30)
+            }
+            (Some(b'H'), Some(_)) => false,
+            (Some(_), Some(_)) => true,
+            _ => word.len() == 1 || self.meaning(symbol) != Meaning::Unknown || is_keyword(&word),
+        };
+        taken.then(|| format!("`{word}` is a word of the language"))
+    }
+
+    /// The block with its macros replaced; `None` if it has none.
+    pub(super) fn expanded(&mut self, text: &[u8]) -> Option<Vec<u8>> {
+        let mut current = self.replaced(text)?;
+        // Macros in macros, with an end to it.
+        for _ in 0..8 {
+            match self.replaced(&current) {
+                Some(next) => current = next,
+                None => break,
+            }
+        }
+        Some(current)
+    }
+
+    pub(super) fn replaced(&mut self, text: &[u8]) -> Option<Vec<u8>> {
+        let end = crate::lexer::sinumerik::comment_start(text).unwrap_or(text.len());
+        if text.get(..end)?.windows(6).any(|w| w.eq_ignore_ascii_case(b"DEFINE")) {
+            return None;
+        }
+        let mut out = Vec::new();
+        let mut any = false;
+        let mut at = 0;
+        while at < end {
+            let byte = text[at];
+            if byte == b'"' {
+                let close = text[at + 1..end].iter().position(|b| *b == b'"').map_or(end, |n| at + n + 2);
+                out.extend_from_slice(&text[at..close]);
+                at = close;
+                continue;
+            }
+            let len = text[at..end].iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+            if len == 0 {
+                out.push(byte);
+                at += 1;
+                continue;
+            }
+            let word = &text[at..at + len];
+            let upper = word.to_ascii_uppercase();
+            let known = std::str::from_utf8(&upper).ok().and_then(|name| self.symbols.find(name));
+            match known.and_then(|symbol| self.macros.get(&symbol)) {
+                Some(body) if out.len() + body.len() <= 4 * MOST_MACRO => {
+                    out.extend_from_slice(body);
+                    any = true;
+                }
+                _ => out.extend_from_slice(word),
+            }
+            at += len;
+        }
+        out.extend_from_slice(&text[end..]);
+        any.then_some(out)
+    }
+}
+
+/// Words of control structures and declarations.
+fn is_keyword(word: &str) -> bool {
+    const KEYWORDS: &str = "IF ELSE ENDIF WHILE ENDWHILE FOR TO ENDFOR LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS \
+        CASE OF DEFAULT DEF REDEF PROC EXTERN DEFINE VAR CALL PCALL MCALL EXTCALL ISOCALL BLOCK NOT AND OR XOR B_NOT B_AND B_OR B_XOR \
+        DIV MOD TRUE FALSE INT REAL BOOL CHAR STRING AXIS FRAME SAVE";
+    KEYWORDS.split_ascii_whitespace().any(|keyword| keyword == word)
+}

@@ -1,0 +1,222 @@
+//! Moves as they go out: in the frame, in machine coordinates, of single axes, along threads.
+//!
+//! Source: reference sections 2.1, 4.8 and 5.6.
+
+use crate::diag::codes;
+use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::vocabulary::{Address, Code};
+use super::words::{Mode, Words};
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    /// Sends a move to the named axes of `end`.
+    #[inline]
+    pub(super) fn send(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
+        self.send_end(EndPoint::Cartesian(*end), end, path, feed);
+    }
+
+    pub(super) fn send_end(&mut self, end_point: EndPoint, end: &Pos, path: Path, feed: Option<Feed>) {
+        if self.st.machine_coordinates {
+            return self.send_in_machine(end, path, feed);
+        }
+        if self.stored.is_some() {
+            self.note_stored(end, &path);
+        }
+        self.note_heading(end, &path);
+        let mv = Move { end: end_point, path, feed, side: self.st.side(), coords: Coords::Frame };
+        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        self.moved_to(end);
+    }
+
+    #[inline]
+    pub(super) fn moved_to(&mut self, end: &Pos) {
+        self.st.pos.update(end);
+        self.st.programmed.update(end);
+        if !self.st.lost.is_empty() {
+            self.st.lost = self.st.lost.without(end.known());
+        }
+    }
+
+    /// G500 is in force: the coordinates are the machine's.
+    pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
+        if !matches!(path, Path::Rapid | Path::Line) {
+            let _: Outcome = self.fail_help(
+                codes::S9011,
+                0,
+                Span::default(),
+                "under G500 only straight moves can be printed, in machine coordinates",
+                "select G54, or say which work offset G500 is: `[datums] G500 = \"G54\"`",
+            );
+            return;
+        }
+        if !self.st.ctx.frame.is_shift() || self.st.side() != Side::None {
+            let _: Outcome = self.fail(
+                codes::S9011,
+                0,
+                Span::default(),
+                "under G500 neither a rotated frame nor radius compensation can be printed",
+            );
+            return;
+        }
+        let machine = self.st.ctx.frame.apply(end);
+        let mv = Move { end: EndPoint::Cartesian(machine), path, feed, side: Side::None, coords: Coords::Machine };
+        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        self.moved_to(end);
+    }
+
+    /// A block under G53, G153 or SUPA.
+    pub(super) fn machine_move(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
+        self.pending_must_be_done(span)?;
+        if !matches!(code, Code::G0 | Code::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
+            return self.fail_help(
+                codes::S9011,
+                0,
+                span,
+                "in machine coordinates only straight moves can be printed",
+                "program G0 or G1 with axes in this block",
+            );
+        }
+        if self.st.side() != Side::None {
+            return self.fail(codes::S2080, 0, span, "a block in machine coordinates under radius compensation");
+        }
+        let feed = self.path_feed(w, code == Code::G0)?;
+        let mut end = Pos::UNKNOWN;
+        for axis in w.axes.iter() {
+            let Some(given) = w.axis(axis) else { continue };
+            let incremental = match given.mode {
+                Mode::Plain => self.st.is(Code::G91),
+                Mode::Ic | Mode::Dic | Mode::Ric => true,
+                _ => false,
+            };
+            if incremental {
+                return self.fail_help(
+                    codes::S9011,
+                    0,
+                    given.span,
+                    "an increment in machine coordinates starts from a place that only the machine knows",
+                    "program the machine coordinate with AC(…) or under G90",
+                );
+            }
+            let value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
+            end.set(axis, value);
+        }
+        let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
+        let mv = Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Machine };
+        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        for axis in w.axes.iter() {
+            self.st.forget(axis);
+        }
+        Ok(())
+    }
+
+    /// `POS[X]=10 FA[X]=500`
+    pub(super) fn positioning(&mut self, w: &mut Words) -> Outcome {
+        if !w.axes.is_empty() || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
+            let span = w.positioning[0].given.span;
+            return self.fail_help(
+                codes::S9008,
+                0,
+                span,
+                "POS beside a path motion: the two run at the same time",
+                "give POS a block of its own",
+            );
+        }
+        if let Some((_, span)) = w.code_of(9).filter(|(code, _)| *code != Code::SUPD) {
+            return self.fail_help(
+                codes::S9011,
+                0,
+                span,
+                "a positioning axis in machine coordinates cannot be printed",
+                "program the axis by G0 or G1 in this block",
+            );
+        }
+        for at in 0..w.positioning.len() {
+            let positioning = w.positioning[at];
+            let axis = positioning.axis;
+            if axis.is_main() && !self.st.ctx.frame.is_shift() {
+                return self.fail_help(
+                    codes::S9008,
+                    16430,
+                    positioning.given.span,
+                    format!("{} is a positioning axis while the frame is turned or scaled", axis.letter()),
+                    "program the axis by G0 or G1",
+                );
+            }
+            let value = self.target(axis, positioning.given)?;
+            let feed = w.axis_feeds.iter().find(|(known, _)| *known == axis).map(|(_, feed)| *feed);
+            let Some(feed) = feed.or_else(|| self.axis_feed.get(&axis).copied()) else {
+                return self.fail_help(
+                    codes::S2040,
+                    10860,
+                    positioning.given.span,
+                    format!("the feed of {} as a positioning axis is a machine datum", axis.letter()),
+                    "give it: FA[X]=500",
+                );
+            };
+            let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
+            self.axis_feed.insert(axis, feed);
+            let mut end = Pos::UNKNOWN;
+            end.set(axis, value);
+            self.send(&end, Path::Line, Some(Feed::PerMinute(feed * unit)));
+        }
+        Ok(())
+    }
+
+    /// G33
+    pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
+        self.master_is_main(span, "the lead of a thread")?;
+        let end = self.targets(w)?;
+        if let Some(start) = w.take(Address::Sf)
+            && start.value != 0.0
+        {
+            return self.fail_help(
+                codes::S9012,
+                0,
+                start.span,
+                "a start angle of the thread cannot be printed",
+                "shift the start point along the thread instead: lead · angle / 360",
+            );
+        }
+        let [first, second, third] = self.st.geometry_axes;
+        for (address, axis) in [(Address::I, first), (Address::J, second), (Address::K, third)] {
+            if let Some(lead) = w.take(address) {
+                if lead.value == 0.0 {
+                    return self.fail(codes::S2081, 16720, lead.span, "the lead of the thread is 0");
+                }
+                self.lead = Some((axis, lead.value.abs() * self.st.length_unit()));
+                if !w.axes.contains(axis) {
+                    let message = format!("the lead counts along {}, which the block does not move", axis.letter());
+                    return self.fail(codes::S2081, 16730, lead.span, message);
+                }
+            }
+        }
+        let Some((axis, lead)) = self.lead else {
+            return self.fail_help(codes::S2081, 16720, span, "the thread has no lead", "program K along Z, I along X");
+        };
+        for axis in w.axes.iter().filter(|axis| axis.is_main()) {
+            if self.st.pos.get(axis).is_none() {
+                return self.unknown_axis(axis, span);
+            }
+        }
+        let way = |axis: Axis| match (end.get(axis), self.st.pos.get(axis)) {
+            (Some(to), Some(from)) => (to - from).abs(),
+            _ => 0.0,
+        };
+        if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + 1e-9) {
+            let message = format!("the lead is given along {}, but {} moves further", axis.letter(), longer.letter());
+            return self.fail_help(
+                codes::S2081,
+                16730,
+                span,
+                message,
+                "give the lead along the axis that moves further",
+            );
+        }
+        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
+        Ok(())
+    }
+}

@@ -1,0 +1,358 @@
+//! Words with a name, a number or an index: addresses, calls, spindles, axes by variable.
+//!
+//! Source: reference sections 1.3 and 5.6.
+
+use crate::diag::codes;
+use crate::machine::Axis;
+use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
+use crate::parser::symbols::Symbol;
+
+use super::value::{Val, whole};
+use super::vocabulary::{Address, Code, Indexed, Meaning, Procedure};
+use super::words::{CallWord, Positioning, SWord, Words};
+use super::{Outcome, Run};
+
+/// Does the block set an interrupt? The program it names is not called here.
+fn interrupts(words: &Words) -> bool {
+    words.call.is_some_and(|call| call.meaning == Meaning::Procedure(Procedure::Interrupt))
+}
+
+impl Run<'_> {
+    pub(super) fn name_word(
+        &mut self,
+        words: &mut Words,
+        name: Symbol,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        if let Value::Formula(formula) = word.value {
+            if self.vars.find(name).is_some() {
+                self.assign_word(word, block, text)?;
+                return Ok(true);
+            }
+            match self.meaning(name) {
+                Meaning::Address(Address::Prio) if interrupts(words) => {
+                    let given = self.given(word, block, text)?;
+                    if !(1.0..=128.0).contains(&given.value) {
+                        return self.fail(codes::S2021, 14660, word.span, "the priority of an interrupt is 1 to 128");
+                    }
+                }
+                Meaning::Address(Address::Dynamics) => {
+                    self.eval(formula, block, text)?;
+                    words.dynamics.get_or_insert(word.span);
+                }
+                Meaning::Address(address) => {
+                    let given = self.given(word, block, text)?;
+                    self.set_address(words, address, given)?;
+                }
+                Meaning::Axis(axis) => {
+                    let given = self.given(word, block, text)?;
+                    self.set_axis(words, axis, given)?;
+                }
+                Meaning::Procedure(Procedure::Refused(what)) => {
+                    let message = format!("{} ({what}) is not supported", self.symbols.name(name));
+                    return self.fail_help(codes::S9005, 0, word.span, message, "replace it by plain moves");
+                }
+                _ => {
+                    if self.definitions_known() {
+                        return self.undefined(name, word.span);
+                    }
+                    return self.name_word(words, name, word, block, text);
+                }
+            }
+            return Ok(false);
+        }
+        let args = match word.value {
+            Value::Call(args) => Some(args),
+            _ => None,
+        };
+        let meaning = self.meaning(name);
+        match (meaning, args) {
+            (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
+            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {}
+            // `SETINT(1) PRIO=1 NAME`
+            (Meaning::Unknown, _) if interrupts(words) && words.interrupt.is_none() => {
+                words.interrupt = Some(word.span);
+            }
+            _ if words.call.is_some() => {
+                return self.fail_help(
+                    codes::S2013,
+                    12080,
+                    word.span,
+                    "two calls stand in one block",
+                    "give each call a block of its own",
+                );
+            }
+            _ => words.call = Some(CallWord { name, meaning, args, span: word.span }),
+        }
+        Ok(false)
+    }
+
+    pub(super) fn indexed_word(
+        &mut self,
+        words: &mut Words,
+        base: Base,
+        args: Args,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        let name = match base {
+            Base::Letter(b'R') | Base::System(_) => {
+                self.assign_word(word, block, text)?;
+                return Ok(true);
+            }
+            Base::Letter(letter) if self.letter_variable(letter).is_some() => {
+                self.assign_word(word, block, text)?;
+                return Ok(true);
+            }
+            Base::Letter(letter) => return self.indexed_letter(words, letter, args, word, block, text).map(|()| false),
+            Base::Name(name) => name,
+        };
+        if self.vars.find(name).is_some() {
+            self.assign_word(word, block, text)?;
+            return Ok(true);
+        }
+        match self.meaning(name) {
+            Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
+            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa | Address::Svc) => {
+                let spindle = self.spindle_index(args, block, text)?;
+                if spindle == self.st.master
+                    && let Meaning::Address(address) = self.meaning(name)
+                {
+                    let given = self.given(word, block, text)?;
+                    self.set_address(words, address, given)?;
+                    return Ok(false);
+                }
+                if self.meaning(name) == Meaning::Address(Address::Lims) {
+                    let given = self.given(word, block, text)?;
+                    self.speed_limit_of(spindle, given)?;
+                    return Ok(false);
+                }
+                self.fail_help(
+                    codes::S9007,
+                    0,
+                    word.span,
+                    format!("spindle {spindle} is not the master spindle"),
+                    "only speed and sense of rotation of further spindles can be printed",
+                )
+            }
+            Meaning::Address(Address::Dynamics) => {
+                self.given(word, block, text)?;
+                words.dynamics.get_or_insert(word.span);
+                Ok(false)
+            }
+            _ => {
+                if self.definitions_known() {
+                    return self.undefined(name, word.span);
+                }
+                self.indexed_word(words, base, args, word, block, text)
+            }
+        }
+    }
+
+    /// `S[2]=`, `M[1]=`, `G[8]=`, `T[1]=`
+    pub(super) fn indexed_letter(
+        &mut self,
+        words: &mut Words,
+        letter: u8,
+        args: Args,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        match letter {
+            b'S' | b'M' => {
+                let spindle = self.spindle_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                if letter == b'M' {
+                    return self.m_word(words, Some(spindle), given);
+                }
+                words.s.push(SWord { spindle: Some(spindle), value: given.value, span: given.span });
+                Ok(())
+            }
+            b'H' => {
+                self.index_number(args, block, text)?;
+                self.given(word, block, text)?;
+                words.h = Some(word.span);
+                Ok(())
+            }
+            b'G' => {
+                let group = self.index_number(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                let size = u8::try_from(group).map_or(0, super::vocabulary::size);
+                if size == 0 || (2..=5).contains(&group) {
+                    return self.fail(
+                        codes::S2010,
+                        12470,
+                        word.span,
+                        format!("G group {group} cannot be set by index"),
+                    );
+                }
+                let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
+                match index {
+                    Some(index) => self.code_word(words, Code { group: group as u8, index }, word.span),
+                    None => {
+                        let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
+                        self.fail(codes::S2011, 12475, word.span, message)
+                    }
+                }
+            }
+            _ => self.fail(codes::S1001, 12080, word.span, format!("`{}` takes no index", letter as char)),
+        }
+    }
+
+    pub(super) fn index_number(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<i32> {
+        let [formula] = *block.arguments(args) else {
+            return self.fail(codes::S2018, 12430, block.span, "one index is needed");
+        };
+        let value = self.number(formula, block, text)?;
+        match whole(value) {
+            Some(n) => Ok(n),
+            None => self.fail(codes::S2018, 12410, formula.span, "an index is a whole number"),
+        }
+    }
+
+    pub(super) fn spindle_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<u8> {
+        let n = self.index_number(args, block, text)?;
+        match u8::try_from(n) {
+            Ok(n) if (1..=20).contains(&n) => Ok(n),
+            _ => self.fail(codes::S2018, 12430, block.span, format!("there is no spindle {n}")),
+        }
+    }
+
+    /// The axis in brackets.
+    pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Axis> {
+        let [formula] = *block.arguments(args) else {
+            return self.fail(codes::S2031, 12040, block.span, "one axis is needed in brackets");
+        };
+        match self.eval(formula, block, text)? {
+            Val::Axis(axis) => Ok(axis),
+            other => {
+                let message = format!("an axis is needed in brackets, this is {}", other.what());
+                self.fail(codes::S2031, 12040, formula.span, message)
+            }
+        }
+    }
+
+    pub(super) fn indexed_address(
+        &mut self,
+        words: &mut Words,
+        indexed: Indexed,
+        args: Args,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        match indexed {
+            Indexed::Ax => {
+                let axis = self.axis_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                if words.axes.contains(axis) {
+                    let message = format!("the axis {} stands twice in the block", axis.letter());
+                    return self.fail_help(codes::S2007, 16420, given.span, message, "delete one of the words");
+                }
+                self.set_axis(words, axis, given)
+            }
+            Indexed::Pos => {
+                let axis = self.axis_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                words.positioning.push(Positioning { axis, given });
+                Ok(())
+            }
+            Indexed::Fa => {
+                let axis = self.axis_index(args, block, text)?;
+                let given = self.given(word, block, text)?;
+                if given.value <= 0.0 {
+                    let message = format!("the feed {} of a positioning axis is not above 0", given.value);
+                    return self.fail(codes::S2041, 14810, given.span, message);
+                }
+                words.axis_feeds.push((axis, given.value));
+                Ok(())
+            }
+            Indexed::Dynamics => {
+                if !matches!(word.value, Value::None) {
+                    self.given(word, block, text)?;
+                }
+                words.dynamics.get_or_insert(word.span);
+                Ok(())
+            }
+            Indexed::DiameterOn | Indexed::Diameter90 | Indexed::DiameterOff | Indexed::DiameterChannel => {
+                let axis = self.axis_index(args, block, text)?;
+                words.diameter = Some((indexed, axis, word.span));
+                Ok(())
+            }
+            Indexed::Posa => self.fail_help(
+                codes::S9008,
+                0,
+                word.span,
+                "an axis that moves beside the path cannot be printed",
+                "move the axis in a path block, or by POS[…]",
+            ),
+            Indexed::Polynomial => self.fail_help(
+                codes::S9002,
+                0,
+                word.span,
+                "polynomials cannot be printed",
+                "have the CAM system put out lines and arcs",
+            ),
+        }
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn numbered_word(
+        &mut self,
+        words: &mut Words,
+        letter: u8,
+        number: u32,
+        name: Symbol,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        if letter == b'R' || self.vars.find(name).is_some() {
+            self.assign_word(word, block, text)?;
+            return Ok(true);
+        }
+        if let Meaning::Address(address) = self.meaning(name) {
+            let given = self.given(word, block, text)?;
+            self.set_address(words, address, given)?;
+            return Ok(false);
+        }
+        let spindle = u8::try_from(number).ok();
+        match letter {
+            b'T' if number <= 1 => {
+                let Value::Formula(formula) = word.value else { return Err(super::Reported) };
+                self.tool_word(words, formula, word.span, block, text)?;
+            }
+            b'S' => {
+                let given = self.given(word, block, text)?;
+                words.s.push(SWord { spindle, value: given.value, span: given.span });
+            }
+            b'M' => {
+                let given = self.given(word, block, text)?;
+                self.m_word(words, spindle, given)?;
+            }
+            b'H' => {
+                self.given(word, block, text)?;
+                words.h = Some(word.span);
+            }
+            b'A' | b'B' | b'C' if (2..=7).contains(&number) => {
+                return self.fail_help(
+                    codes::S9006,
+                    0,
+                    word.span,
+                    format!("{}{number}= gives the direction of the tool", letter as char),
+                    "have the CAM system put out three axes, or the rotary axes themselves",
+                );
+            }
+            b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
+                self.given(word, block, text)?;
+                words.machine_axes.push((Axis::of(letter).unwrap_or(Axis::X), word.span));
+            }
+            _ => return self.undefined(name, word.span),
+        }
+        Ok(false)
+    }
+}

@@ -1,0 +1,358 @@
+//! Blocks with a call: procedures of the language, and programs by name.
+//!
+//! Source: reference sections 1.5, 5.6 and 6.
+
+use crate::diag::codes;
+use crate::ir::Function;
+use crate::machine::Axis;
+use crate::parser::sinumerik::ast::{Block, Formula};
+use crate::text::Span;
+
+use super::value::{Val, to_text, whole};
+use super::vocabulary::{Meaning, Procedure};
+use super::words::{CallWord, Words};
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    /// A block with a call: of a procedure of the language or of a program.
+    pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
+        let passes = w.passes.take();
+        if let Some((name, span)) = w.l.take() {
+            if w.call.is_some() || self.has_other_words(w) {
+                return self.call_not_alone(span);
+            }
+            return self.call_program(&name, span, None, passes, block, text);
+        }
+        let Some(call) = w.call else { return Ok(()) };
+        if let Meaning::Procedure(procedure) = call.meaning {
+            w.passes = passes;
+            let alone = matches!(
+                procedure,
+                Procedure::ExecString | Procedure::Return | Procedure::SetAlarm | Procedure::Refused(_)
+            );
+            if alone && (self.has_other_words(w) || w.passes.is_some()) {
+                return self.call_not_alone(call.span);
+            }
+            self.procedure(procedure, call, w, block, text)?;
+            return self.rest_of_block(w, block);
+        }
+        // A name in a definition file may be a macro.
+        if !self.definitions_known() && self.macros.contains_key(&call.name) {
+            return self.again(block, text);
+        }
+        self.begins_executing();
+        if self.has_other_words(w) {
+            // Modal words beside the name of a program: an unknown word most often.
+            return self.unknown_word(call);
+        }
+        let name = self.symbols.name(call.name).to_owned();
+        self.call_program(&name, call.span, Some(call), passes, block, text)
+    }
+
+    /// A program of the user with the name of a cycle goes before it.
+    pub(super) fn own_program(&mut self, name: &str) -> bool {
+        let file = self.programs.units[self.unit()].file;
+        let listed = self.programs.list(&self.job, file).is_ok();
+        if listed && (self.programs.find_in_file(file, name).is_some() || self.programs.find_in_file(0, name).is_some())
+        {
+            return true;
+        }
+        let identity = self.job.sources.identity(self.here.file);
+        let request = crate::text::Request { from: &identity, name, extensions: &["SPF"] };
+        self.job.files.open(&request).is_ok()
+    }
+
+    pub(super) fn has_other_words(&self, w: &Words) -> bool {
+        !w.axes.is_empty()
+            || !w.codes.is_empty()
+            || !w.m.is_empty()
+            || !w.s.is_empty()
+            || w.has_addresses()
+            || w.h.is_some()
+            || w.axis_word_left().is_some()
+            || w.diameter.is_some()
+    }
+
+    pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2013,
+            12120,
+            span,
+            "a call stands beside other words",
+            "give the call a block of its own",
+        )
+    }
+
+    pub(super) fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {
+        let name = self.symbols.name(call.name);
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
+        if letters.len() < name.len() && matches!(self.vocabulary.get(letters), Some(Meaning::Address(_))) {
+            let digits = &name[letters.len()..];
+            return self.fail_help(
+                codes::S1001,
+                12080,
+                call.span,
+                format!("`=` is missing in `{name}`"),
+                &format!("an address of more than one letter takes `=`: {letters}={digits}"),
+            );
+        }
+        let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
+        known.sort_unstable();
+        let like = crate::machine::tree::did_you_mean(name, known);
+        let help = match like {
+            Some(like) => format!("did you mean `{like}`?"),
+            None => "a call needs a block of its own; an address takes `=`".to_owned(),
+        };
+        self.fail_help(codes::S2001, 12550, call.span, format!("the word `{name}` is not known here"), &help)
+    }
+
+    pub(super) fn call_program(
+        &mut self,
+        name: &str,
+        span: Span,
+        call: Option<CallWord>,
+        passes: Option<super::words::Given>,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let passes = match passes {
+            Some(given) => self.check_passes(given.value, given.span)?,
+            None => 1,
+        };
+        let arguments = match call.and_then(|call| call.args) {
+            Some(args) => self.arguments(args, block, text)?,
+            None => Vec::new(),
+        };
+        self.pending_must_be_done(span)?;
+        let result = self.find_program(name, span);
+        let unit = match result {
+            Ok(unit) => unit,
+            Err(reported) => {
+                // What it would have done is not known.
+                self.st.lose(Axis::ALL.into_iter().collect());
+                self.lost();
+                return Err(reported);
+            }
+        };
+        self.call_unit(unit, arguments, passes, false)
+    }
+
+    /// A word of the language that is written like a call.
+    pub(super) fn procedure(
+        &mut self,
+        procedure: Procedure,
+        call: CallWord,
+        w: &mut Words,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let name = self.symbols.name(call.name).to_owned();
+        let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
+        if let Some(result) = self.machining_cycle(&name, call, block, text) {
+            if self.has_other_words(w) {
+                return self.call_not_alone(call.span);
+            }
+            return result;
+        }
+        match procedure {
+            Procedure::NoEffect => Ok(()),
+            Procedure::Dynamics => {
+                self.note_once(codes::S8002, call.span, "words that only shape speed and accuracy are left out");
+                Ok(())
+            }
+            Procedure::Message => self.message(&formulas, block, text),
+            Procedure::SetAlarm => {
+                let mut shown = String::new();
+                if let Some(formula) = formulas.first()
+                    && let Ok(number) = self.number(*formula, block, text)
+                    && !(60_000.0..70_000.0).contains(&number)
+                {
+                    self.ended.set(true);
+                    let message = format!("SETAL({number}) is no alarm of a program");
+                    return self.fail_help(
+                        codes::S2027,
+                        15700,
+                        call.span,
+                        message,
+                        "programs have the alarms 60000 to 69999",
+                    );
+                }
+                for formula in &formulas {
+                    let value = self.eval(*formula, block, text)?;
+                    if let Some(text) = to_text(&value) {
+                        shown = format!("{shown} {}", String::from_utf8_lossy(&text));
+                    }
+                }
+                self.ended.set(true);
+                self.fail_help(
+                    codes::S2027,
+                    0,
+                    call.span,
+                    format!("the program raises alarm{shown}"),
+                    "it found its own data wrong: look at the conditions in front of SETAL",
+                )
+            }
+            Procedure::SetMaster => {
+                let n = match formulas.first() {
+                    Some(formula) => self.number(*formula, block, text)?,
+                    None => 1.0,
+                };
+                match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
+                    Some(n) => self.set_master(n, call.span),
+                    None => self.fail(codes::S2045, 0, call.span, format!("there is no spindle {n}")),
+                }
+            }
+            Procedure::Channel => {
+                self.note_once(
+                    codes::S8015,
+                    call.span,
+                    "words that synchronize channels are left out: the output has one channel",
+                );
+                Ok(())
+            }
+            Procedure::Interrupt => {
+                self.note_once(codes::S8016, call.span, "interrupt programs are left out");
+                Ok(())
+            }
+            Procedure::FileAccess => {
+                self.note_once(codes::S8017, call.span, "reading and writing files of the control is left out");
+                if name == "READ" {
+                    return self.fail(codes::S9001, 0, call.span, "READ takes values from a file of the control");
+                }
+                Ok(())
+            }
+            Procedure::CallPath => Ok(()),
+            Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
+            Procedure::Return => self.return_block(&formulas, call.span, block, text),
+            Procedure::TransformationOff if formulas.is_empty() => Ok(()),
+            Procedure::TransformationOff => {
+                self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
+            }
+            Procedure::Swivel if formulas.is_empty() => Ok(()),
+            Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
+            Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
+            Procedure::EndLabel => Ok(()),
+            Procedure::DiameterChannel => {
+                self.st.diameter = None;
+                Ok(())
+            }
+            Procedure::Refused(_) if self.own_program(&name) => {
+                self.call_program(&name, call.span, Some(call), None, block, text)
+            }
+            Procedure::Refused(what) => {
+                self.st.lose(Axis::ALL.into_iter().collect());
+                self.lost();
+                let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
+                self.fail_help(
+                    code,
+                    0,
+                    call.span,
+                    format!("{name} ({what}) is not supported"),
+                    "replace it by plain moves, or compile the program without it",
+                )
+            }
+        }
+    }
+
+    /// Words beside a procedure that has no effect.
+    pub(super) fn rest_of_block(&mut self, w: &mut Words, block: &Block) -> Outcome {
+        if self.has_other_words(w) || w.passes.is_some() {
+            w.call = None;
+            self.begins_executing();
+            return self.words_again(w, block);
+        }
+        Ok(())
+    }
+
+    pub(super) fn message(&mut self, formulas: &[Formula], block: &Block, text: &[u8]) -> Outcome {
+        let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
+        let value = self.eval(*formula, block, text)?;
+        if self.job.settings.output.comments
+            && let Some(shown) = to_text(&value)
+            && !shown.is_empty()
+        {
+            self.function(Function::Comment(shown));
+        }
+        Ok(())
+    }
+
+    /// `CYCLE800(…)`. Without retraction, offsets and angles the plane stays where it is; everything else moves axes.
+    fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        /// Retract mode, and the places of offsets and angles.
+        const MOVES: [usize; 10] = [0, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+        for at in MOVES {
+            let Some(formula) = formulas.get(at).filter(|formula| !formula.is_missing()) else { continue };
+            if self.number(*formula, block, text)? == 0.0 {
+                continue;
+            }
+            self.st.lose(Axis::ALL.into_iter().collect());
+            self.lost();
+            if at == 0 {
+                return self.fail_help(
+                    codes::S9006,
+                    0,
+                    formula.span,
+                    "CYCLE800 retracts the tool to a place that is a machine datum",
+                    "program the retraction (SUPA G0 Z…) and 0 as its first argument, or CYCLE800()",
+                );
+            }
+            return self.fail_help(
+                codes::S9006,
+                0,
+                formula.span,
+                "CYCLE800 swivels or shifts the working plane, which plain G-code in three axes cannot say",
+                "have the CAM system put out the swivelled part by itself",
+            );
+        }
+        let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
+        if let Some(axis) = turned.into_iter().find(|axis| self.st.pos.get(*axis).is_some_and(|at| at != 0.0)) {
+            let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
+            return self.fail_help(codes::S9006, 0, span, message, "program the rotary axis, and leave CYCLE800 out");
+        }
+        self.note_once(codes::S8029, span, "CYCLE800 without angles, offsets and retraction is left out");
+        Ok(())
+    }
+
+    pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let [formula] = *formulas else {
+            return self.fail(codes::S2021, 14021, span, "EXECSTRING takes one text");
+        };
+        match self.eval(formula, block, text)? {
+            Val::Text(line) => self.execute_line(&line, span),
+            other => {
+                self.fail(codes::S2005, 12150, formula.span, format!("a text is needed, this is {}", other.what()))
+            }
+        }
+    }
+
+    pub(super) fn geo_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        for pair in formulas.chunks(2) {
+            let [number, axis] = pair else { break };
+            let n = self.number(*number, block, text)?;
+            if !(0.0..=3.0).contains(&n) {
+                return self.fail(
+                    codes::S2021,
+                    14414,
+                    span,
+                    format!("GEOAX names geometry axis {n}; there are 1 to 3"),
+                );
+            }
+            let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
+            let same =
+                match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {
+                    (Some(known), Val::Axis(axis)) => known == axis,
+                    _ => false,
+                };
+            if !same {
+                return self.fail_help(
+                    codes::S9001,
+                    0,
+                    span,
+                    "GEOAX gives the geometry axes other names",
+                    "name the axes of the machine by `[machine] geometry_axes`",
+                );
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,177 @@
+//! Spindles: speed, sense of rotation, constant cutting speed.
+//!
+//! Source: reference section 2.15.
+
+use crate::diag::codes;
+use crate::ir::Function;
+use crate::ir::function::Spindle;
+use crate::text::Span;
+
+use super::state::{MAIN_SPINDLE, SpindleState};
+use super::words::{Given, SWord, Words};
+use super::{Outcome, Run};
+
+/// Highest spindle number that is a spindle.
+const MOST_SPINDLES: u8 = 20;
+
+impl Run<'_> {
+    /// A word for spindle `n`. The target knows the first one without a number.
+    pub(super) fn send_spindle(&mut self, n: u8, spindle: Spindle) {
+        if n == MAIN_SPINDLE {
+            self.function(Function::Spindle(spindle));
+        } else {
+            self.function(Function::SpindleOf { number: n, spindle });
+        }
+    }
+
+    /// Feed per revolution, threads and cutting speed count with the turns of the master; the target counts those
+    /// of its first spindle.
+    pub(super) fn master_is_main(&self, span: Span, what: &str) -> Outcome {
+        let master = self.st.master;
+        if master == MAIN_SPINDLE {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::S9007,
+            0,
+            span,
+            format!("{what} follows spindle {master}, the master; the target follows its first spindle"),
+            "program a feed per minute (G94), or make spindle 1 the master: SETMS(1)",
+        )
+    }
+
+    /// S words of a block.
+    pub(super) fn speeds(&mut self, w: &Words) -> Outcome {
+        let constant = matches!(self.st.groups[15], 4 | 7);
+        let masters = |s: &SWord| s.spindle.is_none_or(|n| n == self.st.master);
+        let given = w.s.iter().any(masters);
+        if !constant && self.st.constant_cut && !given {
+            let span = w.code_of(15).map(|(_, span)| span).unwrap_or_default();
+            // Once is enough.
+            self.st.constant_cut = false;
+            return self.fail_help(
+                codes::S2045,
+                0,
+                span,
+                "G97 keeps the speed that the spindle happens to have",
+                "program the speed with it: G97 S1000",
+            );
+        }
+        for at in 0..w.s.len() {
+            self.speed(w.s[at], constant)?;
+        }
+        if !constant || self.st.constant_cut {
+            self.cut_speed_open = None;
+        } else if self.cut_speed_open.is_none() {
+            self.cut_speed_open = Some(w.code_of(15).map(|(_, span)| span).unwrap_or_default());
+        }
+        Ok(())
+    }
+
+    fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
+        if s.value > 1e6 {
+            return self.fail(codes::S2045, 0, s.span, format!("the speed S{} is out of all range", s.value));
+        }
+        if s.value < 0.0 {
+            let help = "the sense of rotation comes from M3 or M4";
+            return self.fail_help(codes::S2045, 14840, s.span, format!("the speed S{} is negative", s.value), help);
+        }
+        match s.spindle {
+            Some(n) if n != self.st.master => {
+                self.spindle_number(n, s.span)?;
+                self.st.spindles.entry(n).or_default().speed = Some(s.value);
+                self.send_spindle(n, Spindle::Speed(s.value));
+            }
+            _ if constant => {
+                self.master_is_main(s.span, "the cutting speed of G96")?;
+                let feet = self.st.feed_unit() != 1.0;
+                self.st.speed = Some(if feet { s.value * 0.3048 } else { s.value });
+                self.st.constant_cut = true;
+                self.send_cutting_speed();
+            }
+            _ => {
+                self.st.speed = Some(s.value);
+                self.st.constant_cut = false;
+                self.send_spindle(self.st.master, Spindle::Speed(s.value));
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn spindle_number(&self, n: u8, span: Span) -> Outcome {
+        if (1..=MOST_SPINDLES).contains(&n) {
+            Ok(())
+        } else {
+            self.fail(codes::S2045, 0, span, format!("there is no spindle {n}"))
+        }
+    }
+
+    /// `LIMS=` of the master.
+    pub(super) fn speed_limit(&mut self, lims: Given, speed_follows: bool) -> Outcome {
+        self.check_limit(lims)?;
+        self.st.speed_limit = Some(lims.value);
+        if self.st.constant_cut && !speed_follows {
+            self.send_cutting_speed();
+        }
+        Ok(())
+    }
+
+    /// `LIMS[n]=` of a spindle that is not the master: it counts when it becomes one.
+    pub(super) fn speed_limit_of(&mut self, n: u8, lims: Given) -> Outcome {
+        self.check_limit(lims)?;
+        self.st.spindles.entry(n).or_default().limit = Some(lims.value);
+        Ok(())
+    }
+
+    fn check_limit(&self, lims: Given) -> Outcome {
+        if lims.value < 0.0 {
+            return self.fail(codes::S2045, 14820, lims.span, "the speed limit LIMS= is negative");
+        }
+        Ok(())
+    }
+
+    /// `G26 S3000`: the highest speed of a spindle.
+    pub(super) fn highest_speed(&mut self, s: SWord) {
+        match s.spindle {
+            Some(n) if n != self.st.master => self.st.spindles.entry(n).or_default().highest = Some(s.value),
+            _ => {
+                self.st.highest_speed = Some(s.value);
+                if self.st.constant_cut {
+                    self.send_cutting_speed();
+                }
+            }
+        }
+    }
+
+    fn send_cutting_speed(&mut self) {
+        if let Some(speed) = self.st.speed {
+            let limits = [self.st.speed_limit, self.st.highest_speed];
+            let limit = limits.into_iter().flatten().reduce(f64::min);
+            self.function(Function::Spindle(Spindle::CuttingSpeed { speed, limit }));
+        }
+    }
+
+    /// SETMS: words without a spindle number go to spindle `n` from here on.
+    pub(super) fn set_master(&mut self, n: u8, span: Span) -> Outcome {
+        if n == self.st.master {
+            return Ok(());
+        }
+        if self.st.constant_cut {
+            return self.fail_help(
+                codes::S2045,
+                0,
+                span,
+                "the master spindle changes while it turns at a constant cutting speed",
+                "program G97 with a speed in front of SETMS",
+            );
+        }
+        let st = &mut self.st;
+        let old = SpindleState { speed: st.speed, turn: st.turn, limit: st.speed_limit, highest: st.highest_speed };
+        st.spindles.insert(st.master, old);
+        let new = st.spindles.remove(&n).unwrap_or_default();
+        (st.speed, st.turn, st.speed_limit, st.highest_speed) = (new.speed, new.turn, new.limit, new.highest);
+        st.master = n;
+        self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));
+        Ok(())
+    }
+}

@@ -1,0 +1,176 @@
+//! Tools: choice, change, cutting edge, radius compensation.
+//!
+//! Source: reference sections 2.12 and 2.15.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::function::CutterData;
+use crate::ir::{Function, Side};
+use crate::machine::{Axis, Compensation, Tool};
+use crate::text::Span;
+
+use super::vocabulary::Code;
+use super::words::{Given, Words};
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    pub(super) fn tool_word_given(&mut self, t: Given, w: &mut Words) -> Outcome {
+        let number = match w.tool_name.take() {
+            Some(name) => self.tool_by_name(&name, t.span)?,
+            None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => t.value as u32,
+            None => return self.fail(codes::S2043, 17190, t.span, format!("T{} is no tool number", t.value)),
+        };
+        self.st.tool.next = Some(number);
+        self.st.tool.lost = false;
+        let settings = &self.job.settings.tools;
+        if settings.complete && number != 0 && settings.by_number(number, 0).is_none() {
+            let found =
+                Diagnostic::new(codes::S8009, self.loc(t.span), format!("tool {number} is not in the tool table"));
+            self.report(found.help("add it to the table, or check the number"));
+        }
+        if self.changes_by_t() {
+            return self.change_tool();
+        }
+        if !w.m.iter().any(|m| m.number == 6) {
+            self.function(Function::ToolPrepare { number });
+        }
+        Ok(())
+    }
+
+    /// Turrets change with T (MD 22550 = 0), mills with M6.
+    pub(super) fn changes_by_t(&self) -> bool {
+        self.job.settings.control.siemens.tool_change_by_t.unwrap_or(self.st.lathe)
+    }
+
+    pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
+        let tools = &self.job.settings.tools;
+        match tools.by_name(name) {
+            Some((Some(number), _)) => Ok(number),
+            _ => {
+                self.st.tool.lost = true;
+                let known: Vec<String> = tools.table.values().filter_map(|tool| tool.name.clone()).collect();
+                let like = crate::machine::tree::did_you_mean(name, known.iter().map(String::as_str));
+                let help = match like {
+                    Some(like) => format!("did you mean `{like}`?"),
+                    None => format!("give its number: `[tools.1]` with `name = \"{name}\"`"),
+                };
+                self.fail_help(codes::S2043, 17191, span, format!("the tool `{name}` has no number"), &help)
+            }
+        }
+    }
+
+    pub(super) fn change_tool(&mut self) -> Outcome {
+        let Some(number) = self.st.tool.next else {
+            return self.fail_help(codes::S2043, 0, Span::default(), "no tool is chosen", "program T in front of M6");
+        };
+        if self.st.side() != Side::None {
+            return self.fail_help(
+                codes::S2080,
+                10780,
+                Span::default(),
+                "the tool changes while radius compensation is on",
+                "program G40 in a block in front of it",
+            );
+        }
+        self.st.tool.active = Some(number);
+        self.st.tool.edge = Some(1);
+        self.function(Function::ToolChange { number });
+        // A tool of another length.
+        let [_, _, third] = self.st.roles();
+        if self.st.lathe {
+            self.st.forget(Axis::X);
+            self.st.forget(Axis::Z);
+        } else {
+            self.st.forget(third);
+        }
+        Ok(())
+    }
+
+    pub(super) fn edge(&mut self, d: Given) -> Outcome {
+        if d.value.fract() != 0.0 || !(0.0..=32_000.0).contains(&d.value) {
+            return self.fail(codes::S2043, 17180, d.span, format!("D{} is no edge number", d.value));
+        }
+        let edge = d.value as u32;
+        if self.st.tool.edge.is_some_and(|old| old != edge) {
+            let [_, _, third] = self.st.roles();
+            let axes = if self.st.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
+            for axis in axes {
+                self.st.forget(axis);
+            }
+        }
+        self.st.tool.edge = Some(edge);
+        if edge > 1 {
+            self.note_once(
+                codes::S8010,
+                d.span,
+                "cutting edges other than D1 are not printed: the target knows one offset a tool",
+            );
+        }
+        Ok(())
+    }
+
+    pub(super) fn active_tool(&self) -> Option<Tool> {
+        let number = self.st.tool.active?;
+        let mut tool = self.job.settings.tools.by_number(number, 0).cloned().unwrap_or_default();
+        let edge = self.st.tool.edge.unwrap_or(1);
+        let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
+        tool.radius = written.or(tool.radius);
+        Some(tool)
+    }
+
+    pub(super) fn compensation_code(&mut self, code: Code, span: Span) -> Outcome {
+        if code != Code::G40 {
+            if self.job.settings.output.compensation == Compensation::Resolve {
+                return self.fail_help(
+                    codes::S9010,
+                    0,
+                    span,
+                    "computing the tool-centre path is not built yet",
+                    "print the contour with G41/G42: `[output] compensation = \"control\"`",
+                );
+            }
+            if self.st.groups[22] > 2 {
+                let kind = super::vocabulary::word(Code { group: 22, index: self.st.groups[22] });
+                let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
+                return self.fail_help(codes::S9010, 0, span, message, "have the CAM system put out the centre path");
+            }
+            self.select_cutter(span)?;
+        }
+        self.compensation_starts = code.index != self.st.groups[7];
+        self.st.groups[7] = code.index;
+        Ok(())
+    }
+
+    /// Tells the target which tool is compensated.
+    pub(super) fn select_cutter(&mut self, span: Span) -> Outcome {
+        let help = if self.st.tool.next.is_some() {
+            "the tool is chosen, not changed: M6 is missing, or set `[control] tool_change = \"t\"`"
+        } else {
+            "select a tool before"
+        };
+        let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
+            return self.fail_help(codes::S2080, 10750, span, "radius compensation without a tool", help);
+        };
+        let edge = self.st.tool.edge.unwrap_or(1);
+        let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
+        self.function(Function::Cutter(CutterData { number, radius: written }));
+        Ok(())
+    }
+
+    /// Compensation starts and ends on a straight line.
+    pub(super) fn check_start_of_compensation(&mut self, code: Code, in_plane: bool, span: Span) -> Outcome {
+        if std::mem::take(&mut self.compensation_starts) && !(matches!(code, Code::G0 | Code::G1) && in_plane) {
+            let on = self.st.side() != Side::None;
+            let alarm = if on { 10753 } else { 10754 };
+            let what = if in_plane { "on an arc" } else { "without a move in the plane" };
+            let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
+            return self.fail_help(
+                codes::S2080,
+                alarm,
+                span,
+                message,
+                "program G41, G42 or G40 with G0 or G1 and an axis of the plane",
+            );
+        }
+        Ok(())
+    }
+}

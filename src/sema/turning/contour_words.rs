@@ -1,0 +1,175 @@
+//! A contour in the words of the G80 that closes a cycle, as smart.Turn units with direct contour input write it.
+//!
+//! A recess has a floor and two walls, a roughed contour two elements. Source: reference sections 8.11 and 12.
+
+use crate::diag::codes;
+use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};
+
+use super::chain::{Coord, Partial};
+use super::contour::{Builder, Flaw, Mark, Outline};
+use super::coordinates::{Transition, transition_of};
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+/// Angles lie below this, degrees.
+const UPRIGHT: f64 = 90.0;
+
+/// The words, in mm and with X as a radius. Axes are those of a longitudinal contour or a radial recess: `a` along
+/// the cuts, `h` the height; other contours have them swapped.
+struct Form {
+    start: Vec2,
+    end: Vec2,
+    /// Tangents of the angles at start and end.
+    lean: (f64, f64),
+    corner: Transition,
+    rims: (Transition, Transition),
+}
+
+impl Run<'_> {
+    /// The contour that G80 describes for the cycle `number`; `None` where it has no words.
+    pub(super) fn contour_words(&self, w: &Words, number: u16) -> Outcome<Option<Outline>> {
+        let Some((addr, num)) = w.longs().first() else { return Ok(None) };
+        let swapped = match number {
+            810 => false,
+            820 => true,
+            869 => !self.recess_tool()?.1,
+            _ => {
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    format!("a contour in the words of G80 ({addr}) is not supported for G{number}"),
+                    "write the contour with G0, G1, G2 and G3 blocks before G80",
+                );
+            }
+        };
+        if self.job.settings.control.turning.refuse_contour_words {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                format!("no manual at hand lists the words of G80 ({addr})"),
+                "write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \"documented\"`",
+            );
+        }
+        let form = self.form_of(w, swapped)?;
+        let points = if number == 869 { form.recess() } else { form.step() };
+        let Some(points) = points else {
+            return self.fail(codes::T3002, self.block_span(), "the angles leave no room between start and end");
+        };
+        let outline = self.outline_of(&points, swapped).map_err(|flaw| {
+            self.flaw(&flaw);
+            Reported
+        })?;
+        Ok(Some(outline))
+    }
+
+    fn form_of(&self, w: &Words, swapped: bool) -> Outcome<Form> {
+        let span = self.block_span();
+        let mm = self.st.mm();
+        for name in ["EC", "IC", "KC", "HC"] {
+            if let Some(num) = w.long(name).filter(|num| num.value != 0.0) {
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    format!("{name} in a contour of G80 is not supported: no manual at hand describes it"),
+                    "write the contour with G0, G1, G2 and G3 blocks before G80",
+                );
+            }
+        }
+        let needed = |name: &str| match w.long(name) {
+            Some(num) => Ok(num.value * mm),
+            None => self.fail(codes::T1005, span, format!("{name} is missing: the contour has no start or no end")),
+        };
+        let point = |x: f64, z: f64| if swapped { Vec2::new(x / 2.0, z) } else { Vec2::new(z, x / 2.0) };
+        let lean = |name: &str| match w.long(name) {
+            None => Ok(0.0),
+            Some(num) if (0.0..UPRIGHT).contains(&num.value) => {
+                let (sin, cos) = Deg(num.value).sin_cos();
+                Ok(sin / cos)
+            }
+            Some(num) => self.fail(codes::T1007, num.span, format!("{name} lies between 0 and 90 degrees")),
+        };
+        let rim = |name: &str| w.long(name).map_or(Transition::Sharp, |num| transition_of(num.value * mm));
+        let corner = match w.long("RC") {
+            Some(num) if num.value < 0.0 => return self.fail(codes::T1007, num.span, "RC is a radius"),
+            num => num.map_or(Transition::Sharp, |num| transition_of(num.value * mm)),
+        };
+        Ok(Form {
+            start: point(needed("XS")?, needed("ZS")?),
+            end: point(needed("XE")?, needed("ZE")?),
+            lean: (lean("AC")?, lean("WC")?),
+            corner,
+            rims: (rim("BS"), rim("BE")),
+        })
+    }
+
+    /// The outline through the points, without its first and last element.
+    fn outline_of(&self, points: &[(Vec2, Transition)], swapped: bool) -> Result<Outline, Flaw> {
+        let place = |v: Vec2| if swapped { Point2::new(v.y, v.x) } else { Point2::new(v.x, v.y) };
+        let mut builder = Builder::default();
+        for (i, (to, transition)) in points.iter().enumerate() {
+            let to = place(*to);
+            if i == 0 {
+                builder.start(to);
+                continue;
+            }
+            let partial = Partial { z: Coord::At(to.x), x: Coord::At(to.y), ..Partial::default() };
+            builder.push(partial, Mark { number: None, loc: self.here.origin.loc, transition: *transition })?;
+        }
+        builder.settle()?;
+        let mut outline = builder.outline(0)?;
+        outline.edges.pop();
+        if !outline.edges.is_empty() {
+            outline.edges.remove(0);
+        }
+        Ok(outline)
+    }
+}
+
+impl Form {
+    /// Points of a recess from the surface in front of it to the one behind it, each with the transition there.
+    fn recess(&self) -> Option<Vec<(Vec2, Transition)>> {
+        let way = self.end - self.start;
+        let (along, depth) = (way.x.signum(), way.y.abs());
+        let (top, floor) = (self.start.y, self.end.y);
+        let foot = self.start.x + along * depth * self.lean.0;
+        let last_foot = self.end.x - along * depth * self.lean.1;
+        let far = Vec2::new(self.end.x, top);
+        ((last_foot - foot) * along > 0.0 && depth > 0.0).then(|| {
+            vec![
+                (self.start - Vec2::new(along * room(self.rims.0), 0.0), Transition::Sharp),
+                (self.start, self.rims.0),
+                (Vec2::new(foot, floor), self.corner),
+                (Vec2::new(last_foot, floor), self.corner),
+                (far, self.rims.1),
+                (far + Vec2::new(along * room(self.rims.1), 0.0), Transition::Sharp),
+            ]
+        })
+    }
+
+    /// Points of two elements and of those beside them: up to the start across, on behind the end along.
+    fn step(&self) -> Option<Vec<(Vec2, Transition)>> {
+        let way = self.end - self.start;
+        let (along, up) = (way.x.signum(), way.y.signum());
+        let first = direction(Vec2::new(along, up * self.lean.0), 0.0)?;
+        let second = direction(Vec2::new(along * self.lean.1, up), 0.0)?;
+        let (start, end) = (Point2::from(self.start), Point2::from(self.end));
+        let (s, t) = intersect::lines(start, first, end, -second, SAME_DIRECTION)?;
+        (s > 0.0 && t > 0.0).then(|| {
+            vec![
+                (self.start - Vec2::new(0.0, up * room(self.rims.0)), Transition::Sharp),
+                (self.start, self.rims.0),
+                (self.start + first * s, self.corner),
+                (self.end, self.rims.1),
+                (self.end + Vec2::new(along * room(self.rims.1), 0.0), Transition::Sharp),
+            ]
+        })
+    }
+}
+
+/// Length of an element beside a rim: enough for its chamfer or rounding.
+fn room(rim: Transition) -> f64 {
+    match rim {
+        Transition::Open | Transition::Sharp => 1.0,
+        Transition::Rounding(size) | Transition::Chamfer(size) => 1.0 + 2.0 * size,
+    }
+}

@@ -1,0 +1,245 @@
+//! G890, finishing along a contour: its parameters and their defaults.
+//!
+//! Source: reference section 8.10; the letters H, I, K, D, E and O: MANUALplus 620 smart.Turn and DIN, page 119.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Element, Point2, Vec2, cross, left};
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
+use crate::ir::cycle::roughing::Nose;
+use crate::ir::cycle::turning::Towards;
+use crate::machine::Tool;
+
+use super::contour::Outline;
+use super::geometry::Blank;
+use super::state::{Oversize, SpeedMode};
+use super::words::Words;
+use super::{Outcome, Run};
+
+/// Turns of the spindle that an arc takes at least, unless O1 is programmed.
+const TURNS_ON_AN_ARC: f64 = 4.0;
+/// Share of the feed on descending elements where E is missing: the least that the control takes.
+const DESCENDING_SHARE: f64 = 0.5;
+/// How little a point may lie off the line through the ends of the contour to be on it, mm.
+const ON_LINE: f64 = 1e-6;
+
+/// Where the tool is, seen from the contour.
+struct Stance {
+    left: bool,
+    into: Towards,
+    away: Vec2,
+}
+
+impl Run<'_> {
+    pub(super) fn finishing(&mut self, w: &Words, outline: Option<&Outline>) -> Outcome {
+        let at = self.stand()?;
+        self.refuse_finishing_words(w)?;
+        let section = self.contour_with_ends(w, outline)?;
+        let contour = section.elements();
+        let nose = self.nose_of_tool()?;
+        let stance = self.stance(&contour, at, nose)?;
+        let feed = self.cutting_feed()?;
+        let descending = match w.get(b'E') {
+            None => {
+                let lowered = feed.with_value(feed.value() * DESCENDING_SHARE);
+                self.note_descending(&contour, stance.into);
+                Descending::Cut { feed: lowered }
+            }
+            Some(num) if num.value == 0.0 => Descending::Left,
+            Some(num) => Descending::Cut { feed: feed.with_value(self.above_zero(num, "the plunging feed")?) },
+        };
+        let speed = self.st.speed.filter(|_| self.st.speed_mode == Some(SpeedMode::Revolutions));
+        let arcs = match self.choice(w, b'O', 0, 1)? {
+            0 => ArcFeed::Turns { turns: TURNS_ON_AN_ARC, speed },
+            _ => ArcFeed::Same,
+        };
+        let (oversize, shift) = self.finishing_oversize(&contour, &stance)?;
+        let finishing = Finishing {
+            contour,
+            around_left: stance.left != section.backwards,
+            around: section.whole,
+            into: stance.into,
+            left: stance.left,
+            nose: nose.unwrap_or_default(),
+            oversize,
+            shift,
+            away: stance.away,
+            clearance: self.cycle_clearance(),
+            feed,
+            descending,
+            arcs,
+            end: self.finishing_end(w)?,
+        };
+        self.send_cycle(&Cycle::Finishing(finishing));
+        self.st.oversize = None;
+        Ok(())
+    }
+
+    /// Words whose effect on the path no text at hand describes.
+    fn refuse_finishing_words(&self, w: &Words) -> Outcome {
+        let why = |letter: u8| match letter {
+            b'Q' => "how Q chooses the approach no manual at hand says",
+            b'U' => "U names an element in the words of G80, which is not supported",
+            b'B' => "what B of G890 means no manual at hand says",
+            _ => "a cutting limit is not supported: to which side it holds is shown in a picture only",
+        };
+        for letter in [b'X', b'Z', b'Q', b'U', b'B'] {
+            let limit = matches!(letter, b'X' | b'Z');
+            if let Some(num) = w.get(letter).filter(|num| limit || num.value != 0.0) {
+                return self.fail_help(
+                    codes::T9007,
+                    num.span,
+                    why(letter),
+                    "leave the word out, and name the elements to be finished with NS and NE",
+                );
+            }
+        }
+        Ok(())
+    }
+
+    fn finishing_end(&self, w: &Words) -> Outcome<FinishingEnd> {
+        let kind = self.choice(w, b'H', 3, 8)?;
+        if let (3..=7, Some(num)) = (kind, w.get(b'I').or(w.get(b'K'))) {
+            return self.fail_help(
+                codes::T1003,
+                num.span,
+                format!("I and K are the end position, and H{kind} goes to none"),
+                "program H0, H1, H2 or H8 with I and K, or leave I and K out",
+            );
+        }
+        let point = || -> Outcome<Point2> {
+            let i =
+                self.needed(w, b'I', "the X of the end position, as a diameter", w.span(b'H', self.block_span()))?;
+            let k = self.needed(w, b'K', "the Z of the end position", w.span(b'H', self.block_span()))?;
+            let mm = self.st.mm();
+            Ok(Point2::new(k.value * mm, i.value * mm / 2.0))
+        };
+        let to = |way: Way| point().map(|to| FinishingEnd::Point { to, way });
+        match kind {
+            0 => to(Way::Diagonal),
+            1 => to(Way::XThenZ),
+            2 => to(Way::ZThenX),
+            8 => to(Way::AtFeed),
+            4 => Ok(FinishingEnd::Stay),
+            5 => Ok(FinishingEnd::Start { way: Way::Diagonal }),
+            6 => Ok(FinishingEnd::Start { way: Way::XThenZ }),
+            7 => Ok(FinishingEnd::Start { way: Way::ZThenX }),
+            _ => Ok(FinishingEnd::Lift),
+        }
+    }
+
+    /// G57 moves the contour away from the part, G58 is measured at right angles to it.
+    fn finishing_oversize(&self, contour: &[Element], stance: &Stance) -> Outcome<(f64, Vec2)> {
+        match self.st.oversize {
+            None => Ok((0.0, Vec2::zeros())),
+            Some((Oversize::Equidistant(p), _)) => Ok((p, Vec2::zeros())),
+            Some((Oversize::Paraxial { x, z }, _))
+                if x >= 0.0 && z >= 0.0 && (z == 0.0 || !descends(contour, stance.into)) =>
+            {
+                Ok((0.0, Vec2::new(z * stance.away.x, x / 2.0 * stance.away.y)))
+            }
+            Some((_, loc)) => self.oversize_refused(loc, "this oversize does not fit the contour behind it"),
+        }
+    }
+
+    /// The nose of the tool in the cutting position; `None` where nothing is known of it.
+    pub(super) fn nose_of_tool(&self) -> Outcome<Option<Nose>> {
+        let known = self.known_tool();
+        let Some(radius) = known.and_then(|tool| tool.radius) else {
+            let message = "the nose radius of the tool is not known: its programmed point follows the contour";
+            let found = Diagnostic::new(codes::T2027, self.here.origin.loc, message);
+            self.job.diags.push_once(
+                found.help("add `radius` and `orientation` of the tool to partc.toml to compensate the nose radius"),
+            );
+            return Ok(None);
+        };
+        let tip = match known.and_then(|tool| tool.orientation) {
+            Some(1) => Vec2::new(1.0, 1.0),
+            Some(2) => Vec2::new(-1.0, 1.0),
+            Some(3) => Vec2::new(-1.0, -1.0),
+            Some(4) => Vec2::new(1.0, -1.0),
+            _ if radius == 0.0 => return Ok(None),
+            _ => {
+                return self.fail_help(
+                    codes::T2024,
+                    self.block_span(),
+                    "the cutting-edge position of the tool is not known, so its nose cannot be compensated",
+                    "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = 0`",
+                );
+            }
+        };
+        Ok(Some(Nose { radius, tip }))
+    }
+
+    /// What partc.toml says of the tool in the cutting position.
+    pub(super) fn known_tool(&self) -> Option<&Tool> {
+        let active = self.st.tool.as_ref()?;
+        let tools = &self.job.settings.tools;
+        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
+        tools.by_number(active.number, active.edge).or_else(by_name)
+    }
+
+    /// On which side of the contour the tool works: told by its edge, else by where it stands.
+    fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
+        let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
+            return self.fail(codes::T3003, self.block_span(), "the contour has no element");
+        };
+        let chord = last.to() - first.from();
+        let aside = left(chord);
+        let side = match nose {
+            Some(nose) => -nose.tip.dot(&aside),
+            None => cross(chord, at - first.from()),
+        };
+        if side.abs() <= ON_LINE * aside.norm().max(1.0) {
+            return self.side_unclear("it is not clear on which side of the contour the tool works");
+        }
+        let is_left = side > 0.0;
+        let free = if is_left { aside } else { -aside };
+        let outside = if chord.x.abs() <= ON_LINE { nose.is_none_or(|nose| nose.tip.y < 0.0) } else { free.y > 0.0 };
+        let bored = matches!(self.geometry.blank, Some(Blank::Bar { bore, .. }) if bore > 0.0)
+            || matches!(self.geometry.blank, Some(Blank::Casting { bore: true, .. }));
+        if !outside && !bored && nose.is_none() {
+            return self.side_unclear("the tool stands below the contour, and no bore is known");
+        }
+        let out = if outside { 1.0 } else { -1.0 };
+        // A contour that only goes inwards, more than it goes along, is faced.
+        let rises = contour.iter().any(|e| (e.to().y - e.from().y) * out > ON_LINE);
+        let faces = chord.x.abs() <= ON_LINE || (!rises && chord.y.abs() > chord.x.abs());
+        let into = match (faces, outside) {
+            (true, _) if free.x > 0.0 => Towards::MinusZ,
+            (true, _) => Towards::PlusZ,
+            (false, true) => Towards::MinusX,
+            (false, false) => Towards::PlusX,
+        };
+        let away = match nose {
+            Some(nose) => -nose.tip,
+            None if faces => Vec2::new(free.x.signum(), -chord.y.signum()),
+            None => Vec2::new(-chord.x.signum(), out),
+        };
+        Ok(Stance { left: is_left, into, away })
+    }
+
+    fn side_unclear<T>(&self, message: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::T2025,
+            self.block_span(),
+            message,
+            "position the tool clear of the contour, on the side from which it is turned; for a bore give I of G20, or \
+             `radius` and `orientation` of the tool in partc.toml",
+        )
+    }
+
+    fn note_descending(&self, contour: &[Element], into: Towards) {
+        if descends(contour, into) {
+            let message =
+                "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that";
+            let found = Diagnostic::new(codes::T2028, self.here.origin.loc, message);
+            self.report(found.help("program E with the feed for descending elements"));
+        }
+    }
+}
+
+/// Does any element go into the material?
+fn descends(contour: &[Element], into: Towards) -> bool {
+    contour.iter().any(|e| (e.to() - e.from()).dot(&into.unit()) > ON_LINE)
+}

@@ -1,0 +1,183 @@
+//! G86 of the 4110: a recess with upright flanks, roughed in strokes and finished with a chamfer at each rim.
+//!
+//! Source: reference section 8.4. A start at X = contour + 2·(1.3 − chamfer) makes the chamfer: so each flank is entered
+//! over a slope of 45 degrees that begins 1.3 mm beside it at the height of the start.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTurning};
+use crate::ir::cycle::turning::Towards;
+use crate::machine::RecessSide;
+
+use super::sections::Family;
+use super::state::SpeedMode;
+use super::words::{Num, Words};
+use super::{Outcome, Run};
+
+/// Where the slope into a flank begins, beside the flank, in mm.
+const SLOPE: f64 = 1.3;
+/// Between the blank that the strokes are computed with and the height of the start, where they travel, in mm.
+const BELOW_START: f64 = 0.125;
+
+/// The recess along its width and its depth.
+struct Slot {
+    /// Flanks, the smaller coordinate first.
+    flanks: (f64, f64),
+    floor: f64,
+    start: f64,
+    into: Towards,
+}
+
+impl Slot {
+    fn point(&self, along: f64, depth: f64) -> Point2 {
+        if self.into.is_radial() { Point2::new(along, depth) } else { Point2::new(depth, along) }
+    }
+
+    /// +1 where the tool comes from greater coordinates.
+    fn out(&self) -> f64 {
+        if self.floor < self.start { 1.0 } else { -1.0 }
+    }
+
+    /// The contour over these places and heights, from the greater place to the smaller.
+    fn contour(&self, rims: &[(f64, f64)]) -> Vec<Element> {
+        let (low, high) = self.flanks;
+        let down = rims.iter().map(|(aside, height)| self.point(high + aside, *height));
+        let up = rims.iter().rev().map(|(aside, height)| self.point(low - aside, *height));
+        let points: Vec<Point2> =
+            down.chain([self.point(high, self.floor), self.point(low, self.floor)]).chain(up).collect();
+        points.windows(2).map(|pair| Element::Line { from: pair[0], to: pair[1] }).collect()
+    }
+
+    fn upright(&self) -> Vec<Element> {
+        self.contour(&[(0.0, self.start)])
+    }
+
+    fn sloped(&self) -> Vec<Element> {
+        self.contour(&[(SLOPE, self.start), (0.0, self.start - SLOPE * self.out())])
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn simple_recess(&mut self, w: &Words) -> Outcome {
+        let at = self.stand()?;
+        let span = self.block_span();
+        if self.sections.family() == Family::DinPlus {
+            return self.fail_help(
+                codes::T9006,
+                span,
+                "G86 of DIN PLUS is not supported",
+                "describe the recess in the contour and program G869",
+            );
+        }
+        let (tool, radial) = self.recess_tool()?;
+        let corner = self.corner_of(w, at)?;
+        let (width, oversize) = if radial { (b'K', b'I') } else { (b'I', b'K') };
+        let (place, floor, start) = if radial { (corner.x, corner.y, at.y) } else { (corner.y, corner.x, at.x) };
+        if (floor - start).abs() <= 1e-6 {
+            return self.fail(codes::T1007, span, "the recess has no depth below the tool");
+        }
+        let into = match (radial, floor < start) {
+            (true, true) => Towards::MinusX,
+            (true, false) => Towards::PlusX,
+            (false, true) => Towards::MinusZ,
+            (false, false) => Towards::PlusZ,
+        };
+        let mm = self.st.mm();
+        let oversize = match w.get(oversize) {
+            Some(num) if num.value < 0.0 => return self.fail(codes::T1007, num.span, "an oversize is not negative"),
+            num => num.map_or(0.0, |num| num.value * mm * if radial { 0.5 } else { 1.0 }),
+        };
+        let flanks = match w.get(width) {
+            // One stroke: the tool stands with its programmed corner at the corner of the recess.
+            None => (place + tool.edge, place + tool.edge + tool.width),
+            Some(num) => self.recess_flanks(num, place, radial, tool.width)?,
+        };
+        let slot = Slot { flanks, floor, start, into };
+        if oversize > 0.0 && (floor - start).abs() <= SLOPE {
+            return self.fail_help(
+                codes::T1007,
+                span,
+                "the recess is not deeper than the slope of 1.3 mm by which its flanks are entered",
+                "position the tool higher above the recess",
+            );
+        }
+        let dwell = self.recess_dwell(w, slot.floor)?;
+        let feed = self.cutting_feed()?;
+        let pass = |operation, contour, dwell| RecessTurning {
+            contour,
+            into,
+            tool,
+            blank: start - BELOW_START * slot.out(),
+            most: (floor - start).abs(),
+            oversize: if radial { Vec2::new(0.0, oversize) } else { Vec2::new(oversize, 0.0) },
+            offset_width: 0.0,
+            compensation: 0.0,
+            passes: Passes::Strokes { width: tool.width - 2.0 * tool.nose, dwell },
+            operation,
+            clearance: BELOW_START,
+            feeds: RecessFeeds { plunge: feed, turn: feed, finish: feed },
+            end: RecessEnd::Lift,
+        };
+        if oversize == 0.0 {
+            let message =
+                "without an oversize G86 cuts strokes only, without finishing and without chamfers at the rims";
+            self.report(Diagnostic::new(codes::T2029, self.here.origin.loc, message));
+            self.send_cycle(&Cycle::RecessTurning(pass(Operation::Rough, slot.upright(), dwell)));
+            return Ok(());
+        }
+        self.send_cycle(&Cycle::RecessTurning(pass(Operation::Rough, slot.upright(), 0.0)));
+        self.send_cycle(&Cycle::RecessTurning(pass(Operation::Finish, slot.sloped(), dwell)));
+        Ok(())
+    }
+
+    /// Places of the flanks of a recess that is wider than the tool.
+    fn recess_flanks(&self, width: Num, place: f64, radial: bool, tool: f64) -> Outcome<(f64, f64)> {
+        if !radial {
+            return self.fail_help(
+                codes::T9007,
+                width.span,
+                "whether the width of an axial recess counts as a diameter no manual at hand says",
+                "leave I out and cut side by side, or program the recess with G869 on a later control",
+            );
+        }
+        let wide = self.above_zero(width, "the width of the recess")?;
+        if wide < tool - 1e-9 {
+            return self.fail(codes::T1007, width.span, "the recess is narrower than the tool");
+        }
+        match self.job.settings.control.turning.recess_side {
+            Some(RecessSide::Plus) => Ok((place, place + wide)),
+            Some(RecessSide::Minus) => Ok((place - wide, place)),
+            None => self.fail_help(
+                codes::T9007,
+                width.span,
+                "on which side of its corner a wide recess lies is shown in a picture only",
+                "set `[control] recess_side = \"plus\"` or `\"minus\"` in partc.toml: the side of the programmed corner, along Z",
+            ),
+        }
+    }
+
+    /// E in seconds; one turn of the spindle where it is missing.
+    fn recess_dwell(&self, w: &Words, floor: f64) -> Outcome<f64> {
+        if let Some(num) = w.get(b'E') {
+            if num.value < 0.0 {
+                return self.fail(codes::T1007, num.span, "a dwell time is not negative");
+            }
+            return Ok(num.value);
+        }
+        let speed = self.st.speed.filter(|speed| *speed > 0.0).map(|speed| match self.st.speed_mode {
+            // Metres per minute at the floor of a radial recess; further out the spindle is slower.
+            Some(SpeedMode::Cutting) => speed * 1000.0 / (core::f64::consts::TAU * floor.abs().max(1e-3)),
+            _ => speed,
+        });
+        match speed.map(|speed| self.st.speed_limit.map_or(speed, |limit| speed.min(limit))) {
+            Some(speed) => Ok(60.0 / speed),
+            None => self.fail_help(
+                codes::T1005,
+                self.block_span(),
+                "E is missing: the dwell at the floor, which is one turn of the spindle",
+                "program E in seconds, or S before the cycle",
+            ),
+        }
+    }
+}

@@ -1,0 +1,18 @@
+HEADER
+#UNIT METRIC
+BLANK
+N1 G20 X62 Z80 K2
+FINISHED PART
+N2 G0 X0 Z0
+N3 G1 X30 B-1
+N4 G1 Z-20
+N5 G1 X40 Z-30
+N6 G1 X60 B1
+N7 G1 Z-60
+MACHINING
+[G890 follows the elements NS to NE; its chamfer and rounding are cut, the tool stays 1 mm off in X and Z]
+N10 T1 G95 F0.2 G97 S800 M3
+N11 G0 X64 Z3
+N12 G890 NS3 NE7
+N13 G0 X100 Z50
+END

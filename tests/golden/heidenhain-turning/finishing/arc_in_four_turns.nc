@@ -1,0 +1,12 @@
+HEADER
+#UNIT METRIC
+FINISHED PART
+N1 G0 X40 Z0
+N2 G1 Z-20 B0.4
+N3 G1 X60
+MACHINING
+[the rounding is 0.2·pi = 0.6283 mm long: at least four turns on it, F0.1571]
+N4 T1 G95 F0.2 G97 S800 M3
+N5 G0 X64 Z3
+N6 G890 NS2 NE3
+END

@@ -1,0 +1,17 @@
+HEADER
+#UNIT METRIC
+BLANK
+N1 G20 X62 Z80 K2
+FINISHED PART
+N2 G0 X0 Z0
+N3 G1 X30 B-1
+N4 G1 Z-20
+N5 G1 X40 Z-30
+N6 G1 X60 B1
+N7 G1 Z-60
+MACHINING
+[V1: of the chamfer at the begin and the rounding at the end, the one at the begin]
+N10 T1 G95 F0.2 G97 S800 M3
+N11 G0 X64 Z3
+N12 G890 NS4 NE6 V1
+END

@@ -1,0 +1,13 @@
+HEADER
+#UNIT METRIC
+MACHINING
+[ZA2: the blank stands at Z2, so the depth is 7 and P2 makes 4 levels]
+N1 T5 G95 F0.2 G97 S800 M3
+N2 G0 X50 Z6
+N3 G869 P2 Q1 ZA2
+N4 G0 X60 Z0
+N5 G1 Z-5
+N6 G1 X40
+N7 G1 Z0
+N8 G80
+END

@@ -1,0 +1,12 @@
+HEADER
+#UNIT METRIC
+MACHINING
+[an axial recess: X are the walls, Z the floor]
+N1 UNIT ID"G869_G80" [recess turning]
+N2 T5
+N3 G97 S800 G95 F0.2 M3
+N4 G0 X50 Z2
+N5 G869 P6 Q2
+N6 G80 XS60 ZS0 XE40 ZE-5 RC0.5
+END_OF_UNIT 1234
+END

@@ -1,0 +1,12 @@
+HEADER
+#UNIT METRIC
+MACHINING
+[BS-0.5: chamfer at the rim where the contour starts]
+N1 UNIT ID"G869_G80" [recess turning]
+N2 T5
+N3 G97 S800 G95 F0.2 M3
+N4 G0 X62 Z-23.1
+N5 G869 P6 Q2
+N6 G80 XS60 ZS-20 XE48 ZE-32 BS-0.5
+END_OF_UNIT 1234
+END
