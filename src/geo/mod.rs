@@ -6,6 +6,7 @@
 pub mod angle;
 pub mod arc;
 pub mod corner;
+pub mod crossing;
 pub mod element;
 pub mod gap;
 pub mod intersect;

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use crate::geo::{Deg, Plane, Point2};
 use crate::machine::Axis;
 
+use super::captured::{Captured, Unfit};
 use super::cycle::Cycle;
 use super::undercut::Undercut;
 use super::{Feed, Frame, Function, Origin, Pos, Side};
@@ -154,4 +155,12 @@ pub trait Sink {
     /// The position is no longer what the moves so far say: an error was reported, or the program moves in
     /// a way that is not in the stream.
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin);
+    /// From here on the moves describe a contour of at most `limit` elements and are not carried out. The position is
+    /// unknown inside and afterwards what it was.
+    fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, origin: &Origin);
+    /// The description is complete.
+    ///
+    /// # Errors
+    /// See [`Unfit`].
+    fn contour_ends(&mut self, origin: &Origin) -> Result<Captured, Unfit>;
 }

@@ -2,6 +2,7 @@
 //!
 //! Both are streams of items with an [`Origin`]. Nothing here knows a dialect or a target.
 
+pub mod captured;
 pub mod contour;
 pub mod cycle;
 pub mod frame;

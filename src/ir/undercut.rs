@@ -4,12 +4,17 @@ use core::fmt;
 
 use crate::geo::Deg;
 use crate::geo::undercut::Shape;
-use crate::machine::undercut::{Din76, Din509, InternalDepth, Lengths, ThreadLength, Undercuts};
+use crate::machine::undercut::{
+    Din76, Din509, InternalDepth, Lengths, ThreadLength, Undercuts, coarse_pitch, proposed_pitch,
+};
 
 pub use crate::geo::undercut::{Allowance, Orientation};
 
 /// Core diameter of a metric internal thread: nominal diameter less this much of the pitch (DIN 13-1).
 pub const CORE: f64 = 1.08253;
+
+/// How much a bore may be off the core of its thread, in mm: drills come in tenths.
+const BORE: f64 = 0.25;
 
 /// Angle between the entry slope and the cylinder in DIN 509.
 const ENTRY_509: Deg = Deg(15.0);
@@ -135,6 +140,18 @@ impl fmt::Display for Doubts {
     }
 }
 
+/// The coarse pitch to propose for a thread on a turned diameter: outside that of the nominal diameter, inside that of
+/// the thread whose core the bore is.
+pub fn usual_pitch(tables: &Undercuts, surface: Surface, diameter: f64) -> Option<f64> {
+    if surface == Surface::External {
+        return proposed_pitch(diameter);
+    }
+    let nominal = |pitch: f64| libm::round(2.0 * (diameter + CORE * pitch)) / 2.0;
+    let off = |pitch: f64| (diameter + CORE * pitch - nominal(pitch)).abs();
+    let fits = |pitch: &f64| coarse_pitch(nominal(*pitch)) == Some(*pitch) && off(*pitch) <= BORE;
+    tables.threads().iter().map(|row| row.pitch).filter(fits).min_by(|a, b| off(*a).total_cmp(&off(*b)))
+}
+
 /// Thread undercut of a pitch. `entry` lies between 30 and 90 degrees on controls.
 pub fn thread(tables: &Undercuts, row: &Din76, form: ThreadForm, entry: Deg) -> (Shape, Doubts) {
     let lengths = match form {
@@ -226,6 +243,19 @@ mod tests {
         let doubts = thread(&tables, row, ThreadForm::D, Deg(45.0)).1;
         assert!(doubts.short_form && doubts.entry && doubts.internal);
         assert_eq!(doubts.to_string().matches('`').count(), 6);
+    }
+
+    #[test]
+    fn pitches_are_proposed_from_the_diameter() {
+        let tables = Undercuts::default();
+        let usual = |surface, diameter| usual_pitch(&tables, surface, diameter);
+        assert_eq!(usual(Surface::External, 20.0), Some(2.5));
+        assert_eq!(usual(Surface::External, 200.0), None);
+        // Cores of M20, M10 and M6, as turned and as drilled.
+        for (bore, pitch) in [(17.294, 2.5), (8.376, 1.5), (4.917, 1.0), (17.5, 2.5), (8.5, 1.5), (5.0, 1.0)] {
+            assert_eq!(usual(Surface::Internal, bore), Some(pitch), "{bore}");
+        }
+        assert_eq!(usual(Surface::Internal, 100.0), None);
     }
 
     /// Every size and pitch fits its own standard at every allowed entry angle.

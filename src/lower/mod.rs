@@ -5,6 +5,7 @@
 //! look-ahead), [`frames`] map to workpiece coordinates, [`limits`] are checked.
 
 pub mod arcs;
+pub mod capture;
 pub mod corner;
 pub mod cycles;
 pub mod frames;
@@ -16,12 +17,14 @@ pub mod undercut;
 use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags};
+use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, EndPoint, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, motion};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, Last};
+use capture::{Before, Recording};
 use corner::{Corners, Event};
 
 /// The passes of one run, from contour items to `out`.
@@ -35,6 +38,8 @@ pub struct Lower<'a> {
     last: Last,
     adjusted: Adjusted,
     corners: Corners,
+    /// A contour that is described now.
+    recording: Option<Box<Recording>>,
 }
 
 impl std::fmt::Debug for Lower<'_> {
@@ -54,6 +59,7 @@ impl<'a> Lower<'a> {
             last: Last::default(),
             adjusted: Adjusted::default(),
             corners: Corners::default(),
+            recording: None,
         }
     }
 
@@ -75,7 +81,8 @@ impl<'a> Lower<'a> {
     }
 
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
-        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out })
+        let recording = self.recording.as_deref_mut();
+        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out, recording })
     }
 
     /// The frame changed: the tool stays, its programmed position does not.
@@ -155,7 +162,15 @@ impl<'a> Lower<'a> {
         }
         self.at.update(programmed);
         self.last.forget();
-        self.out.lost(origin);
+        self.position_lost(origin);
+    }
+
+    /// The moves do not say any more where the tool is.
+    fn position_lost(&mut self, origin: &Origin) {
+        match &mut self.recording {
+            Some(recording) => recording.reported(),
+            None => self.out.lost(origin),
+        }
     }
 
     /// Some functions change where the tool tip is in workpiece coordinates.
@@ -233,7 +248,26 @@ impl Sink for Lower<'_> {
         }
         self.at.clear();
         self.last.forget();
-        self.out.lost(origin);
+        self.position_lost(origin);
+    }
+
+    fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, _: &Origin) {
+        self.follow_ctx(ctx);
+        let before = Before {
+            at: std::mem::replace(&mut self.at, Pos::UNKNOWN),
+            ctx: Rc::clone(&self.ctx),
+            last: std::mem::take(&mut self.last),
+            corners: std::mem::take(&mut self.corners),
+        };
+        self.recording = Some(Box::new(Recording::new(limit, self.diags.errors(), before)));
+    }
+
+    fn contour_ends(&mut self, origin: &Origin) -> Result<Captured, Unfit> {
+        self.flush();
+        let Some(recording) = self.recording.take() else { return Err(Unfit::NoStart(*origin)) };
+        let (before, made) = recording.finish(self.diags.errors(), origin);
+        (self.at, self.ctx, self.last, self.corners) = (before.at, before.ctx, before.last, before.corners);
+        made
     }
 }
 
@@ -242,11 +276,15 @@ struct Finish<'a> {
     diags: &'a Diags,
     machine: &'a Machine,
     out: &'a mut dyn motion::Sink,
+    recording: Option<&'a mut Recording>,
 }
 
 impl Finish<'_> {
     #[inline]
     fn event(&mut self, event: Event<'_>) {
+        if self.recording.is_some() {
+            return self.record(event);
+        }
         match event {
             Event::Step(step) => match frames::workpiece(step) {
                 Ok(mv) => {
@@ -258,6 +296,16 @@ impl Finish<'_> {
                 Err((code, message, help)) => self.diags.push(at(code, step.origin, message).help(help)),
             },
             Event::Function(function, origin) => self.out.function(function, &origin),
+        }
+    }
+}
+
+impl Finish<'_> {
+    /// The element belongs to a contour that is described. Functions have no place in one; who sends them says so.
+    #[cold]
+    fn record(&mut self, event: Event<'_>) {
+        if let (Event::Step(step), Some(recording)) = (event, &mut self.recording) {
+            recording.take(step);
         }
     }
 }

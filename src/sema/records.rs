@@ -3,17 +3,19 @@
 //! In: the records between begin and end. Out: the NC blocks that the editor makes of them, to be compared with the
 //! blocks that are there, or to take their place where they are missing. What the records leave open is not guessed.
 
-use crate::geo::undercut::{Allowance, Corner, Orientation, Reference, vertices};
-use crate::geo::{Deg, Point2, SAME_POINT, Vec2, arc, cross, direction, distance, intersect, left};
-use crate::ir::undercut::{Surface, ThreadForm, form_e, form_f, thread};
+mod generator;
+mod solver;
+
+use crate::geo::{Point2, distance};
+use crate::ir::undercut::{Surface, Undercut};
 use crate::machine::Undercuts;
-use crate::parser::sinumerik::records::{Heading, Keys, Record, SIZES, Undercut};
+use crate::parser::sinumerik::records::Record;
+
+use generator::Generator;
+use solver::Solver;
 
 /// Most records of a contour.
 pub const MOST_RECORDS: usize = 5000;
-
-/// Directions closer than this are the same, in degrees: three decimals of a coordinate over a few mm.
-const SAME_ANGLE: f64 = 0.01;
 
 /// An NC block of the contour: a corner point before rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +27,8 @@ pub struct Block {
     pub corner: Option<CornerWord>,
     /// Index of the record that made it.
     pub record: usize,
+    /// Index of the record of its corner.
+    pub corner_record: usize,
 }
 
 /// What a block says about the corner at its end.
@@ -34,19 +38,25 @@ pub enum CornerWord {
     Radius(f64),
     /// `CHR`
     Chamfer(f64),
+    /// Without a word of its own: in the NC half it is lines with `RND`.
+    Undercut(Undercut),
 }
 
 /// The NC half of a contour.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Contour {
     pub start: Point2,
+    /// Index of the record of the start point.
+    pub start_record: usize,
     pub blocks: Vec<Block>,
     /// Records where the values leave two solutions and the choice is not stored, or not confirmed.
     pub chosen: Vec<usize>,
+    /// Records of undercuts, and which facts they rest on that are not confirmed.
+    pub doubts: Vec<(usize, String)>,
 }
 
 /// Why records make no contour. Each names the index of its record.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Unsolved {
     /// The contour has no start point, or a record before it.
     NoStart,
@@ -57,8 +67,27 @@ pub enum Unsolved {
     Open(usize),
     /// The values contradict each other.
     Contradiction(usize),
-    /// An undercut whose size is not known, or that its corner cannot take.
-    Undercut(usize),
+    /// An undercut that cannot be made.
+    Undercut(usize, NoUndercut),
+}
+
+/// Why a record makes no undercut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoUndercut {
+    /// It stands behind the start point, or beside an arc.
+    Place,
+    /// No size has this index.
+    Index(u32),
+    /// A thread undercut without a pitch, on a cylinder or in a bore of this diameter.
+    PitchMissing { diameter: f64, surface: Surface },
+    /// The table has no such pitch.
+    Pitch(f64),
+    /// The entry angle is missing, or not from 30 to 90 degrees.
+    Entry(Option<f64>),
+    /// The keys of the free form are not known.
+    Free,
+    /// The corner or its lines do not take it.
+    Corner,
 }
 
 /// Where the blocks of a program and those of its records differ.
@@ -108,539 +137,43 @@ pub fn compare(start: Point2, written: &[Block], made: &Contour, tol: f64) -> Re
     if written.len() == made.blocks.len() { Ok(()) } else { Err(Difference::Count) }
 }
 
-/// Works out the NC blocks. `diameter`: ordinates are diameters.
+impl Unsolved {
+    /// Index of the record at fault.
+    pub fn record(&self) -> Option<usize> {
+        match self {
+            Unsolved::NoStart | Unsolved::TooLong => None,
+            Unsolved::Unknown(at) | Unsolved::Open(at) | Unsolved::Contradiction(at) | Unsolved::Undercut(at, _) => {
+                Some(*at)
+            }
+        }
+    }
+}
+
+/// Works out the NC blocks as the editor writes them. `diameter`: ordinates are diameters.
 ///
 /// # Errors
 /// See [`Unsolved`].
 pub fn solve(records: &[Record], diameter: bool, tables: &Undercuts) -> Result<Contour, Unsolved> {
+    make(records, diameter, tables, true)
+}
+
+/// The same with undercuts as corners, which lowering makes where their conditions hold.
+///
+/// # Errors
+/// See [`Unsolved`].
+pub fn outline(records: &[Record], diameter: bool, tables: &Undercuts) -> Result<Contour, Unsolved> {
+    make(records, diameter, tables, false)
+}
+
+fn make(records: &[Record], diameter: bool, tables: &Undercuts, expanded: bool) -> Result<Contour, Unsolved> {
     if records.len() > MOST_RECORDS {
         return Err(Unsolved::TooLong);
     }
-    let mut solver = Solver { elements: Vec::new(), scale: if diameter { 0.5 } else { 1.0 }, chosen: Vec::new() };
+    let mut solver = Solver::new(diameter);
     let start = solver.read(records)?;
     let (corner, elements) = solver.elements_from(start)?;
-    let contour = Generator { records, tables, elements }.blocks(start, corner)?;
+    let contour = Generator { records, tables, elements, diameter, expanded }.blocks(start, corner)?;
     Ok(Contour { chosen: solver.chosen, ..contour })
-}
-
-/// An element as it is typed, with the transition behind it.
-#[derive(Debug, Clone, Copy)]
-struct Typed {
-    record: usize,
-    kind: Kind,
-    keys: Keys,
-    transition: Option<usize>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Line(Heading),
-    Arc { ccw: bool },
-}
-
-/// An element with its geometry.
-#[derive(Debug, Clone, Copy)]
-struct Solved {
-    typed: Typed,
-    from: Point2,
-    to: Point2,
-    arc: Option<(Point2, bool)>,
-}
-
-impl Solved {
-    fn start_direction(&self) -> Option<Vec2> {
-        match self.arc {
-            Some((center, ccw)) => arc::tangent_at(self.from, center, ccw),
-            None => direction(self.to - self.from, SAME_POINT),
-        }
-    }
-
-    fn end_direction(&self) -> Option<Vec2> {
-        match self.arc {
-            Some((center, ccw)) => arc::tangent_at(self.to, center, ccw),
-            None => direction(self.to - self.from, SAME_POINT),
-        }
-    }
-}
-
-/// The start point record, its keys and the transition behind it.
-#[derive(Debug, Clone, Copy)]
-struct Begin {
-    record: usize,
-    keys: Keys,
-    transition: Option<usize>,
-}
-
-struct Solver {
-    elements: Vec<Typed>,
-    /// From ordinates as written to radius values.
-    scale: f64,
-    chosen: Vec<usize>,
-}
-
-impl Solver {
-    /// Sorts the records into elements with their transitions.
-    fn read(&mut self, records: &[Record]) -> Result<Begin, Unsolved> {
-        let mut begin: Option<Begin> = None;
-        for (i, record) in records.iter().enumerate() {
-            let unknown = |keys: &Keys| keys.unknown;
-            match record {
-                Record::Begin | Record::End | Record::Header { .. } => {}
-                Record::Unknown(_) => return Err(Unsolved::Unknown(i)),
-                Record::Start(keys) if begin.is_none() && !unknown(keys) => {
-                    begin = Some(Begin { record: i, keys: *keys, transition: None });
-                }
-                Record::Start(_) => return Err(Unsolved::Unknown(i)),
-                Record::Line(..) | Record::Arc { .. } if begin.is_none() => return Err(Unsolved::NoStart),
-                Record::Line(_, keys) | Record::Arc { keys, .. } if unknown(keys) => return Err(Unsolved::Unknown(i)),
-                Record::Line(heading, keys) => self.push(i, Kind::Line(*heading), keys),
-                Record::Arc { ccw, keys } => self.push(i, Kind::Arc { ccw: *ccw }, keys),
-                Record::Rounding(_) | Record::Chamfer(_) | Record::Undercut(_) => {
-                    match (self.elements.last_mut(), &mut begin) {
-                        (Some(element), _) => element.transition = Some(i),
-                        (None, Some(begin)) => begin.transition = Some(i),
-                        (None, None) => return Err(Unsolved::NoStart),
-                    }
-                }
-            }
-        }
-        begin.ok_or(Unsolved::NoStart)
-    }
-
-    fn push(&mut self, record: usize, kind: Kind, keys: &Keys) {
-        let mut keys = *keys;
-        keys.ey = keys.ey.map(|v| v * self.scale);
-        keys.cy = keys.cy.map(|v| v * self.scale);
-        self.elements.push(Typed { record, kind, keys, transition: None });
-    }
-
-    fn elements_from(&mut self, begin: Begin) -> Result<(Point2, Vec<Solved>), Unsolved> {
-        let (Some(x), Some(y)) = (begin.keys.ex, begin.keys.ey) else { return Err(Unsolved::Open(begin.record)) };
-        let corner = Point2::new(x, y * self.scale);
-        let mut at = corner;
-        let mut dir = begin.keys.ase.map(|a| Deg(a).unit());
-        let mut list: Vec<Solved> = Vec::with_capacity(self.elements.len());
-        for i in 0..self.elements.len() {
-            let (Some(typed), next) = (self.elements.get(i).copied(), self.elements.get(i + 1).copied()) else { break };
-            let solved = match typed.kind {
-                Kind::Line(heading) => self.line(typed, heading, at, dir, next)?,
-                Kind::Arc { ccw } => self.arc(typed, ccw, at, dir, next)?,
-            };
-            at = solved.to;
-            dir = solved.end_direction().or(dir);
-            list.push(solved);
-        }
-        Ok((corner, list))
-    }
-
-    fn line(
-        &mut self,
-        typed: Typed,
-        heading: Heading,
-        at: Point2,
-        dir: Option<Vec2>,
-        next: Option<Typed>,
-    ) -> Result<Solved, Unsolved> {
-        let keys = typed.keys;
-        let angle = line_angle(&typed, dir);
-        let mut x = keys.ex.or(keys.dex.map(|d| at.x + d));
-        let mut y = keys.ey.or(keys.dey.map(|d| at.y + d));
-        match heading {
-            Heading::Left | Heading::Right => y = y.or(Some(at.y)),
-            Heading::Up | Heading::Down => x = x.or(Some(at.x)),
-            Heading::Any => {}
-        }
-        let to = match (x, y, angle) {
-            (Some(x), Some(y), _) => Point2::new(x, y),
-            (Some(x), None, Some(u)) if u.x.abs() > 1e-9 => Point2::new(x, at.y + (x - at.x) * u.y / u.x),
-            (None, Some(y), Some(u)) if u.y.abs() > 1e-9 => Point2::new(at.x + (y - at.y) * u.x / u.y, y),
-            (_, _, Some(u)) => self.open_line(typed, at, u, next)?,
-            (None, Some(y), None) => self.start_of_arc(typed, y, next)?,
-            _ => return Err(Unsolved::Open(typed.record)),
-        };
-        // A line that goes the other way than it says.
-        if let (Some(u), Some(v)) = (angle, direction(to - at, SAME_POINT))
-            && cross(u, v).abs().max(1.0 - u.dot(&v)) > 0.01
-        {
-            return Err(Unsolved::Contradiction(typed.record));
-        }
-        Ok(Solved { typed, from: at, to, arc: None })
-    }
-
-    /// The end of a line of known direction follows from the next element.
-    fn open_line(&mut self, typed: Typed, at: Point2, u: Vec2, next: Option<Typed>) -> Result<Point2, Unsolved> {
-        let open = Unsolved::Open(typed.record);
-        let next = next.ok_or(open.clone())?;
-        let keys = next.keys;
-        match next.kind {
-            Kind::Line(heading) => {
-                let through = match (heading, keys.ex, keys.ey) {
-                    (Heading::Up | Heading::Down, Some(x), _) => Point2::new(x, at.y),
-                    (Heading::Left | Heading::Right, _, Some(y)) => Point2::new(at.x, y),
-                    (_, Some(x), Some(y)) => Point2::new(x, y),
-                    _ => return Err(open),
-                };
-                let w = line_angle(&next, Some(u)).ok_or(open)?;
-                let (s, _) = intersect::lines(at, u, through, w, 1e-9).ok_or(Unsolved::Contradiction(typed.record))?;
-                if s <= 0.0 { Err(Unsolved::Contradiction(typed.record)) } else { Ok(at + u * s) }
-            }
-            Kind::Arc { ccw } => {
-                let Some(radius) = keys.rad else { return Err(open) };
-                if keys.at == Some(0.0) {
-                    // The centre lies beside the line; a known coordinate of it says where.
-                    let beside = at + left(u) * if ccw { radius } else { -radius };
-                    let along = match (keys.cx, keys.cy) {
-                        (Some(x), _) if u.x.abs() > 1e-9 => (x - beside.x) / u.x,
-                        (_, Some(y)) if u.y.abs() > 1e-9 => (y - beside.y) / u.y,
-                        _ => return Err(open),
-                    };
-                    return if along > 0.0 { Ok(at + u * along) } else { Err(Unsolved::Contradiction(typed.record)) };
-                }
-                let center = self.center_from_end(&next).ok_or(open)?;
-                let hits = intersect::line_circle(at, u, center, radius, 1e-3);
-                let [first, second] = hits.ok_or(Unsolved::Contradiction(typed.record))?;
-                let ahead = |p: &Point2| (p - at).dot(&u) > SAME_POINT;
-                match (ahead(&first), ahead(&second), typed.keys.dia.0) {
-                    (true, true, 225) => Ok(first),
-                    (true, true, 25) => {
-                        // Not seen in any program.
-                        self.chosen.push(typed.record);
-                        Ok(second)
-                    }
-                    (true, true, _) if distance(first, second) > 2e-3 => Err(Unsolved::Open(typed.record)),
-                    (true, ..) => Ok(first),
-                    (false, true, _) => Ok(second),
-                    (false, false, _) => Err(Unsolved::Contradiction(typed.record)),
-                }
-            }
-        }
-    }
-
-    /// The end of a line of which only the ordinate is known, on the circle of the arc behind it.
-    fn start_of_arc(&mut self, typed: Typed, y: f64, next: Option<Typed>) -> Result<Point2, Unsolved> {
-        let open = Unsolved::Open(typed.record);
-        let Some(Typed { kind: Kind::Arc { .. }, keys, .. }) = next else { return Err(open) };
-        let (Some(center), Some(end)) = (
-            keys.cx.zip(keys.cy).map(|(x, y)| Point2::new(x, y)),
-            keys.ex.zip(keys.ey).map(|(x, y)| Point2::new(x, y)),
-        ) else {
-            return Err(open);
-        };
-        let off = leg(distance(end, center), y - center.y).ok_or(Unsolved::Contradiction(typed.record))?;
-        match keys.dia.1 {
-            17 => Ok(Point2::new(center.x - off, y)),
-            217 => {
-                // Not seen in any program.
-                self.chosen.push(typed.record);
-                Ok(Point2::new(center.x + off, y))
-            }
-            _ => Err(open),
-        }
-    }
-
-    /// Centre of an arc from its end alone.
-    fn center_from_end(&self, typed: &Typed) -> Option<Point2> {
-        let Keys { ex, ey, cx, cy, rad, dia, .. } = typed.keys;
-        if let (Some(x), Some(y)) = (cx, cy) {
-            return Some(Point2::new(x, y));
-        }
-        let (end, radius) = (Point2::new(ex?, ey?), rad?);
-        let pick = |off: f64| if dia.1 >= 200 { -off } else { off };
-        match (cx, cy) {
-            (Some(x), None) => Some(Point2::new(x, end.y + pick(leg(radius, end.x - x)?))),
-            (None, Some(y)) => Some(Point2::new(end.x + pick(leg(radius, end.y - y)?), y)),
-            _ => None,
-        }
-    }
-
-    fn arc(
-        &mut self,
-        typed: Typed,
-        ccw: bool,
-        at: Point2,
-        dir: Option<Vec2>,
-        next: Option<Typed>,
-    ) -> Result<Solved, Unsolved> {
-        let keys = typed.keys;
-        let x = keys.ex.or(keys.dex.map(|d| at.x + d));
-        let y = keys.ey.or(keys.dey.map(|d| at.y + d));
-        let end = x.zip(y).map(|(x, y)| Point2::new(x, y));
-        let tangent = keys.at.zip(dir).map(|(angle, dir)| crate::geo::turned(dir, Deg(angle).radians()));
-        let center = self.center(&typed, ccw, at, end, tangent)?;
-        let radius = distance(at, center);
-        if radius <= SAME_POINT {
-            return Err(Unsolved::Contradiction(typed.record));
-        }
-        let to = match end {
-            Some(end) => end,
-            None => self.arc_end(&typed, ccw, at, center, (x, y), next)?,
-        };
-        // Stored values are rounded to three places.
-        if (distance(to, center) - radius).abs() > 0.005 {
-            return Err(Unsolved::Contradiction(typed.record));
-        }
-        Ok(Solved { typed, from: at, to, arc: Some((center, ccw)) })
-    }
-
-    fn center(
-        &mut self,
-        typed: &Typed,
-        ccw: bool,
-        at: Point2,
-        end: Option<Point2>,
-        tangent: Option<Vec2>,
-    ) -> Result<Point2, Unsolved> {
-        let Keys { cx, cy, rad, dia, .. } = typed.keys;
-        let contradiction = Unsolved::Contradiction(typed.record);
-        let side = |r: f64| if ccw { r } else { -r };
-        if let (Some(x), Some(y)) = (cx, cy) {
-            return Ok(Point2::new(x, y));
-        }
-        if let (Some(u), Some(r)) = (tangent, rad) {
-            return Ok(at + left(u) * side(r));
-        }
-        if let (Some(u), Some(end)) = (tangent, end) {
-            return match arc::tangent_arc(at, u, end, SAME_POINT, 1e-6) {
-                arc::TangentArc::Arc { center, ccw: sense } if sense == ccw => Ok(center),
-                _ => Err(contradiction),
-            };
-        }
-        let pick = |off: f64| if dia.1 >= 200 { -off } else { off };
-        match (end, rad, cx, cy) {
-            (Some(_), Some(_), ..) if cx.is_some() || cy.is_some() => self.center_from_end(typed).ok_or(contradiction),
-            // Start, end and one coordinate of the centre: on the perpendicular bisector.
-            (Some(end), None, Some(_), None) | (Some(end), None, None, Some(_)) => {
-                let (middle, w) = (at + (end - at) / 2.0, left(end - at));
-                let along = match (cx, cy) {
-                    (Some(x), _) if w.x.abs() > 1e-9 => (x - middle.x) / w.x,
-                    (_, Some(y)) if w.y.abs() > 1e-9 => (y - middle.y) / w.y,
-                    _ => return Err(Unsolved::Open(typed.record)),
-                };
-                Ok(middle + w * along)
-            }
-            (Some(end), Some(r), None, None) => {
-                // All programs seen have the shorter arc; which of the two the stored choice means is not known.
-                self.chosen.push(typed.record);
-                arc::center_by_radius(at, end, r.abs(), ccw, SAME_POINT, 1e-3).ok_or(contradiction)
-            }
-            (None, Some(r), Some(x), None) => {
-                leg(r, at.x - x).map(|off| Point2::new(x, at.y + pick(off))).ok_or(contradiction)
-            }
-            (None, Some(r), None, Some(y)) => {
-                leg(r, at.y - y).map(|off| Point2::new(at.x + pick(off), y)).ok_or(contradiction)
-            }
-            _ => Err(Unsolved::Open(typed.record)),
-        }
-    }
-
-    fn arc_end(
-        &mut self,
-        typed: &Typed,
-        ccw: bool,
-        at: Point2,
-        center: Point2,
-        known: (Option<f64>, Option<f64>),
-        next: Option<Typed>,
-    ) -> Result<Point2, Unsolved> {
-        let keys = typed.keys;
-        let radius = distance(at, center);
-        let sense = if ccw { 1.0 } else { -1.0 };
-        let leaving = |u: Vec2| center - left(u) * (sense * radius);
-        if let Some(sweep) = keys.aa {
-            return Ok(center + crate::geo::turned(at - center, Deg(sense * sweep).radians()));
-        }
-        if let Some(angle) = keys.ase {
-            return Ok(leaving(Deg(angle).unit()));
-        }
-        let contradiction = Unsolved::Contradiction(typed.record);
-        let pick = |off: f64| if keys.dia.0 >= 200 { -off } else { off };
-        match known {
-            (Some(x), None) => {
-                leg(radius, x - center.x).map(|off| Point2::new(x, center.y + pick(off))).ok_or(contradiction)
-            }
-            (None, Some(y)) => {
-                leg(radius, y - center.y).map(|off| Point2::new(center.x + pick(off), y)).ok_or(contradiction)
-            }
-            _ => {
-                // The next element goes on in its direction.
-                let next = next.filter(|next| matches!(next.kind, Kind::Line(_)));
-                let u = next.and_then(|next| line_angle(&next, None)).ok_or(Unsolved::Open(typed.record))?;
-                Ok(leaving(u))
-            }
-        }
-    }
-}
-
-/// The other leg of a right-angled triangle; 0 where rounding makes it just impossible.
-fn leg(hypotenuse: f64, leg: f64) -> Option<f64> {
-    let square = hypotenuse * hypotenuse - leg * leg;
-    (square > -1e-2 * hypotenuse.abs().min(1.0)).then(|| square.max(0.0).sqrt())
-}
-
-/// Direction of a line by its code, its angle, or the angle to the element before.
-fn line_angle(typed: &Typed, dir: Option<Vec2>) -> Option<Vec2> {
-    let Kind::Line(heading) = typed.kind else { return None };
-    match heading {
-        Heading::Left => Some(Deg(180.0).unit()),
-        Heading::Right => Some(Deg(0.0).unit()),
-        Heading::Up => Some(Deg(90.0).unit()),
-        Heading::Down => Some(Deg(270.0).unit()),
-        Heading::Any => match (typed.keys.ase, typed.keys.at, dir) {
-            (Some(angle), ..) => Some(Deg(angle).unit()),
-            (None, Some(0.0), Some(dir)) => Some(dir),
-            (None, Some(angle), Some(dir)) => Some(crate::geo::turned(dir, Deg(angle).radians())),
-            _ => None,
-        },
-    }
-}
-
-/// Makes NC blocks of solved elements.
-struct Generator<'a> {
-    records: &'a [Record],
-    tables: &'a Undercuts,
-    elements: Vec<Solved>,
-}
-
-impl Generator<'_> {
-    fn blocks(&mut self, begin: Begin, corner: Point2) -> Result<Contour, Unsolved> {
-        self.shift_allowances()?;
-        let corner = self
-            .elements
-            .first()
-            .map_or(corner, |first| if first.typed.keys.dst.is_some() { first.from } else { corner });
-        let mut contour = Contour { start: corner, ..Contour::default() };
-        self.start_transition(begin, &mut contour)?;
-        for i in 0..self.elements.len() {
-            let Some(element) = self.elements.get(i).copied() else { break };
-            let next = self.elements.get(i + 1).copied();
-            let transition = element.typed.transition.zip(next);
-            let undercut = transition.and_then(|(record, next)| match self.records.get(record) {
-                Some(Record::Undercut(undercut)) => Some((record, *undercut, next)),
-                _ => None,
-            });
-            if let Some((record, undercut, next)) = undercut {
-                self.undercut(&element, record, undercut, &next, &mut contour)?;
-                continue;
-            }
-            if distance(element.from, element.to) <= SAME_POINT && element.arc.is_none() {
-                continue;
-            }
-            let corner = transition.and_then(|(record, next)| self.corner(&element, record, &next));
-            contour.blocks.push(Block { end: element.to, arc: element.arc, corner, record: element.typed.record });
-        }
-        Ok(contour)
-    }
-
-    /// The start point moves back, and the corner becomes a block of its own.
-    fn start_transition(&self, begin: Begin, contour: &mut Contour) -> Result<(), Unsolved> {
-        let (Some(record), Some(first)) = (begin.transition, self.elements.first()) else { return Ok(()) };
-        let (word, back) = match (self.records.get(record), begin.keys.ase) {
-            (Some(Record::Chamfer(leg)), Some(_)) if *leg > 0.0 => (CornerWord::Chamfer(*leg), *leg),
-            (Some(Record::Rounding(radius)), Some(angle)) if *radius > 0.0 => {
-                let Some(w) = first.start_direction() else { return Err(Unsolved::Open(record)) };
-                let u = Deg(angle).unit();
-                (CornerWord::Radius(*radius), radius * cross(u, w).abs() / (1.0 + u.dot(&w)))
-            }
-            (Some(Record::Undercut(_)), _) => return Err(Unsolved::Undercut(record)),
-            (Some(Record::Chamfer(size) | Record::Rounding(size)), None) if *size > 0.0 => {
-                return Err(Unsolved::Open(record));
-            }
-            _ => return Ok(()),
-        };
-        let u = Deg(begin.keys.ase.unwrap_or(0.0)).unit();
-        let corner = contour.start;
-        contour.start = corner - u * back;
-        contour.blocks.push(Block { end: corner, arc: None, corner: Some(word), record });
-        Ok(())
-    }
-
-    fn corner(&self, element: &Solved, record: usize, next: &Solved) -> Option<CornerWord> {
-        let (u, w) = (element.end_direction()?, next.start_direction()?);
-        let smooth = Deg::from_radians(libm::atan2(cross(u, w).abs(), u.dot(&w))).0 < SAME_ANGLE;
-        let beside = element.typed.keys.dst.unwrap_or(0.0) + next.typed.keys.dst.unwrap_or(0.0);
-        match self.records.get(record)? {
-            Record::Rounding(radius) => (*radius > 0.0 && !smooth).then_some(CornerWord::Radius(*radius)),
-            // A chamfer keeps its bevel where a neighbour carries an allowance.
-            Record::Chamfer(leg) => (*leg > 0.0).then_some(CornerWord::Chamfer(leg + beside)),
-            _ => None,
-        }
-    }
-
-    fn undercut(
-        &self,
-        element: &Solved,
-        record: usize,
-        undercut: Undercut,
-        next: &Solved,
-        contour: &mut Contour,
-    ) -> Result<(), Unsolved> {
-        let refuse = Unsolved::Undercut(record);
-        if element.arc.is_some() || next.arc.is_some() {
-            return Err(refuse);
-        }
-        let corner = Corner { from: element.from, at: element.to, to: next.to };
-        let orientation = Orientation::of(&corner).map_err(|_| refuse.clone())?;
-        let size = |index: u32| {
-            let (radius, depth) = SIZES.get(index as usize)?;
-            self.tables.size(*radius, *depth)
-        };
-        let shape = match undercut {
-            Undercut::E(index) => size(index).map(form_e),
-            Undercut::F(index) => size(index).map(form_f),
-            Undercut::Thread { pitch, entry } => {
-                let surface = if orientation.second > 0.0 { Surface::External } else { Surface::Internal };
-                let form = ThreadForm::of(surface, false);
-                self.tables.thread(pitch).map(|row| thread(self.tables, row, form, Deg(entry)).0)
-            }
-            Undercut::Free => None,
-        };
-        let (first, second) = (element.typed.keys.dst.unwrap_or(0.0).abs(), next.typed.keys.dst.unwrap_or(0.0).abs());
-        let (reference, other) = if orientation.first_leads { (first, second) } else { (second, first) };
-        let allowance = Allowance { reference, other };
-        let list = vertices(&shape.ok_or(refuse.clone())?, &corner, Reference::First, allowance).map_err(|_| refuse)?;
-        for (end, radius) in list {
-            let corner = (radius > 0.0).then_some(CornerWord::Radius(radius));
-            contour.blocks.push(Block { end, arc: None, corner, record: element.typed.record });
-        }
-        Ok(())
-    }
-
-    /// Elements with a grinding allowance move to their right side and meet their neighbours anew.
-    fn shift_allowances(&mut self) -> Result<(), Unsolved> {
-        if self.elements.iter().all(|element| element.typed.keys.dst.unwrap_or(0.0) == 0.0) {
-            return Ok(());
-        }
-        let lines: Option<Vec<(Point2, Vec2)>> = self
-            .elements
-            .iter()
-            .map(|element| {
-                let u = element.start_direction().filter(|_| element.arc.is_none())?;
-                Some((element.from - left(u) * element.typed.keys.dst.unwrap_or(0.0), u))
-            })
-            .collect();
-        let record = self.elements.first().map_or(0, |element| element.typed.record);
-        // Beside arcs the editor's result was never seen.
-        let lines = lines.ok_or(Unsolved::Open(record))?;
-        for i in 0..lines.len() {
-            let (Some(here), before, after) =
-                (lines.get(i), i.checked_sub(1).and_then(|k| lines.get(k)), lines.get(i + 1))
-            else {
-                break;
-            };
-            let meet = |other: &(Point2, Vec2)| {
-                intersect::lines(here.0, here.1, other.0, other.1, 1e-9).map(|(s, _)| here.0 + here.1 * s)
-            };
-            let Some(element) = self.elements.get_mut(i) else { break };
-            let moved = here.0 - element.from;
-            let ends = (before.map(meet), after.map(meet));
-            if matches!(ends, (Some(None), _) | (_, Some(None))) {
-                return Err(Unsolved::Open(element.typed.record));
-            }
-            element.to = ends.1.flatten().unwrap_or(element.to + moved);
-            element.from = ends.0.flatten().unwrap_or(element.from + moved);
-        }
-        Ok(())
-    }
 }
 
 #[cfg(test)]

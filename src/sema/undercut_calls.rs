@@ -7,7 +7,7 @@ use crate::geo::undercut::{Allowance, Orientation, Shape};
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::UndercutCycle;
-use crate::ir::undercut::{CORE, Doubts, Surface, ThreadForm, form_e, form_f, thread};
+use crate::ir::undercut::{CORE, Doubts, Surface, ThreadForm, form_e, form_f, thread, usual_pitch};
 use crate::machine::Undercuts;
 use crate::machine::undercut::coarse_pitch;
 use crate::parser::sinumerik::records::CYCLE_SIZES;
@@ -17,6 +17,12 @@ const PITCHES: [f64; 24] = [
     0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0,
     5.5, 6.0,
 ];
+
+/// The pitch that belongs to a diameter as a rule, and its index in the cycle's list.
+pub fn proposed_index(tables: &Undercuts, surface: Surface, diameter: f64) -> Option<(f64, usize)> {
+    let pitch = usual_pitch(tables, surface, diameter)?;
+    PITCHES.iter().position(|known| *known == pitch).map(|at| (pitch, at))
+}
 
 /// Arguments of CYCLE940; `None` for an empty one. `_PTAB`, `_PTABA` and `_DMODE` say nothing about the path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -87,6 +93,8 @@ pub enum CallFault {
     Diameter,
     /// The size or pitch is not in the table.
     Size,
+    /// No pitch is given; the index of the pitch that belongs to a diameter is [`proposed_index`].
+    Pitch,
     /// An allowance along Z for roughing, which only shifts the floor here.
     RoughingAllowance,
 }
@@ -177,8 +185,11 @@ fn shape940(
             Ok(if form == b'E' { form_e(size) } else { form_f(size) })
         }
         b'A'..=b'D' => {
-            let pitch = PITCHES.get(index().ok_or(CallFault::Range("_PITI"))?).ok_or(CallFault::Size)?;
             let entry = entry(call.sta)?;
+            if call.piti.is_none() {
+                return Err(CallFault::Pitch);
+            }
+            let pitch = PITCHES.get(index().ok_or(CallFault::Range("_PITI"))?).ok_or(CallFault::Size)?;
             let row = tables.thread(*pitch).ok_or(CallFault::Size)?;
             let (shape, doubts) = thread(tables, row, thread_form(form)?, entry);
             rests.thread = doubts;
@@ -329,6 +340,7 @@ mod tests {
             lage: Some(1.0),
             sdis: Some(1.0),
             ffp: Some(0.1),
+            piti: matches!(form, b'A'..=b'D').then_some(0.0),
             ..Cycle940::default()
         }
     }
@@ -361,6 +373,7 @@ mod tests {
         assert_eq!(fault(Cycle940 { spd: None, ..call(b'E') }), CallFault::Missing("_SPD"));
         assert_eq!(fault(Cycle940 { lage: Some(4.0), ..call(b'E') }), CallFault::Position);
         assert_eq!(fault(Cycle940 { sdis: None, ..call(b'E') }), CallFault::Range("_SDIS"));
+        assert_eq!(fault(Cycle940 { piti: None, ..call(b'A') }), CallFault::Pitch);
         assert_eq!(fault(Cycle940 { piti: Some(24.0), ..call(b'A') }), CallFault::Size);
         assert_eq!(fault(Cycle940 { piti: Some(0.5), ..call(b'E') }), CallFault::Range("_PITI"));
         assert_eq!(fault(Cycle940 { sta: Some(29.0), ..call(b'A') }), CallFault::Range("_STA"));

@@ -2,9 +2,11 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod captured;
 mod cli;
 mod cli_files;
 mod common;
+mod cycle_parameters;
 mod diagnostics;
 mod golden;
 mod hostile;
@@ -22,3 +24,5 @@ mod sinumerik_alarms;
 mod sweep;
 mod turning_parameters;
 mod undercut;
+mod undercut_conditions;
+mod worked_examples;

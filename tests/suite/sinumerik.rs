@@ -174,6 +174,47 @@ fn programs_that_call_each_other_end() {
     assert_eq!(compile("OTHER\nM30\n", "OTHER\nM17\n").codes(), ["P4003"]);
 }
 
+/// A contour is run to be checked only: without its call the program does the same.
+#[test]
+fn calling_a_contour_changes_nothing() {
+    let mut count = 0;
+    for path in cases("sinumerik/contour_cycles") {
+        let text = std::fs::read_to_string(&path).expect("a readable case");
+        let settings = std::fs::read_to_string(path.with_extension("toml")).map_or(limited(false), |t| settings(&t));
+        let files = super::common::Beside(path.parent().expect("a folder").to_path_buf());
+        let moves = |text: &str| {
+            let compiled = compile_bytes("P.MPF", text.as_bytes().to_vec(), "sinumerik", &settings, &files);
+            let output: Vec<String> =
+                compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
+            (!compiled.has_errors()).then_some(output)
+        };
+        let calls = |line: &&str| !line.to_ascii_uppercase().starts_with("CYCLE62");
+        let without = text.lines().filter(calls).collect::<Vec<_>>().join("\n") + "\n";
+        if let Some(with) = moves(&text) {
+            assert_eq!(Some(with), moves(&without), "{}", path.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 15, "{count} contours");
+}
+
+/// Contours that call themselves, hold their call, or never end.
+#[test]
+fn contours_that_turn_in_circles_end() {
+    let settings = limited(true);
+    for text in [
+        "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nCYCLE62(\"A\",1)\nE_LAB_E_A:\n",
+        "E_LAB_A_A:\nG0 X1 Z1\nG1 X2\nCYCLE62(\"A\",1)\nZ2\nE_LAB_E_A:\nM30\n",
+        "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nG0 X1 Z1\nLOOP\nG1 X2\nX1\nENDLOOP\nE_LAB_E_A:\n",
+        "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nG0 X1 Z1\nHERE:\nGOTOB HERE\nE_LAB_E_A:\n",
+        "CYCLE62(\"A\",1)\nM30\nE_LAB_A_A:\nG0 X1 Z1\nEXECSTRING(\"CYCLE62(\"\"A\"\",1)\")\nE_LAB_E_A:\n",
+        "LOOP\nCYCLE62(\"A\",1)\nENDLOOP\nM30\nE_LAB_A_A:\nG0 X1 Z1\nG1 X2\nE_LAB_E_A:\n",
+        "CYCLE62(\"P\",0)\nM30\n",
+    ] {
+        assert!(run("P.MPF", text.as_bytes(), &settings).has_errors(), "{text}");
+    }
+}
+
 #[test]
 fn bytes_of_all_kinds() {
     let mut dice = Dice(7);
@@ -224,6 +265,11 @@ fn bytes_of_all_kinds() {
         "RP=10",
         "TURN=2",
         "FOR",
+        "\nE_LAB_A_A:",
+        "\nE_LAB_E_A:\n",
+        "CYCLE62(\"A\",1)",
+        "CYCLE95(\"A:LAB\",1,,,,,,,1)",
+        "CYCLE952(,,,11)",
     ];
     for size in [0, 1, 2, 3, 10, 100, 1000, 5000] {
         for lathe in [false, true] {

@@ -203,6 +203,10 @@ S2090 Error "siemens-cycle-argument" "argument of a cycle is wrong"
 "The data of a machining cycle contradict each other, are missing, or do not fit what stands around the call. The number is the alarm that the \
 cycle raises itself. Arguments are counted by their commas; an empty argument is not given, which is not the same as 0."
 
+S2091 Error "siemens-cycle-contour" "contour of a cycle is wrong"
+"What CYCLE62, CYCLE95, CYCLE72 and others call is no contour that the cycle can take: it has no start point, moves at rapid traverse inside, \
+leaves its plane, crosses itself, holds functions or cycles, or is not closed where it has to be. The number is the alarm of the control."
+
 S3001 Error "siemens-radius" "arc by radius does not reach its end"
 "CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value behind it."
 
@@ -228,6 +232,10 @@ start, end and centre; I, J and K count from the start point."
 S3008 Error "siemens-tangent" "CT has no tangent"
 "CT goes on in the direction of the block before, which has to travel in the working plane, and cannot turn back: alarm 14045. Put a line or an \
 arc in front of it, and the end point not straight behind the start."
+
+S4001 Error "siemens-contour-long" "contour has too many elements"
+"A contour that a cycle works along is kept as a whole, so its length is limited: 1000 elements, roundings and chamfers counted. The control \
+has a limit of its own (alarm 61933). Split the contour."
 
 S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
 "Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \
@@ -329,6 +337,10 @@ S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
 "The NC blocks of a contour of the contour editor are missing. Its hidden records determine it, so the blocks are made from them, at the feed that \
 is modal. Compare the result with the drawing."
 
+S8030 Warning "siemens-contour-choice" "stored contour has two solutions"
+"A contour is made from its hidden records, and the values of one leave two solutions. Which one was chosen in the editor is stored in a way that is \
+not confirmed; the shorter arc or the farther point is taken. Compare it with the drawing."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -391,5 +403,9 @@ program before the next move, or leave it alone in the subprogram."
 S9019 Error "siemens-contour-open" "stored contour cannot be made"
 "The NC blocks of a contour of the contour editor are missing, and its hidden records leave elements open. Open the contour in the editor \
 of the control and accept it again."
+
+S9020 Error "siemens-contour-cycle" "contour cycle is not supported"
+"The arguments of the cycle were read and its contour was run and checked, so what is reported about them is true. But the tracks of the cycle are \
+computed inside the control and are not published. Replace it by plain moves, or have the CAM system put them out."
 
 }

@@ -80,7 +80,7 @@ pub enum Undercut {
     /// Form F of the size with this index.
     F(u32),
     /// Thread undercut by pitch and entry angle.
-    Thread { pitch: f64, entry: f64 },
+    Thread { pitch: Option<f64>, entry: Option<f64> },
     /// The free thread undercut, whose keys are not known.
     Free,
 }
@@ -215,7 +215,7 @@ fn undercut(value: impl Fn(&str) -> Option<f64>) -> Option<Undercut> {
     match value("FRM").unwrap_or(0.0) {
         0.0 => Some(Undercut::E(index()?)),
         1.0 => Some(Undercut::F(index()?)),
-        2.0 => Some(Undercut::Thread { pitch: value("P")?, entry: value("ALFA")? }),
+        2.0 => Some(Undercut::Thread { pitch: value("P"), entry: value("ALFA") }),
         3.0 => Some(Undercut::Free),
         _ => None,
     }
@@ -245,7 +245,7 @@ mod tests {
         assert_eq!(line(";R,RROUND:2"), Some(Record::Rounding(2.0)));
         assert_eq!(line(";AB,IDX:4"), Some(Record::Undercut(Undercut::E(4))));
         assert_eq!(line(";AB,FRM:1,IDX:4"), Some(Record::Undercut(Undercut::F(4))));
-        let thread = Undercut::Thread { pitch: 3.0, entry: 30.0 };
+        let thread = Undercut::Thread { pitch: Some(3.0), entry: Some(30.0) };
         assert_eq!(line(";AB,FRM:2,P:3,ALFA:30"), Some(Record::Undercut(thread)));
         assert_eq!(line(";AB,FRM:3,X:1"), Some(Record::Undercut(Undercut::Free)));
         assert_eq!(line(";POL,EX:1"), Some(Record::Unknown("POL".to_owned())));

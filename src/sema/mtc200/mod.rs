@@ -20,6 +20,7 @@ use rustc_hash::FxHashSet;
 
 use crate::diag::{CallPath, Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
+use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, Ctx, CtxRef, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin};
@@ -564,4 +565,10 @@ impl Sink for Nowhere {
     fn cycle(&mut self, _: &Cycle, _: &CtxRef, _: &Origin) {}
 
     fn lost(&mut self, _: &CtxRef, _: &Origin) {}
+
+    fn contour_begins(&mut self, _: usize, _: &CtxRef, _: &Origin) {}
+
+    fn contour_ends(&mut self, _: &Origin) -> Result<Captured, Unfit> {
+        Ok(Captured::default())
+    }
 }

@@ -27,7 +27,7 @@ fn words(text: &str, scale: f64) -> Vec<String> {
         match block.corner {
             Some(CornerWord::Radius(r)) => line += &format!(" RND{}", number(r)),
             Some(CornerWord::Chamfer(c)) => line += &format!(" CHR{}", number(c)),
-            None => {}
+            Some(CornerWord::Undercut(_)) | None => {}
         }
         list.push(line);
     }
@@ -119,8 +119,16 @@ fn what_is_not_determined_is_not_guessed() {
     assert_eq!(fails(";S,EX:0,EY:0\n;POL,EX:5"), Unsolved::Unknown(1));
     assert_eq!(fails(";S,EX:0,EY:0\n;LA,EX:5,L:3"), Unsolved::Unknown(1));
     assert_eq!(fails(";S,EX:0,EY:0\n;ACW,EX:5,EY:0,RAD:1"), Unsolved::Contradiction(1));
-    assert_eq!(fails(";S,EX:0,EY:20\n;LL,EX:-9\n;AB,FRM:3\n;LU,EY:60"), Unsolved::Undercut(2));
-    assert_eq!(fails(";S,EX:0,EY:20\n;LL,EX:-9\n;AB,IDX:99\n;LU,EY:60"), Unsolved::Undercut(2));
+    assert_eq!(fails(";S,EX:0,EY:20\n;LL,EX:-9\n;AB,FRM:3\n;LU,EY:60"), Unsolved::Undercut(2, NoUndercut::Free));
+    assert_eq!(fails(";S,EX:0,EY:20\n;LL,EX:-9\n;AB,IDX:99\n;LU,EY:60"), Unsolved::Undercut(2, NoUndercut::Index(99)));
+    let thread = |keys: &str| fails(&format!(";S,EX:0,EY:20\n;LL,EX:-40\n;AB,FRM:2{keys}\n;LU,EY:60"));
+    assert_eq!(
+        thread(",ALFA:30"),
+        Unsolved::Undercut(2, NoUndercut::PitchMissing { diameter: 20.0, surface: Surface::External })
+    );
+    assert_eq!(thread(",P:2.6,ALFA:30"), Unsolved::Undercut(2, NoUndercut::Pitch(2.6)));
+    assert_eq!(thread(",P:2.5"), Unsolved::Undercut(2, NoUndercut::Entry(None)));
+    assert_eq!(thread(",P:2.5,ALFA:29"), Unsolved::Undercut(2, NoUndercut::Entry(Some(29.0))));
     assert_eq!(solve(&vec![Record::Begin; 5001], true, &Undercuts::default()), Err(Unsolved::TooLong));
 }
 

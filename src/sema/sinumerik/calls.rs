@@ -131,6 +131,7 @@ impl Run<'_> {
                     *left -= 1;
                 } else {
                     self.levels.pop();
+                    self.level_ended();
                 }
                 // A file that was read once can be read again.
                 let _ = self.resume(if again { from } else { back });
@@ -258,6 +259,9 @@ impl Run<'_> {
 
     /// The current program is over: M17, RET, its end of file.
     pub(super) fn leave_program(&mut self) {
+        if self.ends_inside_contour() {
+            return;
+        }
         while matches!(self.level().kind, LevelKind::Section { .. }) {
             self.levels.pop();
         }
@@ -287,6 +291,7 @@ impl Run<'_> {
             return;
         }
         self.levels.pop();
+        self.level_ended();
         let caller = self.programs.units[self.unit()].file;
         let cursor = &mut self.programs.files[caller].cursor;
         if cursor.place() != back {

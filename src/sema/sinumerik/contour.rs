@@ -10,7 +10,7 @@ use crate::machine::Axis;
 use crate::text::Span;
 
 use super::vocabulary::{Address, Code};
-use super::words::Words;
+use super::words::{Mode, Words};
 use super::{Outcome, Reported, Run};
 
 /// Blocks without a move over which the control looks for the end of a corner (MD 20200).
@@ -44,6 +44,7 @@ impl Run<'_> {
         let [first, second, _] = self.st.roles();
         let named = [first, second].map(|axis| w.axes.contains(axis));
         let angle = w.take(Address::Ang);
+        let lost = std::mem::take(&mut self.pair_lost);
         let Some(given) = angle else {
             let origin = self.pending.take().map(|pending| pending.origin);
             let found = Diagnostic::new(
@@ -60,6 +61,9 @@ impl Run<'_> {
             );
             return Err(Reported);
         };
+        if self.pending.is_some() {
+            self.pair_without_increments(w, [first, second])?;
+        }
         let end = self.targets(w)?;
         let angle = Deg(given.value);
         match (named, self.pending.take()) {
@@ -73,6 +77,8 @@ impl Run<'_> {
                 self.report(found.also(pending.origin.loc, "the first line"));
                 Err(Reported)
             }
+            // The first line was refused.
+            ([true, true], None) if lost => Err(Reported),
             ([true, true], None) => self.fail_help(
                 codes::S2070,
                 10795,
@@ -81,6 +87,7 @@ impl Run<'_> {
                 "leave ANG out; only the second line of a pair has all three",
             ),
             ([false, false], None) => {
+                self.pair_lost = true;
                 if self.st.pos.in_plane(plane).is_none() {
                     let axis = if self.st.pos.get(first).is_none() { first } else { second };
                     return self.unknown_axis(axis, given.span);
@@ -88,6 +95,7 @@ impl Run<'_> {
                 if self.st.machine_coordinates {
                     return self.fail(codes::S9011, 0, given.span, "under G500 contour definitions cannot be printed");
                 }
+                self.pair_lost = false;
                 self.pending = Some(Box::new(Pending {
                     angle,
                     plane,
@@ -107,6 +115,37 @@ impl Run<'_> {
                 Ok(())
             }
         }
+    }
+
+    /// From where increments of the second line count, from the start of the first or from the corner, is not confirmed.
+    fn pair_without_increments(&mut self, w: &Words, axes: [Axis; 2]) -> Outcome {
+        for given in axes.into_iter().filter_map(|axis| w.axis(axis)) {
+            let incremental = match given.mode {
+                Mode::Plain => self.st.is(Code::G91),
+                mode => matches!(mode, Mode::Ic | Mode::Dic | Mode::Ric),
+            };
+            if incremental {
+                self.pending = None;
+                return self.fail_help(
+                    codes::S2070,
+                    0,
+                    given.span,
+                    "the second line of the pair is programmed by increments, and from where they count is not documented",
+                    "program its end point in absolute coordinates: G90, or AC(…)",
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// An interpolation that is no line behind the first line of a pair.
+    pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
+        let Some(pending) = self.pending.take() else { return Ok(()) };
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        let message = "the second line of the pair is no straight line (alarm 10792)";
+        let found = Diagnostic::new(codes::S2070, self.loc(span), message);
+        self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
+        Err(Reported)
     }
 
     /// One end coordinate and the angle.
@@ -168,13 +207,6 @@ impl Run<'_> {
             run.report(found.also(pending.origin.loc, "the first line").help(help));
             Err(Reported)
         };
-        if pending.plane != self.st.plane() {
-            return refuse(
-                self,
-                "the plane changes between the two lines (alarm 10790)",
-                "change the plane in front of the pair",
-            );
-        }
         let (Some(start), Some(to)) = (self.st.pos.in_plane(pending.plane), end.in_plane(pending.plane)) else {
             return Err(Reported);
         };
@@ -217,6 +249,7 @@ impl Run<'_> {
     /// Something that cannot stand between the two lines of a pair.
     pub(super) fn pending_must_be_done(&mut self, span: Span) -> Outcome {
         let Some(pending) = self.pending.take() else { return Ok(()) };
+        self.pair_lost = true;
         let found =
             Diagnostic::new(codes::S2070, pending.origin.loc, "the second line of the pair is missing (alarm 10793)");
         self.report(

@@ -32,7 +32,7 @@ impl Run<'_> {
         if rapid {
             return Ok(None);
         }
-        if self.st.feed_lost {
+        if self.st.feed_lost && !self.is_capturing() {
             return Err(Reported);
         }
         if self.cut_speed_open.take().is_some() {
@@ -56,6 +56,8 @@ impl Run<'_> {
                 }
                 Ok(Some(feed))
             }
+            // The cycle that takes the contour has the feeds.
+            None if self.is_capturing() => Ok(Some(Feed::PerRevolution(1.0))),
             None => {
                 // Once is enough.
                 self.st.feed_lost = true;

@@ -6,6 +6,7 @@
 
 mod assign;
 mod calls;
+mod capture;
 mod circle;
 mod contour;
 mod cycles;
@@ -141,6 +142,12 @@ struct Run<'a> {
     modal: Option<Modal>,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
+    /// The first line of a pair was refused.
+    pair_lost: bool,
+    /// Contours that CYCLE62 called.
+    contours: cycles::Contours,
+    /// The contour that is described now.
+    capture: Option<Box<capture::Capture>>,
     /// The contour of the contour editor that runs.
     stored: Option<Box<stored::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
@@ -200,6 +207,9 @@ impl<'a> Run<'a> {
             modal: None,
             modal_cycle: None,
             pending: None,
+            pair_lost: false,
+            contours: cycles::Contours::default(),
+            capture: None,
             stored: None,
             lead: None,
             axis_feed: BTreeMap::new(),

@@ -75,6 +75,7 @@ impl Run<'_> {
             );
         }
         if let Some(pending) = self.pending.take() {
+            self.pair_lost = true;
             let message = "the plane changes between the two lines of a pair (alarm 10790)";
             let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
             self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));

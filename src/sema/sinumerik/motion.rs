@@ -69,6 +69,7 @@ impl Run<'_> {
         if words.get(Address::F).is_some() {
             self.st.feed_lost = true;
         }
+        self.pair_lost |= words.get(Address::Ang).is_some();
         if !axes.is_empty() {
             self.st.lose(axes);
             self.pending = None;
@@ -157,6 +158,7 @@ impl Run<'_> {
             && !matches!(interpolation, Code::G0 | Code::G1)
         {
             let help = "program G1 or G0 in front of it";
+            self.pending = None;
             return self.fail_help(codes::S2070, 10792, angle.span, "ANG= is for straight lines only", help);
         }
         if !moves && interpolation == Code::G33 {
@@ -182,6 +184,9 @@ impl Run<'_> {
         self.check_offsets(w)?;
         self.check_start_of_compensation(interpolation, in_plane, block.span)?;
         let corner = self.corner_words(w)?;
+        if !matches!(interpolation, Code::G0 | Code::G1) {
+            self.only_lines_in_a_pair(block.span)?;
+        }
         match interpolation {
             Code::G0 | Code::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
             Code::G2 | Code::G3 => self.circle_block(w, interpolation == Code::G3, polar)?,
@@ -199,7 +204,10 @@ impl Run<'_> {
 
     /// Under D0 the control counts from the spindle nose, which the target cannot say.
     fn check_offsets(&self, w: &Words) -> Outcome {
-        let off = self.st.tool.edge == Some(0) && self.st.tool.active.is_some_and(|number| number != 0);
+        // A contour is a shape: no tool follows it.
+        let off = !self.is_capturing()
+            && self.st.tool.edge == Some(0)
+            && self.st.tool.active.is_some_and(|number| number != 0);
         if !off || self.st.machine_coordinates {
             return Ok(());
         }

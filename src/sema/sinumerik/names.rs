@@ -70,7 +70,12 @@ impl Run<'_> {
         let meaning = self.meaning(name);
         match (meaning, args) {
             (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
-            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {}
+            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {
+                // It ends the look-ahead.
+                if self.pending.is_some() && self.symbols.name(name) == "STOPRE" {
+                    self.pending_must_be_done(word.span)?;
+                }
+            }
             // `SETINT(1) PRIO=1 NAME`
             (Meaning::Unknown, _) if interrupts(words) && words.interrupt.is_none() => {
                 words.interrupt = Some(word.span);

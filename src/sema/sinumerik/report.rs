@@ -109,6 +109,9 @@ impl Run<'_> {
     }
 
     pub(super) fn function(&mut self, function: Function) {
+        if self.capture.is_some() && self.function_in_contour(&function) {
+            return;
+        }
         if self.pending.is_some() && self.held_back(&function) {
             return;
         }

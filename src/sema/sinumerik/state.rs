@@ -23,7 +23,7 @@ pub(super) enum Diameter {
 }
 
 /// Everything modal.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct State {
     /// Active index by G group.
     pub groups: [u8; GROUPS],

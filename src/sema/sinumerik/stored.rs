@@ -4,14 +4,15 @@
 //! Source: `reference/sinumerik-contours-undercuts-cycles` section 1.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Corner, CornerShape, Path};
+use crate::ir::undercut::usual_pitch;
+use crate::ir::{Feed, Pos};
 use crate::parser::sinumerik::records::{Record, read};
-use crate::sema::records::{Block, CornerWord, Difference, compare, solve};
+use crate::sema::records::{Block, CornerWord, Difference, NoUndercut, Unsolved, compare, outline, solve};
 use crate::text::{Loc, Span};
 
 use super::state::Diameter;
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// How far blocks and records may differ, in mm.
 const TOLERANCE: f64 = 0.001;
@@ -26,6 +27,8 @@ pub(super) struct Stored {
     /// Where each block stands.
     places: Vec<Loc>,
     records: Vec<Record>,
+    /// Where each record stands.
+    record_places: Vec<Loc>,
     begin: Loc,
 }
 
@@ -43,6 +46,7 @@ impl Run<'_> {
                     blocks: Vec::new(),
                     places: Vec::new(),
                     records: Vec::new(),
+                    record_places: Vec::new(),
                     begin: self.here.origin.loc,
                 }));
                 Ok(())
@@ -54,6 +58,7 @@ impl Run<'_> {
             Some(record) => {
                 if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() < MOST) {
                     stored.records.push(record);
+                    stored.record_places.push(self.here.origin.loc);
                 }
                 Ok(())
             }
@@ -79,7 +84,7 @@ impl Run<'_> {
             Path::Arc(Arc { shape: ArcShape::Center { center, ccw, .. }, .. }) => Some((*center, *ccw)),
             _ => None,
         };
-        stored.blocks.push(Block { end: to, arc, corner: None, record: 0 });
+        stored.blocks.push(Block { end: to, arc, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.here.origin.loc);
     }
 
@@ -99,7 +104,6 @@ impl Run<'_> {
             return Ok(());
         }
         let diameter = self.st.diameter_mode() != Diameter::Off;
-        let made = solve(&stored.records, diameter, &self.job.settings.undercut);
         let [first, second, _] = self.st.roles();
         let here = (first.letter() as u8, second.letter() as u8);
         let named = stored.records.iter().find_map(|record| match record {
@@ -125,18 +129,12 @@ impl Run<'_> {
             return Ok(());
         }
         if stored.blocks.is_empty() {
-            return match made {
-                Ok(made) => self.rebuild(&made),
-                Err(_) => self.fail_help(
-                    codes::S9019,
-                    0,
-                    Span::default(),
-                    "the contour has no blocks, and its records do not determine it",
-                    "open the contour in the editor of the control and accept it again",
-                ),
+            return match outline(&stored.records, diameter, &self.job.settings.undercut) {
+                Ok(made) => self.rebuild(&made, stored),
+                Err(why) => self.no_contour(&why, stored),
             };
         }
-        let made = match made {
+        let made = match solve(&stored.records, diameter, &self.job.settings.undercut) {
             Ok(made) => made,
             Err(_) => {
                 let found =
@@ -166,25 +164,95 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// The records make no contour.
+    fn no_contour(&mut self, why: &Unsolved, stored: &Stored) -> Outcome {
+        let place = why.record().and_then(|at| stored.record_places.get(at)).copied().unwrap_or(stored.begin);
+        let again = "open the contour in the editor of the control and accept it again".to_owned();
+        let (what, help) = match why {
+            Unsolved::NoStart => ("they have no start point".to_owned(), again),
+            Unsolved::TooLong => ("there are too many of them".to_owned(), again),
+            Unsolved::Unknown(_) => ("this one is of a kind that is not known".to_owned(), again),
+            Unsolved::Open(_) => ("this one does not determine its element".to_owned(), again),
+            Unsolved::Contradiction(_) => ("the values of this one contradict each other".to_owned(), again),
+            Unsolved::Undercut(_, why) => self.no_undercut(why),
+        };
+        let message = format!("the contour has no blocks, and its records do not make it: {what}");
+        self.report(Diagnostic::new(codes::S9019, place, message).help(help));
+        Err(Reported)
+    }
+
+    fn no_undercut(&self, why: &NoUndercut) -> (String, String) {
+        let accept = "accept the contour in the editor again";
+        match *why {
+            NoUndercut::Place => {
+                ("an undercut stands between two straight lines".to_owned(), "move or delete it".to_owned())
+            }
+            NoUndercut::Corner => ("the corner does not take the undercut".to_owned(), accept.to_owned()),
+            NoUndercut::Free => (
+                "how a free undercut is stored is not known".to_owned(),
+                "write it as blocks, or by CYCLE940".to_owned(),
+            ),
+            NoUndercut::Index(index) => {
+                (format!("no size of DIN 509 has the index {index}"), "the indices are 0 to 9".to_owned())
+            }
+            NoUndercut::PitchMissing { diameter, surface } => {
+                let help = match usual_pitch(&self.job.settings.undercut, surface, diameter) {
+                    Some(pitch) => format!("the coarse pitch for {diameter} mm is {pitch}: give `P:{pitch}`"),
+                    None => format!("no coarse pitch belongs to {diameter} mm: give `P:` as the drawing says"),
+                };
+                ("the thread undercut has no pitch".to_owned(), help)
+            }
+            NoUndercut::Pitch(pitch) => {
+                let help = match self.job.settings.undercut.nearest_pitch(pitch) {
+                    Some(near) => format!("the nearest one is {near}; add others by `[undercut] din76`"),
+                    None => "add it by `[undercut] din76`".to_owned(),
+                };
+                (format!("DIN 76 has no undercut for the pitch {pitch}"), help)
+            }
+            NoUndercut::Entry(None) => ("the undercut has no entry angle".to_owned(), "give `ALFA:30`".to_owned()),
+            NoUndercut::Entry(Some(angle)) => {
+                (format!("the entry angle {angle} is out of range"), "it lies between 30 and 90 degrees".to_owned())
+            }
+        }
+    }
+
     /// The blocks of a contour of which only the records are left.
-    fn rebuild(&mut self, made: &crate::sema::records::Contour) -> Outcome {
+    fn rebuild(&mut self, made: &crate::sema::records::Contour, stored: &Stored) -> Outcome {
         let plane = self.st.plane();
         self.note_once(
             codes::S8028,
             Span::default(),
             "the blocks of a stored contour are missing and are made from its records",
         );
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(plane, made.start);
-        self.send(&end, Path::Rapid, None);
         let feed = match self.st.feed {
             Some(feed) => feed,
+            None if self.is_capturing() => Feed::PerRevolution(1.0),
             None => {
                 self.st.feed_lost = true;
                 return self.fail(codes::S2040, 10860, Span::default(), "no feed is programmed for the contour");
             }
         };
+        let here = self.here.origin;
+        for record in &made.chosen {
+            self.stand_at(stored, *record);
+            let found = Diagnostic::new(
+                codes::S8030,
+                self.here.origin.loc,
+                "this record leaves two solutions, and the stored choice is not confirmed",
+            );
+            self.report(found.help("compare the element with the drawing"));
+        }
+        for (record, doubts) in &made.doubts {
+            self.stand_at(stored, *record);
+            let message = format!("the undercut rests on facts that are not confirmed: {doubts}");
+            self.note_once(codes::S8022, Span::default(), message);
+        }
+        self.stand_at(stored, made.start_record);
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(plane, made.start);
+        self.send(&end, Path::Rapid, None);
         for block in &made.blocks {
+            self.stand_at(stored, block.record);
             let mut end = Pos::UNKNOWN;
             end.set_in_plane(plane, block.end);
             let path = match block.arc {
@@ -197,10 +265,20 @@ impl Run<'_> {
             let shape = match block.corner {
                 Some(CornerWord::Radius(radius)) if radius > 0.0 => CornerShape::Rounding { radius },
                 Some(CornerWord::Chamfer(side)) if side > 0.0 => CornerShape::Chamfer { side },
+                Some(CornerWord::Undercut(undercut)) => CornerShape::Undercut(undercut),
                 _ => continue,
             };
+            self.stand_at(stored, block.corner_record);
             self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false, large: self.large_corner() }));
         }
+        self.here.origin = here;
         Ok(())
+    }
+
+    /// What follows comes from a record.
+    fn stand_at(&mut self, stored: &Stored, record: usize) {
+        if let Some(place) = stored.record_places.get(record) {
+            self.here.origin.loc = *place;
+        }
     }
 }

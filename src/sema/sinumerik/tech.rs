@@ -180,9 +180,13 @@ impl Run<'_> {
                 }
                 2 | 17 | 30 => {
                     if self.in_main() {
-                        self.pending_must_be_done(m.span)?;
+                        if self.ends_inside_contour() {
+                            return Err(super::Reported);
+                        }
+                        let done = self.pending_must_be_done(m.span);
                         self.function(Function::End { rewind: m.number == 30 });
                         self.ended.set(true);
+                        done?;
                     } else {
                         self.leave_program();
                     }

@@ -42,7 +42,7 @@ pub(super) struct Var {
 }
 
 /// Names of one program level.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, Clone)]
 pub(super) struct Scope {
     names: FxHashMap<Symbol, VarId>,
     /// Variables that end with the level.
@@ -50,7 +50,7 @@ pub(super) struct Scope {
 }
 
 /// All variables of a run.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, Clone)]
 pub(super) struct Vars {
     r: Vec<f64>,
     r_set: FxHashSet<u32>,

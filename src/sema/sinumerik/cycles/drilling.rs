@@ -10,6 +10,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::machine::Axis;
 use crate::machine::undercut::coarse_pitch;
 
+use super::super::value::whole;
 use super::super::{Outcome, Run};
 use super::Arguments;
 
@@ -207,8 +208,18 @@ impl Run<'_> {
         };
         let dwell = self.dwell_of(args, 9)?;
         let dwell_at_bottom = if args.or_zero(16) == 0.0 { dwell } else { self.dwell_of(args, 16)? };
-        // The newest versions give a percentage, as a digit says.
-        let percent = args.number(20).is_some_and(|mode| mode >= 1e4);
+        // Digits of the newest versions: 1 is the reading that was seen in stored calls, 0 the one of old calls.
+        if let Some(place) = (2..8).find(|place| args.digit(20, *place) > 1) {
+            let what = match place {
+                4 => "this reading of the first depth (`_AMODE`)",
+                5 => "a degression in percent (`_AMODE`)",
+                7 => "this reading of the first feed (`_AMODE`)",
+                _ => "this reading of a dwell or a distance (`_AMODE`)",
+            };
+            return self.not_built(args, 20, what);
+        }
+        // With all eight digits the first feed is a percentage.
+        let percent = args.digit(20, 7) == 1;
         let factor = match args.number(11) {
             Some(factor) if percent => factor / 100.0,
             Some(factor) => factor,
@@ -232,6 +243,14 @@ impl Run<'_> {
             }
         };
         Ok(Method::Peck(Peck { first, degression, dwell, dwell_at_bottom, first_feed, removal }))
+    }
+
+    /// Unit of PIT: 0 that of the program, 1 mm, 2 turns per inch, 3 inch.
+    fn pitch_unit(&self, args: &Arguments, place: usize) -> Outcome<i32> {
+        match whole(args.or_zero(place)).filter(|unit| (0..=3).contains(unit)) {
+            Some(unit) => Ok(unit),
+            None => self.not_built(args, place, "this unit of the pitch (`_PITA`)"),
+        }
     }
 
     /// The pitch from PIT or MPIT, positive for a right-hand thread.
@@ -269,7 +288,7 @@ impl Run<'_> {
 
     fn rigid_tap(&mut self, args: &Arguments) -> Outcome<Method> {
         self.master_is_main(args.span, "tapping")?;
-        let lead = self.pitch(args, 8, 9, args.or_zero(14) as i32)?;
+        let lead = self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?;
         let step = match args.or_zero(16) {
             0.0 => None,
             2.0 => Some(self.needed_length(args, 17, "the depth of a step")?),
@@ -342,7 +361,7 @@ impl Run<'_> {
             },
         };
         let lead = match args.or_zero(9) {
-            0.0 => Some(self.pitch(args, 10, 11, args.or_zero(13) as i32)?.abs()),
+            0.0 => Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()),
             1.0 | 11.0 => None,
             _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
         };

@@ -2,8 +2,10 @@
 //!
 //! Source: `reference/sinumerik-contours-undercuts-cycles` sections 5 and 6.
 
+mod contours;
 mod drilling;
 mod pattern;
+mod signatures;
 mod thread;
 mod undercut;
 
@@ -19,6 +21,8 @@ use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
+
+pub(super) use contours::Contours;
 
 /// A drilling cycle that runs behind every positioning block.
 #[derive(Debug, Clone)]
@@ -76,7 +80,8 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Option<Outcome> {
-        if !is_built(name) {
+        let front_end = signatures::of(name).is_some();
+        if !is_built(name) && !front_end || front_end && self.own_program(name) {
             return None;
         }
         let result =
@@ -96,6 +101,7 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome<Arguments> {
+        self.no_cycle_in_contour(name, span)?;
         let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         let mut list = Vec::with_capacity(formulas.len());
         for formula in formulas {
@@ -130,6 +136,9 @@ impl Run<'_> {
         }
         if self.st.machine_coordinates {
             return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
+        }
+        if let Some(signature) = signatures::of(&args.name) {
+            return self.contour_cycle(args, signature);
         }
         if self.st.per_revolution() {
             self.master_is_main(args.span, "a feed per revolution")?;
@@ -238,6 +247,13 @@ impl Run<'_> {
     fn needed(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
         match args.number(place) {
             Some(value) => Ok(value),
+            None if args.value(place).is_some() => self.cycle_fault(
+                args,
+                args.span_of(place),
+                0,
+                &format!("{name} (argument {place}) has to be a number"),
+                "a number in quotation marks is a text",
+            ),
             None => self.cycle_fault(
                 args,
                 args.span,
@@ -321,6 +337,9 @@ fn is_built(name: &str) -> bool {
 }
 
 fn most_arguments(name: &str) -> usize {
+    if let Some(signature) = signatures::of(name) {
+        return signature.parameters.len();
+    }
     match name {
         "CYCLE81" => 9,
         "CYCLE82" => 14,
@@ -338,7 +357,7 @@ fn most_arguments(name: &str) -> usize {
         "CYCLE98" => 31,
         "CYCLE99" => 30,
         "HOLES1" => 11,
-        "HOLES2" => 13,
+        "HOLES2" => 11,
         "CYCLE801" => 14,
         "CYCLE802" => 33,
         _ => 31,

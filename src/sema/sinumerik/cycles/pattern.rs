@@ -91,6 +91,9 @@ impl Run<'_> {
             .positions()
             .map(Iterator::collect),
             "CYCLE801" => {
+                if !matches!(args.or_zero(8), 0.0 | 1.0) {
+                    return self.not_built(args, 8, "this variant of the pattern (`_VARI`)");
+                }
                 if args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0 {
                     return self.not_built(args, 10, "an oblique grid");
                 }

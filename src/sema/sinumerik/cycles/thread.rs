@@ -83,13 +83,21 @@ impl Run<'_> {
                 for place in [17, 18, 19] {
                     leads.push(self.needed_length(args, place, "the pitch")?.abs());
                 }
-                for (place, what) in
-                    [(23, "the first infeed `_MID`"), (24, "`_GDEP`"), (26, "another unit of the pitch (`_PITA`)")]
-                {
+                for (place, what) in [
+                    (23, "the first infeed `_MID`"),
+                    (24, "`_GDEP`"),
+                    (26, "another unit of the pitch (`_PITA`)"),
+                    (31, "a coded reading of positions (`_AMODE`)"),
+                ] {
                     let plain = place == 26 && args.or_zero(26) == 1.0;
                     if args.or_zero(place) != 0.0 && !plain {
                         return self.not_built(args, place, what);
                     }
+                }
+                self.flank_agrees(args, 11, 13, 25)?;
+                let plane = args.digit(30, 0);
+                if plane != 0 && plane != i32::from(self.st.groups[6]) {
+                    return self.not_built(args, 30, "a plane other than the active one (`_DMODE`)");
                 }
                 (CYCLE98, points, leads)
             }
@@ -236,27 +244,39 @@ impl Run<'_> {
         }
     }
 
+    /// The editor writes the flank infeed twice: as an angle, which counts, and as a length.
+    fn flank_agrees(&self, args: &Arguments, depth: usize, angle: usize, flank: usize) -> Outcome {
+        let tangent = libm::tan(args.or_zero(angle).abs().to_radians());
+        let given = args.or_zero(flank);
+        if given == 0.0 || (given.abs() - args.or_zero(depth).abs() * tangent).abs() <= 0.01 {
+            return Ok(());
+        }
+        self.cycle_fault(
+            args,
+            args.span_of(flank),
+            0,
+            "the flank infeed `_IFLANK` contradicts the angle `_IANG`",
+            "give the angle, and the length as the editor computes it",
+        )
+    }
+
     /// CYCLE99 codes much in digits; what is not known is refused.
     fn check_new_thread(&mut self, args: &Arguments) -> Outcome {
-        for (place, what) in
-            [(17, "the first infeed `_MID`"), (18, "`_GDEP`"), (19, "a changing pitch (`_PIT1`)"), (20, "`_FDEP`")]
-        {
+        for (place, what) in [
+            (17, "the first infeed `_MID`"),
+            (18, "`_GDEP`"),
+            (19, "a changing pitch (`_PIT1`)"),
+            (20, "`_FDEP`"),
+            (21, "`_GST`"),
+            (22, "`_GUD`"),
+            (29, "a coded reading of positions (`_AMODE`)"),
+            (30, "a crowned thread (`_S_XRS`)"),
+        ] {
             if args.or_zero(place) != 0.0 {
                 return self.not_built(args, place, what);
             }
         }
-        let (angle, flank) = (args.or_zero(9), args.or_zero(23));
-        let tangent = libm::tan(angle.abs().to_radians());
-        if flank != 0.0 && (flank.abs() - args.or_zero(7).abs() * tangent).abs() > 0.01 {
-            let message = "the flank infeed `_IFLANK` contradicts the angle `_IANG`";
-            return self.cycle_fault(
-                args,
-                args.span_of(23),
-                0,
-                message,
-                "give the angle, and the length as the editor computes it",
-            );
-        }
+        self.flank_agrees(args, 7, 9, 23)?;
         let plane = args.digit(28, 0);
         if plane != 0 && plane != i32::from(self.st.groups[6]) {
             return self.not_built(args, 28, "a plane other than the active one (`_DMODE`)");

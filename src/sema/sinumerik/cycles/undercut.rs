@@ -5,9 +5,10 @@
 use crate::diag::codes;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::undercut::UndercutCycle;
+use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::machine::undercut::proposed_pitch;
-use crate::sema::undercut_calls::{CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940};
+use crate::sema::undercut_calls::{CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index};
 
 use super::super::{Outcome, Run};
 use super::Arguments;
@@ -224,6 +225,15 @@ impl Run<'_> {
                     "add it under [undercut]"
                 };
                 self.cycle_fault(args, at, 61001, "the table has no such size or pitch", help)
+            }
+            CallFault::Pitch => {
+                let inside = matches!(one_letter(args), Some(b'C' | b'D'));
+                let surface = if inside { Surface::Internal } else { Surface::External };
+                let help = match proposed_index(&self.job.settings.undercut, surface, args.or_zero(1)) {
+                    Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
+                    None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
+                };
+                self.cycle_fault(args, args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
             }
             CallFault::RoughingAllowance => self.not_built(args, 17, "an allowance along Z while roughing (`_FALZ`)"),
         }

@@ -1,0 +1,84 @@
+//! A contour that a program describes and does not travel: what the cycles that work along a contour take.
+
+use crate::geo::{Element, Plane, Point2, distance};
+
+use super::Origin;
+
+/// Ends this close are one point, in mm: stored contours are rounded to three decimals.
+const CLOSED: f64 = 0.002;
+
+/// The elements of a described contour, arcs resolved and corners cut, in the frame in which it was begun.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Captured {
+    pub plane: Plane,
+    /// End of the first move: how the tool comes there is not part of the contour.
+    pub start: Point2,
+    /// In the order of travel, each from where the one before ends.
+    pub pieces: Vec<Piece>,
+}
+
+/// An element of a described contour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    pub element: Element,
+    pub kind: PieceKind,
+    pub origin: Origin,
+}
+
+/// How an element of a contour was programmed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PieceKind {
+    Rapid,
+    Cut,
+    /// A line in step with the spindle.
+    Thread,
+}
+
+/// Why what was described is no contour. Each names the first block that is at fault.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unfit {
+    /// A finding about it was made already.
+    Reported,
+    /// More elements than the limit.
+    TooMany(Origin),
+    /// The first move does not name both coordinates of the plane.
+    NoStart(Origin),
+    /// The working plane changes.
+    Plane(Origin),
+    /// The coordinate system is another one than in front of the contour, or changes.
+    Frame(Origin),
+    /// An axis outside the plane moves, or the block is in machine coordinates.
+    Leaves(Origin),
+}
+
+impl Captured {
+    /// Does it end where it starts?
+    pub fn is_closed(&self) -> bool {
+        self.pieces.last().is_some_and(|last| distance(last.element.to(), self.start) <= CLOSED)
+    }
+
+    /// Smallest and largest coordinates of its points, arcs counted by their ends.
+    pub fn extent(&self) -> (Point2, Point2) {
+        self.pieces.iter().map(|piece| piece.element.to()).fold((self.start, self.start), |(low, high), p| {
+            (Point2::new(low.x.min(p.x), low.y.min(p.y)), Point2::new(high.x.max(p.x), high.y.max(p.y)))
+        })
+    }
+
+    /// The first two elements that cross, by their places. Neighbours meet in their common end, and a closed
+    /// contour meets itself in its start: that is no crossing.
+    pub fn crossing(&self) -> Option<(usize, usize)> {
+        let count = self.pieces.len();
+        for (j, b) in self.pieces.iter().enumerate() {
+            for (i, a) in self.pieces.iter().enumerate().take(j) {
+                let shared = [
+                    (i + 1 == j).then(|| b.element.from()),
+                    (i == 0 && j + 1 == count && self.is_closed()).then_some(self.start),
+                ];
+                if crate::geo::crossing::meet(&a.element, &b.element, &shared) {
+                    return Some((i, j));
+                }
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,216 @@
+//! From solved elements to the NC blocks that the editor makes of them: transitions, undercuts, grinding allowances.
+
+use crate::geo::undercut::{Allowance, Corner, Orientation, Reference, vertices};
+use crate::geo::{Deg, Point2, SAME_POINT, Vec2, cross, distance, intersect, left};
+use crate::ir::undercut::{Surface, ThreadForm, Undercut, form_e, form_f, thread, thread_by_contour};
+use crate::machine::Undercuts;
+use crate::parser::sinumerik::records::{Record, SIZES, Undercut as Form};
+
+use super::solver::{Begin, Solved};
+use super::{Block, Contour, CornerWord, NoUndercut, Unsolved};
+
+/// Directions closer than this are the same, in degrees: three decimals of a coordinate over a few mm.
+const SAME_ANGLE: f64 = 0.01;
+/// The index of a size that was seen in stored programs.
+const CONFIRMED: u32 = 4;
+
+/// Makes NC blocks of solved elements.
+pub(super) struct Generator<'a> {
+    pub records: &'a [Record],
+    pub tables: &'a Undercuts,
+    pub elements: Vec<Solved>,
+    /// Ordinates as written are diameters.
+    pub diameter: bool,
+    /// Undercuts become the blocks that the editor writes.
+    pub expanded: bool,
+}
+
+impl Generator<'_> {
+    pub fn blocks(&mut self, begin: Begin, corner: Point2) -> Result<Contour, Unsolved> {
+        self.shift_allowances()?;
+        let corner = self
+            .elements
+            .first()
+            .map_or(corner, |first| if first.typed.keys.dst.is_some() { first.from } else { corner });
+        let mut contour = Contour { start: corner, start_record: begin.record, ..Contour::default() };
+        self.start_transition(begin, &mut contour)?;
+        for i in 0..self.elements.len() {
+            let Some(element) = self.elements.get(i).copied() else { break };
+            let next = self.elements.get(i + 1).copied();
+            let transition = element.typed.transition.zip(next);
+            let undercut = transition.and_then(|(record, next)| match self.records.get(record) {
+                Some(Record::Undercut(undercut)) => Some((record, *undercut, next)),
+                _ => None,
+            });
+            if let Some((record, undercut, next)) = undercut {
+                self.undercut(&element, record, undercut, &next, &mut contour)?;
+                continue;
+            }
+            if distance(element.from, element.to) <= SAME_POINT && element.arc.is_none() {
+                continue;
+            }
+            let corner = transition.and_then(|(record, next)| self.corner(&element, record, &next));
+            contour.blocks.push(Block {
+                end: element.to,
+                arc: element.arc,
+                corner,
+                record: element.typed.record,
+                corner_record: transition.map_or(element.typed.record, |(record, _)| record),
+            });
+        }
+        Ok(contour)
+    }
+
+    /// The start point moves back, and the corner becomes a block of its own.
+    fn start_transition(&self, begin: Begin, contour: &mut Contour) -> Result<(), Unsolved> {
+        let (Some(record), Some(first)) = (begin.transition, self.elements.first()) else { return Ok(()) };
+        let (word, back) = match (self.records.get(record), begin.keys.ase) {
+            (Some(Record::Chamfer(leg)), Some(_)) if *leg > 0.0 => (CornerWord::Chamfer(*leg), *leg),
+            (Some(Record::Rounding(radius)), Some(angle)) if *radius > 0.0 => {
+                let Some(w) = first.start_direction() else { return Err(Unsolved::Open(record)) };
+                let u = Deg(angle).unit();
+                (CornerWord::Radius(*radius), radius * cross(u, w).abs() / (1.0 + u.dot(&w)))
+            }
+            (Some(Record::Undercut(_)), _) => return Err(Unsolved::Undercut(record, NoUndercut::Place)),
+            (Some(Record::Chamfer(size) | Record::Rounding(size)), None) if *size > 0.0 => {
+                return Err(Unsolved::Open(record));
+            }
+            _ => return Ok(()),
+        };
+        let u = Deg(begin.keys.ase.unwrap_or(0.0)).unit();
+        let corner = contour.start;
+        contour.start = corner - u * back;
+        contour.blocks.push(Block { end: corner, arc: None, corner: Some(word), record, corner_record: record });
+        Ok(())
+    }
+
+    fn corner(&self, element: &Solved, record: usize, next: &Solved) -> Option<CornerWord> {
+        let (u, w) = (element.end_direction()?, next.start_direction()?);
+        let smooth = Deg::from_radians(libm::atan2(cross(u, w).abs(), u.dot(&w))).0 < SAME_ANGLE;
+        let beside = element.typed.keys.dst.unwrap_or(0.0) + next.typed.keys.dst.unwrap_or(0.0);
+        match self.records.get(record)? {
+            Record::Rounding(radius) => (*radius > 0.0 && !smooth).then_some(CornerWord::Radius(*radius)),
+            // A chamfer keeps its bevel where a neighbour carries an allowance.
+            Record::Chamfer(leg) => (*leg > 0.0).then_some(CornerWord::Chamfer(leg + beside)),
+            _ => None,
+        }
+    }
+
+    fn undercut(
+        &self,
+        element: &Solved,
+        record: usize,
+        undercut: Form,
+        next: &Solved,
+        contour: &mut Contour,
+    ) -> Result<(), Unsolved> {
+        let refuse = |why| Unsolved::Undercut(record, why);
+        if element.arc.is_some() || next.arc.is_some() {
+            return Err(refuse(NoUndercut::Place));
+        }
+        let corner = Corner { from: element.from, at: element.to, to: next.to };
+        let mut made = self.sized(undercut, &corner).map_err(refuse)?;
+        let (first, second) = (element.typed.keys.dst.unwrap_or(0.0).abs(), next.typed.keys.dst.unwrap_or(0.0).abs());
+        // The cylinder is the flatter of the two.
+        let along = element.to - element.from;
+        let (reference, other) = if along.x.abs() >= along.y.abs() { (first, second) } else { (second, first) };
+        made.allowance = Allowance { reference, other };
+        let block =
+            Block { end: corner.at, arc: None, corner: None, record: element.typed.record, corner_record: record };
+        if !self.expanded {
+            contour.doubts.extend(self.doubts(undercut, &corner).map(|doubts| (record, doubts)));
+            contour.blocks.push(Block { corner: Some(CornerWord::Undercut(made)), ..block });
+            return Ok(());
+        }
+        let orientation = Orientation::of(&corner).map_err(|_| refuse(NoUndercut::Corner))?;
+        let shape = if orientation.second > 0.0 { &made.external } else { &made.internal };
+        let list =
+            vertices(shape, &corner, Reference::First, made.allowance).map_err(|_| refuse(NoUndercut::Corner))?;
+        for (end, radius) in list {
+            let corner = (radius > 0.0).then_some(CornerWord::Radius(radius));
+            contour.blocks.push(Block { end, corner, ..block });
+        }
+        Ok(())
+    }
+
+    /// What is not confirmed about an undercut.
+    fn doubts(&self, undercut: Form, corner: &Corner) -> Option<String> {
+        match undercut {
+            Form::E(index) | Form::F(index) => {
+                (index != CONFIRMED).then(|| "the list of sizes by their index".to_owned())
+            }
+            Form::Thread { pitch, entry } => {
+                let row = self.tables.thread(pitch?)?;
+                let doubts = thread(self.tables, row, ThreadForm::of(surface(corner), false), Deg(entry?)).1;
+                doubts.any().then(|| doubts.to_string())
+            }
+            Form::Free => None,
+        }
+    }
+
+    /// The undercut with its dimensions.
+    fn sized(&self, undercut: Form, corner: &Corner) -> Result<Undercut, NoUndercut> {
+        let size = |index: u32| {
+            let size = SIZES.get(index as usize).and_then(|(radius, depth)| self.tables.size(*radius, *depth));
+            size.ok_or(NoUndercut::Index(index))
+        };
+        match undercut {
+            Form::E(index) => size(index).map(|size| Undercut::new(form_e(size))),
+            Form::F(index) => size(index).map(|size| Undercut::new(form_f(size))),
+            Form::Thread { pitch, entry } => {
+                let scale = if self.diameter { 2.0 } else { 1.0 };
+                let diameter = scale * corner.at.y.abs();
+                let pitch = pitch.ok_or(NoUndercut::PitchMissing { diameter, surface: surface(corner) })?;
+                let row = self.tables.thread(pitch).ok_or(NoUndercut::Pitch(pitch))?;
+                let angle = entry.filter(|angle| (30.0..=90.0).contains(angle)).ok_or(NoUndercut::Entry(entry))?;
+                Ok(thread_by_contour(self.tables, row, false, Deg(angle)))
+            }
+            Form::Free => Err(NoUndercut::Free),
+        }
+    }
+
+    /// Elements with a grinding allowance move to their right side and meet their neighbours anew.
+    fn shift_allowances(&mut self) -> Result<(), Unsolved> {
+        if self.elements.iter().all(|element| element.typed.keys.dst.unwrap_or(0.0) == 0.0) {
+            return Ok(());
+        }
+        let lines: Option<Vec<(Point2, Vec2)>> = self
+            .elements
+            .iter()
+            .map(|element| {
+                let u = element.start_direction().filter(|_| element.arc.is_none())?;
+                Some((element.from - left(u) * element.typed.keys.dst.unwrap_or(0.0), u))
+            })
+            .collect();
+        let record = self.elements.first().map_or(0, |element| element.typed.record);
+        // Beside arcs the editor's result was never seen.
+        let lines = lines.ok_or(Unsolved::Open(record))?;
+        for i in 0..lines.len() {
+            let (Some(here), before, after) =
+                (lines.get(i), i.checked_sub(1).and_then(|k| lines.get(k)), lines.get(i + 1))
+            else {
+                break;
+            };
+            let meet = |other: &(Point2, Vec2)| {
+                intersect::lines(here.0, here.1, other.0, other.1, 1e-9).map(|(s, _)| here.0 + here.1 * s)
+            };
+            let Some(element) = self.elements.get_mut(i) else { break };
+            let moved = here.0 - element.from;
+            let ends = (before.map(meet), after.map(meet));
+            if matches!(ends, (Some(None), _) | (_, Some(None))) {
+                return Err(Unsolved::Open(element.typed.record));
+            }
+            element.to = ends.1.flatten().unwrap_or(element.to + moved);
+            element.from = ends.0.flatten().unwrap_or(element.from + moved);
+        }
+        Ok(())
+    }
+}
+
+/// The side of the part on which a corner lies; outside where it is none.
+fn surface(corner: &Corner) -> Surface {
+    match Orientation::of(corner) {
+        Ok(orientation) if orientation.second < 0.0 => Surface::Internal,
+        _ => Surface::External,
+    }
+}

@@ -1,0 +1,235 @@
+//! Describing a contour: the blocks of a contour run, but what they move is kept instead of carried out.
+//!
+//! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
+//! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
+
+use std::collections::BTreeMap;
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Function;
+use crate::ir::captured::{Captured, Unfit};
+use crate::machine::Axis;
+use crate::text::blocks::Place;
+use crate::text::{Loc, Span};
+
+use super::calls::LevelKind;
+use super::state::State;
+use super::value::Val;
+use super::vars::Vars;
+use super::{Outcome, Reported, Run};
+
+/// Most elements of a contour, roundings and chamfers counted.
+pub(super) const MOST_ELEMENTS: usize = 1000;
+
+/// Where the blocks of a contour are.
+#[derive(Debug, Clone)]
+pub(super) struct ContourCall {
+    /// The program that holds it.
+    pub unit: usize,
+    /// From this block up to this offset; `None` for the whole program.
+    pub part: Option<(Place, u32)>,
+    /// What the call names, for findings.
+    pub name: String,
+    /// The call.
+    pub loc: Loc,
+}
+
+/// A contour while its blocks run.
+#[derive(Debug)]
+pub(super) struct Capture {
+    /// Levels of the call stack below the contour.
+    below: usize,
+    /// The contour ran to its end.
+    complete: bool,
+    /// Something in it was refused.
+    failed: bool,
+    name: String,
+}
+
+impl Run<'_> {
+    /// Runs the blocks of a contour.
+    pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
+        let (here, expanded) = (self.here, self.expanded);
+        let back = self.place();
+        let before = self.enter_capture(call);
+        let entered = self.enter_contour(call);
+        while entered.is_ok() && self.in_contour() && !self.ended.get() {
+            self.step();
+        }
+        let pending = self.pending_must_be_done(Span::default());
+        let capture = self.capture.take();
+        let made = self.out.contour_ends(&here.origin);
+        (self.here, self.expanded) = (here, expanded);
+        self.leave_capture(before);
+        entered?;
+        pending?;
+        let Some(capture) = capture else { return Err(Reported) };
+        if capture.failed || self.ended.get() {
+            return Err(Reported);
+        }
+        if !capture.complete || self.place() != back {
+            self.stop_run();
+            return self.contour_fault(call, Span::default(), 0, "the program jumps out of the contour");
+        }
+        made.or_else(|unfit| self.unfit(call, unfit))
+    }
+
+    /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
+    fn enter_capture(&mut self, call: &ContourCall) -> Before {
+        let before = Before {
+            st: self.st.clone(),
+            vars: self.vars.clone(),
+            system: self.system.clone(),
+            modal: self.modal.take(),
+            modal_cycle: self.modal_cycle.take(),
+            stored: self.stored.take(),
+            lead: self.lead.take(),
+            corner_open: self.corner_open.take(),
+            cut_speed_open: self.cut_speed_open.take(),
+        };
+        for axis in Axis::ALL {
+            self.st.forget(axis);
+        }
+        self.st.lost = crate::machine::AxisSet::EMPTY;
+        let below = self.levels.len();
+        self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
+        self.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.here.origin);
+        before
+    }
+
+    fn leave_capture(&mut self, before: Before) {
+        self.st = before.st;
+        self.vars = before.vars;
+        self.system = before.system;
+        self.modal = before.modal;
+        self.modal_cycle = before.modal_cycle;
+        self.stored = before.stored;
+        self.lead = before.lead;
+        self.corner_open = before.corner_open;
+        self.cut_speed_open = before.cut_speed_open;
+    }
+
+    fn enter_contour(&mut self, call: &ContourCall) -> Outcome {
+        match call.part {
+            // Blocks of the program that calls see its variables.
+            Some((from, stop)) if call.unit == self.unit() => self.enter_section(from, stop, 1),
+            part => self.call_part(call.unit, Vec::new(), 1, false, part),
+        }
+    }
+
+    fn in_contour(&self) -> bool {
+        self.capture.as_ref().is_some_and(|capture| self.levels.len() > capture.below)
+    }
+
+    pub(super) fn is_capturing(&self) -> bool {
+        self.capture.is_some()
+    }
+
+    /// A level ended by itself: perhaps it was the contour.
+    pub(super) fn level_ended(&mut self) {
+        let levels = self.levels.len();
+        if let Some(capture) = self.capture.as_mut().filter(|capture| levels <= capture.below) {
+            capture.complete = true;
+        }
+    }
+
+    /// May the program that runs end here? Not if only a part of it describes the contour.
+    pub(super) fn ends_inside_contour(&mut self) -> bool {
+        let Some(below) = self.capture.as_ref().map(|capture| capture.below) else { return false };
+        let own = self.levels.iter().skip(below).any(|level| matches!(level.kind, LevelKind::Program { .. }));
+        if own {
+            return false;
+        }
+        self.stop_run();
+        let _: Outcome = self.fail_help(
+            codes::S2091,
+            0,
+            Span::default(),
+            "the program ends inside a contour",
+            "put the label of the end of the contour in front of this block",
+        );
+        true
+    }
+
+    /// A function in a contour. True for one that is done with: inside a contour nothing is carried out.
+    pub(super) fn function_in_contour(&mut self, function: &Function) -> bool {
+        let Some(capture) = self.capture.as_mut() else { return false };
+        if matches!(function, Function::Comment(_) | Function::Plane(_)) {
+            return true;
+        }
+        capture.failed = true;
+        let message = format!("the contour `{}` holds a function of the machine", capture.name);
+        let _: Outcome = self.fail_help(
+            codes::S2091,
+            0,
+            Span::default(),
+            message,
+            "move it in front of the call of the cycle: in which pass the control would carry it out is not known",
+        );
+        true
+    }
+
+    /// A cycle inside a contour.
+    pub(super) fn no_cycle_in_contour(&mut self, name: &str, span: Span) -> Outcome {
+        let Some(capture) = self.capture.as_mut() else { return Ok(()) };
+        capture.failed = true;
+        let message = format!("{name} stands in the contour `{}`", capture.name);
+        self.fail_help(codes::S2091, 0, span, message, "a contour is made of lines and arcs only")
+    }
+
+    fn unfit(&mut self, call: &ContourCall, unfit: Unfit) -> Outcome<Captured> {
+        let (origin, alarm, message, help) = match unfit {
+            Unfit::Reported => return Err(Reported),
+            Unfit::TooMany(origin) => {
+                let message = format!("the contour has more than {MOST_ELEMENTS} elements (alarm 61933)");
+                let found = Diagnostic::new(codes::S4001, origin.loc, message).called(origin.call);
+                self.report(found.also(call.loc, "called here").help("split it, or take splines of lines apart"));
+                return Err(Reported);
+            }
+            Unfit::NoStart(origin) => (
+                origin,
+                10931,
+                "the contour has no start point",
+                "its first block names both coordinates of the plane: G0 Z0 X20",
+            ),
+            Unfit::Plane(origin) => {
+                (origin, 0, "the working plane changes inside the contour", "a contour lies in one plane")
+            }
+            Unfit::Frame(origin) => (
+                origin,
+                0,
+                "the coordinate system changes inside the contour",
+                "program TRANS, ROT, SCALE and MIRROR in front of the cycle",
+            ),
+            Unfit::Leaves(origin) => (
+                origin,
+                0,
+                "a block of the contour leaves its plane",
+                "a contour has moves of the two axes of its plane only",
+            ),
+        };
+        let message = if alarm == 0 { message.to_owned() } else { format!("{message} (alarm {alarm})") };
+        let found = Diagnostic::new(codes::S2091, origin.loc, message).called(origin.call);
+        self.report(found.also(call.loc, "called here").help(help));
+        Err(Reported)
+    }
+
+    /// A fault of a contour, reported at its call.
+    pub(super) fn contour_fault<T>(&self, call: &ContourCall, span: Span, alarm: u32, what: &str) -> Outcome<T> {
+        let message = format!("contour `{}`: {what}", call.name);
+        self.fail(codes::S2091, alarm, span, message)
+    }
+}
+
+/// What a capture leaves as it was.
+struct Before {
+    st: State,
+    vars: Vars,
+    system: BTreeMap<String, Val>,
+    modal: Option<super::calls::Modal>,
+    modal_cycle: Option<Box<super::cycles::ModalCycle>>,
+    stored: Option<Box<super::stored::Stored>>,
+    lead: Option<(Axis, f64)>,
+    corner_open: Option<(Loc, u32)>,
+    cut_speed_open: Option<Span>,
+}
