@@ -158,10 +158,7 @@ pub enum Tok {
     DeclareString,
     #[token("FUNCTION", tail, ignore(case))]
     #[token("POLARKIN", tail, ignore(case))]
-    #[token("TABDATA", tail, ignore(case))]
-    #[token("SECTION", tail, ignore(case))]
-    #[token("MONITORING", tail, ignore(case))]
-    #[token("PRESET", tail, ignore(case))]
+    #[regex(r"(?i)(TABDATA|SECTION|MONITORING|PRESET)", tail)]
     Function(Span),
 
     // Path functions.

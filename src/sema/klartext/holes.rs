@@ -10,7 +10,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
 
-use super::cycle::Machining;
+use super::machining::Machining;
 use super::{Outcome, Reported, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.

@@ -17,6 +17,7 @@ mod help;
 mod holes;
 mod idle;
 mod labels;
+mod machining;
 mod mfunc;
 mod other;
 mod path;
