@@ -169,6 +169,14 @@ impl Run<'_> {
         true
     }
 
+    /// An axis that moves by itself is no path.
+    pub(super) fn no_positioning_in_contour(&mut self, span: Span) -> Outcome {
+        let Some(capture) = self.capture.as_mut() else { return Ok(()) };
+        capture.failed = true;
+        let message = format!("a positioning axis moves in the contour `{}`", capture.name);
+        self.fail_help(codes::S2091, 0, span, message, "a contour is made of lines and arcs only")
+    }
+
     /// A cycle inside a contour.
     pub(super) fn no_cycle_in_contour(&mut self, name: &str, span: Span) -> Outcome {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };

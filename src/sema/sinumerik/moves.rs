@@ -125,6 +125,9 @@ impl Run<'_> {
                 "give POS a block of its own",
             );
         }
+        if let Some(first) = w.positioning.first() {
+            self.no_positioning_in_contour(first.given.span)?;
+        }
         if let Some((_, span)) = w.code_of(9).filter(|(code, _)| *code != Code::SUPD) {
             return self.fail_help(
                 codes::S9011,
