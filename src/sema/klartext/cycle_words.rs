@@ -8,8 +8,9 @@ use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
-use super::cycle::{AxisValue, Labelled, What};
+use super::cycle::{AxisValue, Labelled};
 use super::cycle_names::{Nature, nature};
+use super::machining::What;
 use super::vars::Slot;
 use super::{Outcome, Run, holes, patterns};
 
