@@ -543,7 +543,7 @@ mod tests {
         assert_eq!(place(tables.cycle_size(0)), Some((0.6, 0.3, true)));
         assert_eq!(place(tables.cycle_size(9)), Some((0.2, 0.1, false)));
         assert_eq!((place(tables.editor_size(10)), place(tables.cycle_size(10))), (None, None));
-        let tables = read("din509_in_editor = ['0.8x0.3', '1.2x0.2']\ncycle_sizes = ['1.2x0.4']\n").unwrap();
+        let tables = read("din509_in_editor = ['0.8x0.3', '1.2x0.2']\ndin509_in_cycle = ['1.2x0.4']\n").unwrap();
         assert_eq!(place(tables.editor_size(1)), Some((1.2, 0.2, true)));
         assert_eq!((place(tables.editor_size(2)), place(tables.cycle_size(0))), (None, Some((1.2, 0.4, true))));
         assert!(read("din509_in_editor = ['0.9x0.3']").is_err() && read("din509_in_cycle = [1]").is_err());
