@@ -12,7 +12,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: sinumerik::run,
     check_form: sinumerik::check_form,
-    check_idle: None,
+    check_idle: Some(sinumerik::check_idle),
 };
 
 /// A transfer header starts a line: `%_N_NAME_MPF`.

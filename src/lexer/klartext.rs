@@ -144,7 +144,8 @@ pub enum Tok {
     Plane(Span),
     #[regex(r"(?i)TCH[ \t]+PROBE", tail)]
     TchProbe(Span),
-    #[regex(r"(?i)PATTERN[ \t]+DEF", tail)]
+    #[regex(r"(?i)PATTERN[ \t]+DEF", all_lines)]
+    PatternDef(Span),
     #[regex(r"(?i)SEL[ \t]+PATTERN", tail)]
     Pattern(Span),
     #[regex(r"(?i)SEL[ \t]+TABLE", tail)]
@@ -157,9 +158,7 @@ pub enum Tok {
     DeclareString,
     #[token("FUNCTION", tail, ignore(case))]
     #[token("POLARKIN", tail, ignore(case))]
-    #[token("TABDATA", tail, ignore(case))]
-    #[token("SECTION", tail, ignore(case))]
-    #[token("MONITORING", tail, ignore(case))]
+    #[regex(r"(?i)(TABDATA|SECTION|MONITORING|PRESET)", tail)]
     Function(Span),
 
     // Path functions.
@@ -405,6 +404,13 @@ fn tail(lex: &mut Lex<'_>) -> Span {
     let lead = text.iter().take_while(|b| b.is_ascii_whitespace()).count();
     let trimmed = text.trim_ascii();
     Span::at(start + lead as u32, trimmed.len() as u32)
+}
+
+/// Takes the rest of the block with all its lines.
+fn all_lines(lex: &mut Lex<'_>) -> Span {
+    let (start, len) = (lex.span().end as u32, lex.remainder().len());
+    lex.bump(len);
+    Span::at(start, len as u32)
 }
 
 fn cycle(lex: &mut Lex<'_>) -> CycleNumber {

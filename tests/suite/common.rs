@@ -92,13 +92,18 @@ pub fn compile_bytes(name: &str, bytes: Vec<u8>, dialect: &str, settings: &Setti
 
 /// The findings of `partc check` for a Klartext program, one a line.
 pub fn check_klartext(text: &str) -> Vec<Diagnostic> {
+    check_program("klartext", "PART.H", text)
+}
+
+/// Findings of `partc check` in the program `text`.
+pub fn check_program(dialect: &str, name: &str, text: &str) -> Vec<Diagnostic> {
     let main = Opened {
-        name: "PART.H".to_owned(),
-        identity: "PART.H".to_owned(),
+        name: name.to_owned(),
+        identity: name.to_owned(),
         text: Box::new(Memory::new(text.as_bytes().to_vec())),
     };
     let session = Session::new(main);
-    let dialect = dialect::find("klartext").expect("a dialect of this name");
+    let dialect = dialect::find(dialect).expect("a dialect of this name");
     session.check(dialect, &Settings::default(), &partc::text::files::NoFiles);
     session.diags.into_sorted()
 }

@@ -12,7 +12,7 @@ use partc::machine::Settings;
 use partc::text::files::NoFiles;
 use partc::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
-use super::common::{Compiled, cases, check_klartext, compile_bytes, compile_case, settings};
+use super::common::{Compiled, cases, check_klartext, check_program, compile_bytes, compile_case, settings};
 
 /// A code whose input is made by the test: a wide file, a huge one, a file system that refuses.
 struct Built {
@@ -56,6 +56,7 @@ const BUILT: &[Built] = &[
     Built { code: "P0106", fires: || calls_of(1000), silent: || calls_of(999) },
     Built { code: "K2007", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
     Built { code: "K8001", fires: || checked(&behind_m30("FL X+20 AN+30")), silent: || checked(&behind_m30("L X+20")) },
+    Built { code: "S8040", fires: || siemens_idle("TRAORI"), silent: || siemens_idle("G1 X5") },
     Built { code: "S8009", fires: || siemens_tool(&[]), silent: || siemens_tool(&[5]) },
 ];
 
@@ -79,7 +80,14 @@ fn main_of(bytes: &[u8]) -> Compiled {
 
 /// What `partc check` says.
 fn checked(text: &str) -> Compiled {
-    let findings = check_klartext(text);
+    of_findings(check_klartext(text))
+}
+
+fn siemens_idle(block: &str) -> Compiled {
+    of_findings(check_program("sinumerik", "T.MPF", &format!("G0 X0 Y0 Z5\nM30\n{block}\n")))
+}
+
+fn of_findings(findings: Vec<Diagnostic>) -> Compiled {
     let failed = findings.iter().any(|found| found.code.severity == Severity::Error);
     let output = if failed { String::new() } else { "%\n".to_owned() };
     Compiled { output, attempt: String::new(), findings, rendered: Vec::new(), lines: Vec::new() }

@@ -1,6 +1,6 @@
 //! What `partc check` says of blocks that do not run.
 
-use super::common::check_klartext;
+use super::common::{check_klartext, check_program};
 
 fn codes(text: &str) -> Vec<(u32, &'static str)> {
     check_klartext(text).iter().map(|found| (found.label.loc.line, found.code.id)).collect()
@@ -18,7 +18,7 @@ fn blocks_behind_the_end_are_looked_at() {
         7 CYCL DEF 4711 FOO\n\
         8 L X+5 X+6\n\
         9 C X+5 R12\n\
-        10 PLANE SPATIAL SPA+0 SPB+0 SPC+0 STAY\n\
+        10 PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY\n\
         11 FN 9: IF +1 EQU +1 GOTO LBL 77\n\
         12 L Z+5 M140 MB 50\n\
         13 CALL LBL 5 REP 2\n\
@@ -63,5 +63,94 @@ fn every_golden_case_that_compiles_passes_the_check() {
             .map(|found| format!("{}:{} {}", path.display(), found.label.loc.line, found.message))
             .collect();
         assert!(errors.is_empty(), "{errors:?}");
+    }
+}
+
+const SIEMENS: &str = "%_N_T_MPF\n\
+    G17 G54 G90 G0 X0 Y0 Z5\n\
+    R1=0\n\
+    IF R1==5\n\
+    G1 X5 X6\n\
+    G199 X5\n\
+    G17 G18\n\
+    G0 G1 X5\n\
+    NOWHERE\n\
+    R2=1 R2=2\n\
+    M77\n\
+    TRAORI\n\
+    MCALL CYCLE81(10,0,2,-5)\n\
+    CALL \"MISSING\"\n\
+    G2 CR=5 CR=6\n\
+    ENDIF\n\
+    IF R1==7 GOTOF NIX\n\
+    IF R1==7 GOTOB FIN\n\
+    GOTOF FIN\n\
+    REPEAT LA LB\n\
+    ID=1 DO M5\n\
+    FIN: M30\n\
+    L77\n\
+    SUB2\n\
+    %_N_SUB2_SPF\n\
+    IF R1\n\
+    G1 G95 X10 D1 D2\n\
+    M17\n";
+
+#[test]
+fn siemens_blocks_that_do_not_run_are_looked_at() {
+    let found: Vec<(u32, &str)> = check_program("sinumerik", "T.MPF", SIEMENS)
+        .iter()
+        .map(|found| (found.label.loc.line, found.code.id))
+        .collect();
+    let expected = [
+        (5, "S2007"),
+        (6, "S2010"),
+        (7, "S2008"),
+        (8, "S2009"),
+        (9, "S8040"),
+        (11, "S8040"),
+        (12, "S8040"),
+        (14, "S8040"),
+        (15, "S2007"),
+        (17, "S2003"),
+        (18, "S2003"),
+        (20, "S2003"),
+        (21, "S8040"),
+        (23, "S8040"),
+        (26, "S2004"),
+        (27, "S2007"),
+    ];
+    assert_eq!(found, expected);
+}
+
+/// What the run reports is not said twice.
+#[test]
+fn siemens_blocks_that_run_are_left_alone() {
+    let text = "G0 X0 Y0 Z5\nG199\nG1 X5 X6 F100\nIF 1\nG17 G18\nGOTOF NIX\nENDWHILE\n";
+    let found = check_program("sinumerik", "T.MPF", text);
+    let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
+    // Behind the IF that is not closed nothing runs.
+    let expected = [(2, "S2010"), (3, "S2007"), (4, "S2004"), (5, "S2008"), (6, "S2003"), (7, "S2004")];
+    assert_eq!(codes, expected);
+    assert!(found.iter().all(|found| found.times == 1), "{found:?}");
+}
+
+#[test]
+fn every_siemens_case_that_compiles_passes_the_check() {
+    for path in super::common::cases("sinumerik") {
+        let Ok(text) = std::fs::read_to_string(&path) else { continue };
+        if path.with_extension("toml").exists() || super::common::compile_case(&path).has_errors() {
+            continue;
+        }
+        let findings = check_program("sinumerik", "PART.MPF", &text);
+        // The check of this test has no files to call.
+        if findings.iter().any(|found| found.code.id == "S2002") {
+            continue;
+        }
+        let errors: Vec<String> = findings
+            .iter()
+            .filter(|found| found.code.severity == partc::diag::Severity::Error)
+            .map(|found| format!("{} {}", found.code.id, found.message))
+            .collect();
+        assert!(errors.is_empty(), "{}: {errors:?}", path.display());
     }
 }

@@ -15,6 +15,7 @@ mod idle;
 mod layering;
 mod mtc200;
 mod oracle;
+mod peer;
 mod pictures;
 mod props;
 mod reader;

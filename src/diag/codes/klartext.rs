@@ -286,6 +286,13 @@ K2409 Note "tapping-chuck" "tapping reverses the spindle by M3 and M4"
 "The output taps with moves in step with the spindle (or at the programmed feed) and reverses it between them, which takes a chuck with length \
 compensation. A target with its own cycle for rigid tapping does it better."
 
+K2410 Note "pattern-order" "order of a grid of places"
+"Manuals do not say in which order the control visits the places of PAT and FRAME. partc goes line by line, to and fro; the holes are the same."
+
+K2411 Error "pattern-data" "pattern cannot be read"
+"PATTERN DEF takes POS, ROW, PAT, FRAME, CIRC and PITCHCIRC, each with a number and its data in brackets, absolute: \
+`ROW1 (X+12 Y+20 D+9 NUM4 ROT+15 Z+0)`. Where the places have a surface Z of their own, Q203 of the cycle has to be 0."
+
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
 partc measures it along the original axes; `[control] shift_axes = \"transformed\"` along the transformed ones. \
@@ -329,6 +336,10 @@ K2511 Warning "rotation-plane" "tool axis changes under a rotation"
 "A rotation turns the coordinates in the working plane in which it was programmed. The manuals do not say what becomes of it when a \
 TOOL CALL changes the working plane: partc leaves it where it is. Reset it before the change, and program it again after."
 
+K2512 Note "rotary-axes-at-zero" "rotary axes are taken to stand at zero"
+"PLANE with TURN or MOVE and without a tilt turns the rotary axes to zero. The program moved none of them away from zero, so nothing turns. On a \
+machine whose rotary axes stand elsewhere at the start, bring them to zero first."
+
 K2601 Error "compensation-in-arc" "radius compensation starts or ends in an arc"
 "RL, RR and R0 take effect over a straight block, at whose end the tool stands beside the contour. The control refuses to switch in \
 C, CR, CT, CP and CTP. Put a straight block in front of or behind the arc."
@@ -345,6 +356,10 @@ K2604 Error "paraxial-compensation" "R+ or R- where it cannot act"
 "R+ and R- lengthen or shorten a block that moves one axis by the tool radius, such as `X+50 R+ F200`. They cannot be used with \
 several axes, without a way, in machine coordinates or while RL or RR is active; and no arc or polar block can start where they left the \
 tool. Split the block, or program RL or RR."
+
+K2605 Error "approach-radius" "radius of an approach or departure does not fit"
+"The point outside lies inside the circle of APPR LCT or DEP LCT, so that no line touches it, or the arc of a negative R is not larger than the tool. \
+R counts on the path of the tool centre. Start further away, or change R."
 
 K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
@@ -389,8 +404,10 @@ K9002 Error "fk-unsupported" "free contour programming (FK) is not supported yet
 "FL, FLT, FC, FCT, FPOL and FSELECT describe a contour by partial data. partc reads them but does not solve them yet. \
 Most controls can convert an FK program to conventional blocks (CONVERT PROGRAM)."
 
-K9003 Error "approach-unsupported" "APPR and DEP are not supported yet"
-"The approach and departure functions depend on the tool radius and on the neighbouring contour elements; they are read but not computed yet."
+K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
+"LT, CT and LCT in Cartesian coordinates are supported, onto a contour with RL or RR that begins with a line or an arc by centre or radius. LN is not, \
+because the manuals leave open whether LEN counts from the contour or from the tool centre; the polar forms, R0, M functions and FMAX in these blocks are \
+not built. Program the approach as L and C blocks."
 
 K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
 "PLANE functions other than RESET, and cycle 19 with angles, turn the coordinate system in space. The output has no word for that on \
@@ -414,9 +431,9 @@ K9009 Error "iso-block" "DIN/ISO block in a Klartext program"
 "A G word stands in a Klartext program. Where such blocks occur the meaning of I and J differs between writers (centre or offset), \
 so the block is refused. Convert it to L, C or CR."
 
-K9010 Error "pattern-unsupported" "point patterns are not supported yet"
-"PATTERN DEF, point tables and CYCL CALL PAT run a machining cycle at many points; machining cycles are not supported yet, and \
-without them the holes would be missing. Program the points as blocks with a subprogram."
+K9010 Error "pattern-unsupported" "point table is not available"
+"SEL PATTERN names a point table of the control, whose points are not in the program; CYCL CALL PAT without PATTERN DEF would run over it. \
+Put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`."
 
 K9011 Error "function-unsupported" "function is not supported"
 "The block is a function of newer controls that partc reads by name but does not execute. It may influence the path, so it is refused."

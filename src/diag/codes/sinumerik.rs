@@ -341,6 +341,11 @@ S8030 Warning "siemens-contour-choice" "stored contour has two solutions"
 "A contour is made from its hidden records, and the values of one leave two solutions. Which one was chosen in the editor is stored in a way that is \
 not confirmed; the shorter arc or the farther point is taken. Compare it with the drawing."
 
+S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
+"`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
+jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \
+with the code that the text names says why."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 

@@ -103,6 +103,8 @@ pub enum Stmt {
     CycleCall(CallKind),
     Transform(Transform),
     PlaneReset(Span),
+    /// The places, over all lines of the block.
+    PatternDef(Span),
     /// Recognized and refused; the span is the rest of the block.
     Refused(Refused, Span),
 }

@@ -14,6 +14,7 @@ use crate::text::{Loc, Span};
 
 use super::cycle_names::{Nature, name, nature};
 use super::holes::{self, Retract};
+use super::machining::{Machining, Part, What};
 use super::vars::Slot;
 use super::words::Admits;
 use super::{Here, Outcome, Reported, Run};
@@ -40,12 +41,12 @@ pub(super) struct Open {
     /// Q parameters by number.
     pub parameters: Vec<(u32, f64)>,
     /// Q parameters that are set to a word: FMAX, FAUTO, FU, PREDEF.
-    words: Vec<(u32, &'static str)>,
+    pub words: Vec<(u32, &'static str)>,
     /// What the parts of an old machining cycle hold.
-    parts: Vec<Part>,
+    pub parts: Vec<Part>,
     pub table_row: bool,
     program: Option<String>,
-    failed: bool,
+    pub failed: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -61,69 +62,6 @@ pub(super) struct AxisValue {
 pub(super) struct Labelled {
     pub label: String,
     pub value: f64,
-}
-
-/// A value in a part of an old machining cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Part {
-    part: u32,
-    what: What,
-    value: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum What {
-    Value,
-    Feed,
-}
-
-/// A machining cycle as it was defined.
-#[derive(Debug)]
-pub(super) struct Machining {
-    pub number: u32,
-    /// Where.
-    pub loc: Loc,
-    /// Millimetres per unit of length of the definition.
-    pub mm: f64,
-    /// The definition was refused, which was reported.
-    failed: bool,
-    parameters: Vec<u32>,
-    words: Vec<(u32, &'static str)>,
-    parts: Vec<Part>,
-}
-
-impl Machining {
-    fn new(open: &Open, loc: Loc, mm: f64) -> Machining {
-        Machining {
-            number: open.number,
-            loc,
-            mm,
-            failed: open.failed,
-            parameters: open.parameters.iter().map(|(q, _)| *q).collect(),
-            words: open.words.clone(),
-            parts: open.parts.clone(),
-        }
-    }
-
-    /// Does the definition set this Q parameter?
-    pub fn sets(&self, q: u32) -> bool {
-        self.parameters.contains(&q) || self.word(q).is_some()
-    }
-
-    /// The word that the definition sets it to.
-    pub fn word(&self, q: u32) -> Option<&'static str> {
-        self.words.iter().rev().find(|(number, _)| *number == q).map(|(_, word)| *word)
-    }
-
-    /// The value in a part of an old cycle: its number, or the feed where it has no number.
-    pub fn part(&self, part: u32) -> Option<f64> {
-        let of = |what: What| self.parts.iter().find(|p| p.part == part && p.what == what).map(|p| p.value);
-        of(What::Value).or_else(|| of(What::Feed))
-    }
-
-    pub fn has_part(&self, part: u32) -> bool {
-        self.part(part).is_some()
-    }
 }
 
 /// What CYCL CALL, M99 and M89 run.
@@ -491,8 +429,11 @@ impl Run<'_> {
             }
             CallKind::At => self.call_cycle_at(block),
             CallKind::Pattern => {
-                self.error(codes::K9010, "CYCL CALL PAT is not supported yet");
-                Err(Reported)
+                let result = self.call_pattern(block);
+                if result.is_err() {
+                    self.lose_all();
+                }
+                result
             }
         }
     }

@@ -28,7 +28,7 @@ pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
         "K9005" => "remove the block, or compile the program without the setup",
         "K9006" => "put the values into the program",
         "K9009" => "convert the block to L, C or CR",
-        "K9010" => "program the points as blocks with a subprogram",
+        "K9010" => "put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`",
         "K9011" => "remove the function if the path does not depend on it",
         "K9012" => "program the values: `CYCL DEF 7.1 X+60`",
         "K9014" => "remove the block if the part does not depend on it",

@@ -10,7 +10,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
 
-use super::cycle::Machining;
+use super::machining::Machining;
 use super::{Outcome, Reported, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.
@@ -49,12 +49,14 @@ fn parts(number: u32) -> u32 {
 }
 
 /// Where the tool goes behind a hole of a pattern.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Retract {
     /// To the second set-up clearance, or to the set-up clearance where that is higher.
     Far,
     /// To the set-up clearance.
     Near,
+    /// To this height, or to the 2nd set-up clearance where that is higher.
+    To(f64),
 }
 
 /// Heights of a hole by their Q parameters, in mm.
@@ -155,7 +157,11 @@ impl Run<'_> {
             );
             return Ok(None);
         }
-        let far = if retract == Retract::Far { heights.second } else { heights.start() };
+        let far = match retract {
+            Retract::Far => heights.second,
+            Retract::Near => heights.start(),
+            Retract::To(height) => height.max(heights.second),
+        };
         let levels = Levels {
             retract: far,
             reference: heights.surface,

@@ -18,7 +18,7 @@ use super::cycle_names::{Nature, nature};
 use super::labels::{Label, Labels};
 use super::path::{PATH, corner_words, path_words};
 use super::words::{Admits, same_matter};
-use super::{mfunc, other};
+use super::{mfunc, other, plane};
 
 /// Looks at every block of the main program after its run.
 pub fn check_idle(job: &Job<'_>) {
@@ -134,12 +134,11 @@ fn excludes(first: &Word, second: &Word) -> bool {
 /// Why partc would refuse the block.
 fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     let code = match block.stmt {
-        Stmt::Approach => Some(codes::K9003),
         Stmt::Fk => Some(codes::K9002),
         Stmt::Surface => Some(codes::K9015),
         Stmt::Iso => Some(codes::K9009),
         Stmt::Refused(what, _) => match what {
-            Refused::Plane => Some(codes::K9004),
+            Refused::Plane => plane::tilts(block.span.of(text)).then_some(codes::K9004),
             Refused::TouchProbe => Some(codes::K9005),
             Refused::Pattern => Some(codes::K9010),
             Refused::Contour => Some(codes::K9018),

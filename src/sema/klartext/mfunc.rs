@@ -75,6 +75,7 @@ enum Act {
     ShortWay(bool),
     PerRevolution(bool),
     ModuloRotary,
+    FollowTip(bool),
     Retract,
     Refused,
 }
@@ -117,8 +118,10 @@ fn entry(number: u32) -> Option<(Act, When)> {
         94 => (ModuloRotary, Start),
         140 => (Retract, Start),
         // Switched off is how every program starts.
-        115 | 129 | 145 => (Nothing, Start),
-        92 | 93 | 95 | 96 | 104 | 114 | 128 | 142 | 144 => (Refused, Start),
+        115 | 145 => (Nothing, Start),
+        128 => (FollowTip(true), Start),
+        129 => (FollowTip(false), End),
+        92 | 93 | 95 | 96 | 104 | 114 | 142 | 144 => (Refused, Start),
         _ => return None,
     })
 }
@@ -273,6 +276,7 @@ impl Run<'_> {
                 }
                 self.st.per_revolution = on;
             }
+            Act::FollowTip(on) => return self.follow_tip(on, m.span),
             Act::ModuloRotary => self.reduce_rotary(m.args.axes),
             Act::Retract => return self.retract(m),
             Act::Note | Act::CompensationOnly | Act::LookAhead => {
@@ -377,7 +381,7 @@ fn refusal(number: u32) -> (&'static str, &'static str) {
         92 => ("counts from a position that the machine builder sets", "program workpiece coordinates, or M91"),
         93 | 95 | 96 => ("is an approach function of old controls", "program the approach as blocks"),
         104 => ("sets the workpiece datum back", "select the datum with cycle 247"),
-        114 | 128 | 144 => {
+        114 | 144 => {
             ("makes the control follow the tool tip with the rotary axes", "use 3-axis output of the CAM system")
         }
         _ => ("resets functions that partc cannot know of", "reset them one by one"),

@@ -4,6 +4,7 @@
 //! Source: `reference/heidenhain-klartext` sections 1 to 5; the order inside a block is: M functions at the
 //! start, motion, M functions at the end, cycle call (Appendix B).
 
+mod approach;
 mod arcs;
 mod calls;
 mod coordinates;
@@ -16,10 +17,13 @@ mod help;
 mod holes;
 mod idle;
 mod labels;
+mod machining;
 mod mfunc;
 mod other;
 mod path;
+mod pattern_def;
 mod patterns;
+mod plane;
 mod polar;
 mod rotary;
 mod state;
@@ -63,6 +67,9 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         budget: Budget::new(job.settings.limits.steps),
         cycles: Cycles::default(),
         defined: tool::Defined::default(),
+        approach: None,
+        places: None,
+        places_lost: false,
         selected: None,
         stack: Vec::new(),
         words: None,
@@ -130,6 +137,12 @@ struct Run<'a> {
     cycles: Cycles,
     /// Tools of TOOL DEF.
     defined: tool::Defined,
+    /// An approach that waits for the first element of its contour.
+    approach: Option<Box<approach::Approach>>,
+    /// Places of PATTERN DEF.
+    places: Option<pattern_def::Places>,
+    /// The last PATTERN DEF was refused.
+    places_lost: bool,
     /// Program of SEL PGM.
     selected: Option<String>,
     stack: Vec<Val>,
@@ -229,6 +242,9 @@ impl Run<'_> {
         if self.cycles.is_open() && !self.continues_cycle(block) {
             self.finish_cycle();
         }
+        if self.approach.is_some() && !goes_on_with_contour(block.stmt) && self.forbid_open_approach().is_err() {
+            return;
+        }
         // What went wrong was reported; the next block may show more.
         if self.statement(block, text).is_err() {
             self.lose_feed(block);
@@ -263,11 +279,9 @@ impl Run<'_> {
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
-            Stmt::PlaneReset(rest) => self.plane_reset(rest.of(text), block),
-            Stmt::Approach => {
-                let (name, span) = self.block_name(block, text, 2);
-                self.refuse_motion(codes::K9003, span, &format!("{name} is not supported yet"))
-            }
+            Stmt::PatternDef(rest) => self.pattern_def(rest, text),
+            Stmt::PlaneReset(_) => self.plane_block(block, text),
+            Stmt::Approach => self.approach_block(block, text),
             Stmt::Fk => {
                 let (name, span) = self.block_name(block, text, 1);
                 let message = format!("{name}: free contour programming is not supported yet");
@@ -378,6 +392,7 @@ impl Run<'_> {
 
     /// End of the whole run: what is still open is worth a word.
     fn finish(&mut self) {
+        let _ = self.forbid_open_approach();
         if self.cycles.is_open() {
             self.finish_cycle();
         }
@@ -399,6 +414,31 @@ impl Run<'_> {
     fn in_called_program(&self) -> bool {
         self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { .. }))
     }
+}
+
+/// May the block stand between an approach and the first element of its contour, or is it that element?
+fn goes_on_with_contour(stmt: Stmt) -> bool {
+    use Stmt::{
+        Assign, AssignText, BlkForm, CallLabel, Empty, Fn, FnOther, Functions, If, Label, Paraxial, Path, Pole,
+        SystemRead,
+    };
+    matches!(
+        stmt,
+        Empty
+            | Path(_)
+            | Paraxial
+            | Functions
+            | Pole
+            | Label(_)
+            | CallLabel { .. }
+            | Assign(_)
+            | AssignText(_)
+            | Fn { .. }
+            | If { .. }
+            | SystemRead(_)
+            | FnOther { .. }
+            | BlkForm
+    )
 }
 
 /// Does executing the block need more of its text than the spans of its words?

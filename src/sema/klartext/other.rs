@@ -163,12 +163,11 @@ impl Run<'_> {
     pub(super) fn refused(&mut self, what: Refused, block: &Block, text: &[u8]) -> Outcome {
         let (name, span) = self.block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
         match what {
-            Refused::Plane => {
-                let message = format!("{name} tilts the working plane, which cannot be compiled for three axes");
-                self.refuse_motion(codes::K9004, span, &message)
-            }
+            Refused::Plane => self.plane_block(block, text),
             Refused::TouchProbe => self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine"),
-            Refused::Pattern => self.fail(codes::K9010, span, format!("{name}: point patterns are not supported yet")),
+            Refused::Pattern => {
+                self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
+            }
             // Only selects: a shift from the table is refused where it is programmed.
             Refused::SelectTable => Ok(()),
             Refused::Contour => {
@@ -187,21 +186,6 @@ impl Run<'_> {
                     self.block_name(block, text, if name.eq_ignore_ascii_case("FUNCTION") { 2 } else { 1 });
                 self.refuse_motion(codes::K9011, span, &format!("{name} is not supported"))
             }
-        }
-    }
-
-    /// PLANE RESET: no tilt was active, so nothing changes; the positioning words are checked.
-    pub(super) fn plane_reset(&mut self, rest: &[u8], block: &Block) -> Outcome {
-        let rest = crate::text::decode::readable(rest).to_ascii_uppercase();
-        let mut words = rest.split_whitespace();
-        match words.next() {
-            Some("STAY") | None if words.next().is_none() => {
-                for number in 120..=122 {
-                    self.set_control_parameter(number, 0.0);
-                }
-                Ok(())
-            }
-            _ => self.refuse_motion(codes::K9004, block.span, "PLANE RESET with MOVE or TURN moves the rotary axes"),
         }
     }
 

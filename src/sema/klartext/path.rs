@@ -9,6 +9,7 @@ use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 
+use super::approach::Last;
 use super::mfunc::Args;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
@@ -185,7 +186,14 @@ impl Run<'_> {
     /// Sends a move and takes over its end.
     #[inline]
     pub(super) fn send(&mut self, end: EndPoint, after: &Pos, path: Path, feed: Option<Feed>) {
+        if self.approach.is_some() {
+            self.send_approach(&end, &path);
+        }
         self.movement(&Move { end, path, feed, side: self.st.side, coords: Coords::Frame });
+        if self.st.side != Side::None {
+            self.keep_direction(after, path);
+        }
+        self.st.last_rapid = feed.is_none();
         self.st.pos.update(after);
         if !self.st.nominal.known().is_empty() {
             for axis in after.known().iter() {
@@ -194,6 +202,21 @@ impl Run<'_> {
         }
         self.st.lost = self.st.lost.without(after.known());
         self.st.moved = true;
+    }
+
+    /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
+    fn keep_direction(&mut self, after: &Pos, path: Path) {
+        let plane = self.st.plane();
+        let mut end = self.st.pos;
+        end.update(after);
+        let (Some(from), Some(to)) = (self.st.pos.in_plane(plane), end.in_plane(plane)) else {
+            self.st.last = None;
+            return;
+        };
+        let arc = matches!(path, Path::Arc(_));
+        if arc || from != to {
+            self.st.last = Some(Last::new(from, to, path));
+        }
     }
 
     pub(super) fn line(&mut self, w: &Words) -> Outcome {
@@ -229,10 +252,15 @@ impl Run<'_> {
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
         let end = w.axes;
+        for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
+            self.check_tip(w, axis, None)?;
+            self.st.rotary_moved.insert(axis);
+        }
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         let coords = Coords::Machine;
         self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
         self.st.moved_by_machine(end.known());
+        self.st.last_rapid = feed.is_none();
         Ok(())
     }
 
@@ -328,6 +356,8 @@ impl Run<'_> {
             }
         };
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
+        // What stands behind a corner begins at its cut.
+        self.st.last = None;
         self.out.corner(
             &Corner { shape, feed: Some(feed), early: false, modal: false, large: LargeCorner::Refuse },
             &self.st.ctx,

@@ -11,8 +11,8 @@ use crate::ir::{Feed, Pos};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::Block;
 
-use super::cycle::Machining;
 use super::holes::{Heights, Retract};
+use super::machining::Machining;
 use super::path::plane_axes;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};

@@ -34,13 +34,17 @@ impl Run<'_> {
                     "switch M116 off with M117 and program degrees per minute",
                 );
             }
+            self.st.rotary_moved.insert(axis);
             if w.incremental.contains(axis) {
+                self.check_tip(w, axis, end.get(axis))?;
                 // Counted from a position that holds the whole turns already.
                 self.check_increment(w, axis)?;
                 continue;
             }
             let target = end.get(axis).unwrap_or(0.0);
-            end.set(axis, self.rotary_target(axis, target, w.axes_span));
+            let target = self.rotary_target(axis, target, w.axes_span);
+            self.check_tip(w, axis, Some(target))?;
+            end.set(axis, target);
         }
         Ok(end)
     }

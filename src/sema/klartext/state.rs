@@ -9,6 +9,7 @@ use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::text::Loc;
 
+use super::approach::Last;
 use super::transform::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
@@ -57,6 +58,14 @@ pub(super) struct State {
     pub edge_feed: bool,
     /// Whole turns between the printed and the programmed position of A, B, C, in degrees.
     pub rotary_offset: [f64; 3],
+    /// The last compensated move in the plane, for its direction.
+    pub last: Option<Last>,
+    /// The last positioning block went at rapid traverse.
+    pub last_rapid: bool,
+    /// Rotary axes that the program moved.
+    pub rotary_moved: AxisSet,
+    /// M128: the tool tip stays where it is when rotary axes turn.
+    pub follows_tip: bool,
     /// Angle of cycle 13.
     pub orientation: Option<f64>,
     /// A tool change was printed and no M6 belonged to it yet.
@@ -154,6 +163,10 @@ impl State {
             rotary_feed: false,
             edge_feed: false,
             rotary_offset: [0.0; 3],
+            last: None,
+            last_rapid: false,
+            rotary_moved: AxisSet::EMPTY,
+            follows_tip: false,
             orientation: None,
             change_printed: false,
             moved: false,

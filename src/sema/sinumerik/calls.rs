@@ -414,7 +414,7 @@ impl Run<'_> {
         self.refuse_arguments();
         if self.in_main() {
             let unit = &self.programs.units[self.unit()];
-            if unit.kind == UnitKind::Main {
+            if unit.kind == UnitKind::Main && !self.iso {
                 let loc = self.here.origin.loc;
                 let found = Diagnostic::new(codes::S2026, loc, "the program ends without M30, M2 or M17 (alarm 14000)");
                 self.report(found.help("write M30 as its last block"));
@@ -427,7 +427,7 @@ impl Run<'_> {
 }
 
 /// Extensions of programs that are called by name.
-const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
+pub(super) const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
 
 /// `/_N_SPF_DIR/_N_X_SPF` is `/_N_SPF_DIR/X.SPF`.
 fn file_name(path: &str) -> String {

@@ -16,6 +16,7 @@ mod feed;
 mod flow;
 mod frames;
 mod functions;
+mod idle;
 mod macros;
 mod modal;
 mod motion;
@@ -50,7 +51,7 @@ use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::contour::Sink;
 use crate::machine::Axis;
 use crate::parser::problem::Problem;
-use crate::parser::sinumerik::ast::{Block, Op, Stmt};
+use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
@@ -68,6 +69,8 @@ use value::Val;
 use vars::Vars;
 use vocabulary::{GCodes, Meaning};
 use words::Words;
+
+pub use idle::check_idle;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
@@ -166,6 +169,8 @@ struct Run<'a> {
     expanded: bool,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
+    /// Blocks are of the ISO dialect, up to G290.
+    iso: bool,
     ended: Cell<bool>,
     errors: Cell<u32>,
 }
@@ -223,6 +228,7 @@ impl<'a> Run<'a> {
             expanded: false,
             problems: Vec::new(),
             scratch: None,
+            iso: false,
             ended: Cell::new(false),
             errors: Cell::new(0),
         }
@@ -312,6 +318,9 @@ impl<'a> Run<'a> {
                     parsed.next = file.cursor.place();
                     file.cache.insert(place.at, Rc::new(Parsed::clone(parsed)));
                 }
+                if self.iso {
+                    self.problems.clear();
+                }
                 if !self.problems.is_empty() {
                     self.report_problems();
                 }
@@ -355,11 +364,20 @@ impl<'a> Run<'a> {
                 let _ = self.stored_record(comment);
             }
         }
-        if block.stmt == Stmt::Empty {
+        if block.stmt == Stmt::Empty || self.iso && !self.iso_ends(block) {
             return;
         }
         // What went wrong was reported; the next block may show more.
         let _ = self.statement(block, text);
+    }
+
+    /// G290 ends the ISO dialect; other words of it mean nothing here.
+    fn iso_ends(&mut self, block: &Block) -> bool {
+        let ends = |word: &Word| {
+            word.target == Target::Letter(b'G') && matches!(word.value, Value::Literal { value: 290.0, .. })
+        };
+        self.iso = !block.words.iter().any(ends) && block.stmt != Stmt::Header;
+        !self.iso
     }
 
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {

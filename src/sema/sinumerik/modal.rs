@@ -88,9 +88,12 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn refused_code(&self, code: Code, span: Span) -> Outcome {
+    pub(super) fn refused_code(&mut self, code: Code, span: Span) -> Outcome {
         let what = match (code.group, code.index) {
             (47, 2) => {
+                self.iso = true;
+                self.st.lose(crate::machine::Axis::ALL.into_iter().collect());
+                self.lost();
                 return self.fail_help(
                     codes::S9003,
                     0,

@@ -209,7 +209,7 @@ impl Programs {
                 loc,
                 format!("{} is not closed (alarm 12640)", if word == Word::Else { "IF" } else { name(word) }),
             );
-            job.diags.push(found.help(format!("write {} at its end", closing(word))));
+            push_once(job, found.help(format!("write {} at its end", closing(word))));
         }
         entry.cursor.seek(job.sources, back)?;
         let made = Rc::new(made);
@@ -250,7 +250,8 @@ impl Skeleton {
             Word::If | Word::While | Word::For | Word::Loop | Word::Repeat => {
                 if open.len() == MOST_NESTED {
                     let message = format!("structures are nested more than {MOST_NESTED} deep (alarm 12641)");
-                    job.diags.push(
+                    push_once(
+                        job,
                         Diagnostic::new(codes::S2004, loc, message).help("move the inner part into a subprogram"),
                     );
                 }
@@ -300,7 +301,7 @@ impl Skeleton {
             }
             None => found.help(format!("delete {} or write its opening", name(word))),
         };
-        job.diags.push(found);
+        push_once(job, found);
     }
 
     pub fn structure_of(&self, at: u32) -> Option<Structure> {
@@ -317,6 +318,13 @@ impl Skeleton {
 
     pub fn labels(&self) -> impl Iterator<Item = Symbol> + '_ {
         self.labels.keys().copied()
+    }
+}
+
+/// The check of idle blocks looks at programs again.
+fn push_once(job: &Job<'_>, found: Diagnostic) {
+    if !job.diags.knows(&found) {
+        job.diags.push(found);
     }
 }
 

@@ -3,6 +3,7 @@
 //! Source: reference sections 6.1 to 6.3.
 
 use crate::diag::codes;
+use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::Drilling;
 use crate::ir::cycle::drilling::{Bore, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap};
@@ -107,20 +108,34 @@ impl Run<'_> {
         if gmode != 0 && args.digit(gmode, 1) != 0 {
             return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (`_GMODE`)");
         }
-        if dmode != 0 {
-            let plane = match args.digit(dmode, 0) {
-                0 => self.st.groups[6],
-                n => n as u8,
-            };
-            if plane != self.st.groups[6] {
-                return self.not_built(args, dmode, "a plane other than the active one (`_DMODE`)");
-            }
+        if dmode != 0
+            && let plane = args.digit(dmode, 0)
+            && plane != 0
+            && plane != i32::from(self.st.groups[6])
+        {
+            axis = self.axis_at(args, dmode, plane, axn)?;
         }
         if amode != 0 && args.digit(amode, 0) > 1 {
             return self.not_built(args, amode, "this reading of the depth (`_AMODE`)");
         }
         if amode != 0 && args.digit(amode, 1) > 1 {
             return self.not_built(args, amode, "this unit of the dwell (`_AMODE`)");
+        }
+        Ok(axis)
+    }
+
+    /// The tool axis of the plane that `_DMODE` names, where it is not the active one: the hole has no other axis.
+    fn axis_at(&self, args: &Arguments, dmode: usize, plane: i32, axn: usize) -> Outcome<Axis> {
+        let plane = match plane {
+            1 => Plane::Xy,
+            2 => Plane::Zx,
+            3 => Plane::Yz,
+            _ => return self.not_built(args, dmode, "this plane (`_DMODE`)"),
+        };
+        let axis = Axis::ALL[plane.axes().2];
+        let lifts = args.name == "CYCLE86" && (8..=10).any(|place| args.or_zero(place) != 0.0);
+        if lifts || axn != 0 && args.or_zero(axn) != 0.0 || self.is_diameter_axis(axis) {
+            return self.not_built(args, dmode, "a plane other than the active one (`_DMODE`)");
         }
         Ok(axis)
     }

@@ -319,7 +319,7 @@ impl Run<'_> {
 }
 
 /// Cycles that are expanded.
-fn is_built(name: &str) -> bool {
+pub(super) fn is_built(name: &str) -> bool {
     drilling::is_hole(name)
         || matches!(
             name,

@@ -1,0 +1,356 @@
+//! PATTERN DEF and CYCL CALL PAT.
+//!
+//! Source: reference section 4.6. The order within a grid is not documented: partc goes line by line, to and fro. Between
+//! two places the tool retracts to where it stood in front of CYCL CALL PAT, or to the 2nd set-up clearance where that is
+//! higher.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Point2, Vec2};
+use crate::ir::Pos;
+use crate::ir::contour::{EndPoint, Path};
+use crate::lexer::klartext::{QKind, QRef};
+use crate::parser::klartext::ast::Block;
+use crate::text::{Loc, Span, number::decimal};
+
+use super::holes::Retract;
+use super::words::{Admits, FeedWord};
+use super::{Outcome, Reported, Run};
+
+/// Most places of a definition.
+const MOST: usize = 99_999;
+
+/// Places of a PATTERN DEF, in mm: in the plane, and the surface there.
+#[derive(Debug)]
+pub(super) struct Places {
+    list: Vec<(Point2, f64)>,
+    loc: Loc,
+}
+
+/// `X+12`, `NUM4`: the name and where its value stands.
+type Words = Vec<(String, f64)>;
+
+/// A reading position in the text of the definition.
+struct Scan<'t> {
+    text: &'t [u8],
+    at: usize,
+}
+
+impl Scan<'_> {
+    /// Skips blanks, line ends, continuation marks and comments.
+    fn blanks(&mut self) {
+        while let Some(&byte) = self.text.get(self.at) {
+            match byte {
+                b';' => self.at += self.text[self.at..].iter().take_while(|b| **b != b'\n').count(),
+                b'~' => self.at += 1,
+                byte if byte.is_ascii_whitespace() || byte == 0 => self.at += 1,
+                _ => break,
+            }
+        }
+    }
+
+    fn take(&mut self, byte: u8) -> bool {
+        self.blanks();
+        let found = self.text.get(self.at) == Some(&byte);
+        self.at += usize::from(found);
+        found
+    }
+
+    fn letters(&mut self) -> String {
+        self.blanks();
+        let from = self.at;
+        self.at += self.text[from..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        String::from_utf8_lossy(&self.text[from..self.at]).to_ascii_uppercase()
+    }
+
+    fn digits(&mut self) -> Option<u32> {
+        let from = self.at;
+        self.at += self.text[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+        std::str::from_utf8(&self.text[from..self.at]).ok()?.parse().ok()
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn pattern_def(&mut self, rest: Span, text: &[u8]) -> Outcome {
+        self.places = None;
+        let result = self.read_pattern(rest, text);
+        self.places_lost = result.is_err();
+        result
+    }
+
+    fn read_pattern(&mut self, rest: Span, text: &[u8]) -> Outcome {
+        let loc = self.here.origin.loc;
+        let mut scan = Scan { text, at: rest.start as usize };
+        let mut list = Vec::new();
+        loop {
+            scan.blanks();
+            if scan.at >= text.len() {
+                break;
+            }
+            let from = scan.at;
+            let name = scan.letters();
+            let numbered = scan.digits().is_some();
+            if !numbered || !scan.take(b'(') {
+                return self.no_pattern(
+                    from,
+                    scan.at,
+                    "POS1, ROW1, PAT1, FRAME1, CIRC1 or PITCHCIRC1 with its data in brackets belongs here",
+                );
+            }
+            let words = self.pattern_words(&mut scan)?;
+            let span = Span { start: from as u32, end: scan.at as u32 };
+            self.add_places(&name, &words, span, &mut list)?;
+            if list.len() > MOST {
+                return self.no_pattern(from, scan.at, "the pattern has more than 99999 places");
+            }
+        }
+        if list.is_empty() {
+            return self.no_pattern(rest.start as usize, rest.start as usize, "PATTERN DEF names no place");
+        }
+        self.places = Some(Places { list, loc });
+        Ok(())
+    }
+
+    fn no_pattern<T>(&self, from: usize, to: usize, what: &str) -> Outcome<T> {
+        let span = if from < to { Span { start: from as u32, end: to as u32 } } else { self.block_span() };
+        self.fail_help(codes::K2411, span, what, "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`")
+    }
+
+    /// The words up to the closing bracket.
+    fn pattern_words(&mut self, scan: &mut Scan<'_>) -> Outcome<Words> {
+        let mut words = Words::new();
+        while !scan.take(b')') {
+            let from = scan.at;
+            let name = scan.letters();
+            // `XQ1`: the Q belongs to the value.
+            let name = match name.strip_suffix('Q') {
+                Some(front) if !front.is_empty() => {
+                    scan.at -= 1;
+                    front.to_owned()
+                }
+                _ => name,
+            };
+            let value = self.pattern_value(scan)?;
+            let Some(value) = value.filter(|_| !name.is_empty()) else {
+                return self.no_pattern(
+                    from,
+                    scan.at.max(from + 1).min(scan.text.len()),
+                    "a word of the pattern cannot be read",
+                );
+            };
+            if words.iter().any(|(other, _)| *other == name) {
+                return self.no_pattern(from, scan.at, "a word stands twice in the brackets");
+            }
+            words.push((name, value));
+        }
+        Ok(words)
+    }
+
+    /// A number or a parameter, with a sign.
+    fn pattern_value(&mut self, scan: &mut Scan<'_>) -> Outcome<Option<f64>> {
+        let negative = scan.take(b'-');
+        if !negative {
+            scan.take(b'+');
+        }
+        scan.blanks();
+        let sign = if negative { -1.0 } else { 1.0 };
+        if scan.text.get(scan.at).is_some_and(|b| b.eq_ignore_ascii_case(&b'Q')) {
+            scan.at += 1;
+            let kind = match scan.text.get(scan.at).map(u8::to_ascii_uppercase) {
+                Some(b'L') => QKind::Ql,
+                Some(b'R') => QKind::Qr,
+                _ => QKind::Q,
+            };
+            scan.at += usize::from(kind != QKind::Q);
+            let Some(number) = scan.digits() else { return Ok(None) };
+            let value = self.parameter(QRef { kind, number }, self.block_span())?;
+            return Ok(Some(sign * value));
+        }
+        let rest = scan.text.get(scan.at..).unwrap_or_default();
+        let Some((value, len)) = decimal(rest, true) else { return Ok(None) };
+        scan.at += len;
+        Ok(Some(sign * value))
+    }
+
+    /// The places of one element.
+    fn add_places(&mut self, name: &str, words: &Words, span: Span, list: &mut Vec<(Point2, f64)>) -> Outcome {
+        let mm = self.level().unit.mm();
+        let (first, second, third) = self.st.plane().axes();
+        let letter = |axis: usize| crate::machine::Axis::ALL[axis].letter().to_string();
+        let (u, v, w) = (letter(first), letter(second), letter(third));
+        let of = |name: &str| words.iter().find(|(found, _)| found == name).map(|(_, value)| *value);
+        let (Some(x), Some(y)) = (of(&u), of(&v)) else {
+            return self.no_pattern(
+                span.start as usize,
+                span.end as usize,
+                &format!("{name} needs {u} and {v} as absolute values"),
+            );
+        };
+        let known: &[&str] = match name {
+            "POS" => &[],
+            "ROW" => &["D", "NUM", "ROT"],
+            "PAT" | "FRAME" => &["DX", "DY", "NUMX", "NUMY", "ROT", "ROTX", "ROTY"],
+            "CIRC" => &["D", "START", "NUM"],
+            "PITCHCIRC" => &["D", "START", "STEP", "END", "NUM"],
+            _ => return self.no_pattern(span.start as usize, span.end as usize, &format!("{name} is no pattern")),
+        };
+        for (word, _) in words {
+            if ![&u, &v, &w].contains(&word) && !known.contains(&word.as_str()) {
+                let what = format!("`{word}` has no place in {name}");
+                return self.no_pattern(span.start as usize, span.end as usize, &what);
+            }
+        }
+        let surface = of(&w).unwrap_or(0.0) * mm;
+        let at = Point2::new(x * mm, y * mm);
+        let mut missing = None;
+        let mut need = |name: &'static str| match of(name) {
+            Some(value) => value,
+            None => {
+                missing.get_or_insert(name);
+                0.0
+            }
+        };
+        let offsets: Vec<Vec2> = match name {
+            "POS" => vec![Vec2::zeros()],
+            "ROW" => {
+                let (step, count) = (need("D") * mm, need("NUM"));
+                let along = Deg(of("ROT").unwrap_or(0.0)).unit();
+                numbers(count).map(|k| along * (k * step)).collect()
+            }
+            "CIRC" => {
+                let (radius, start, count) = (need("D") * mm / 2.0, need("START"), need("NUM"));
+                numbers(count).map(|k| Deg(start + k * 360.0 / count).unit() * radius).collect()
+            }
+            "PITCHCIRC" => {
+                let (radius, start, count) = (need("D") * mm / 2.0, need("START"), need("NUM"));
+                let step = match (of("STEP"), of("END")) {
+                    (Some(step), None) => step,
+                    (None, Some(end)) if count > 1.0 => (end - start) / (count - 1.0),
+                    (None, Some(_)) => 0.0,
+                    _ => need("STEP"),
+                };
+                numbers(count).map(|k| Deg(start + k * step).unit() * radius).collect()
+            }
+            _ => {
+                let (dx, dy) = (need("DX") * mm, need("DY") * mm);
+                let (columns, lines) = (need("NUMX"), need("NUMY"));
+                let (turn, turn_x, turn_y) =
+                    (of("ROT").unwrap_or(0.0), of("ROTX").unwrap_or(0.0), of("ROTY").unwrap_or(0.0));
+                let (along, beside) = (Deg(turn + turn_x).unit() * dx, Deg(turn + 90.0 + turn_y).unit() * dy);
+                grid(columns, lines, name == "FRAME").map(|(i, j)| along * i + beside * j).collect()
+            }
+        };
+        if let Some(missing) = missing {
+            return self.no_pattern(span.start as usize, span.end as usize, &format!("{name} lacks {missing}"));
+        }
+        if offsets.is_empty() {
+            return self.no_pattern(
+                span.start as usize,
+                span.end as usize,
+                &format!("{name} has no usable number of places"),
+            );
+        }
+        if matches!(name, "PAT" | "FRAME") {
+            self.job.diags.push_once(Diagnostic::new(
+                codes::K2410,
+                self.loc(span),
+                format!("the places of {name} are visited line by line, to and fro"),
+            ));
+        }
+        list.extend(offsets.into_iter().map(|offset| (at + offset, surface)));
+        Ok(())
+    }
+
+    /// Runs the machining cycle at all places of the PATTERN DEF in force.
+    pub(super) fn call_pattern(&mut self, block: &Block) -> Outcome {
+        // The first word is PAT itself.
+        let mut rest = block.clone();
+        rest.words.drain(..1);
+        let w = self.gather(&rest, "CYCL CALL PAT", Admits::FEED.and(Admits::M))?;
+        self.check_m(&w)?;
+        self.forbid_m(&w, "CYCL CALL PAT", &[2, 30, 89, 91, 99])?;
+        let Some(places) = self.places.take() else {
+            if self.places_lost {
+                return Err(Reported);
+            }
+            return self.fail_help(
+                codes::K9010,
+                self.block_span(),
+                "CYCL CALL PAT runs over a pattern, and no PATTERN DEF is in force",
+                "put PATTERN DEF in front; point tables of the control are not supported",
+            );
+        };
+        let result = self.run_pattern(&w, &places);
+        self.places = Some(places);
+        result
+    }
+
+    fn run_pattern(&mut self, w: &super::words::Words, places: &Places) -> Outcome {
+        let cycle = self.pattern_subject("CYCL CALL PAT")?;
+        if cycle.number < 20 {
+            return self.cycle_unbuilt(&cycle, "a pattern of an old cycle");
+        }
+        let own = self.cycle_length(&cycle, 203)?;
+        if own != 0.0 && places.list.iter().any(|(_, surface)| *surface != 0.0) {
+            self.report(
+                Diagnostic::new(
+                    codes::K2411,
+                    self.here.origin.loc,
+                    "the places have a surface Z of their own, and Q203 of the cycle is not 0",
+                )
+                .also(places.loc, "the pattern")
+                .also(cycle.loc, "the cycle")
+                .help("set Q203 to 0, or leave Z out of the pattern"),
+            );
+            return Err(Reported);
+        }
+        if !self.budget.take(places.list.len() as u64) {
+            let (here, call) = (self.here.origin.loc, self.here.origin.call);
+            self.job.diags.push(self.budget.exceeded(here, call));
+            self.ended = true;
+            return Err(Reported);
+        }
+        self.m_at_start(w, true)?;
+        let feed = match w.feed {
+            FeedWord::None | FeedWord::Max => None,
+            _ => {
+                self.set_feed(w)?;
+                self.st.feed
+            }
+        };
+        let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
+        for (place, surface) in &places.list {
+            let clear = self.heights(&cycle, *surface)?;
+            let axis = self.st.axis();
+            if self.st.pos.get(axis).is_none_or(|at| at < clear.start()) {
+                let mut up = Pos::UNKNOWN;
+                up.set(axis, clear.second);
+                self.send(EndPoint::Cartesian(up), &up, Path::Rapid, None);
+            }
+            let mut end = Pos::UNKNOWN;
+            end.set_in_plane(self.st.plane(), *place);
+            self.st.polar = None;
+            let path = if feed.is_some() { Path::Line } else { Path::Rapid };
+            self.send(EndPoint::Cartesian(end), &end, path, feed);
+            self.drill(&cycle, *surface, Retract::To(height))?;
+        }
+        self.m_at_end(w)
+    }
+}
+
+/// 0, 1, … for a whole number of places; none for anything else.
+fn numbers(count: f64) -> impl Iterator<Item = f64> {
+    let whole = count.fract() == 0.0 && (1.0..=MOST as f64).contains(&count);
+    (0..if whole { count as u32 } else { 0 }).map(f64::from)
+}
+
+/// Columns and lines of a grid, to and fro; only its border for a frame.
+fn grid(columns: f64, lines: f64, frame: bool) -> impl Iterator<Item = (f64, f64)> {
+    let (columns, lines) = if columns * lines <= MOST as f64 { (columns, lines) } else { (0.0, 0.0) };
+    numbers(lines).flat_map(move |j| {
+        numbers(columns).filter_map(move |i| {
+            let i = if j % 2.0 == 0.0 { i } else { columns - 1.0 - i };
+            let border = i == 0.0 || j == 0.0 || i == columns - 1.0 || j == lines - 1.0;
+            (border || !frame).then_some((i, j))
+        })
+    })
+}

@@ -1,0 +1,378 @@
+//! Blocks that did not run: what `partc check` can say of them.
+//!
+//! What is wrong in the block itself, and jumps that lead nowhere, are errors as in a block that runs. What partc would
+//! refuse, and programs that are not here, are warnings: the output does not depend on them. Blocks of which the run
+//! reported an error are left alone.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diag::{CallPath, Code as Found, Diagnostic, codes};
+use crate::parser::sinumerik::ast::{
+    Block, CallForm, Formula, Jump, JumpTarget, Op, Search, Stmt, Target, Value, Word,
+};
+use crate::parser::sinumerik::{SPLIT, parse_block};
+use crate::parser::symbols::{Symbol, Symbols};
+use crate::sema::Job;
+use crate::sema::exec::open_cursor;
+use crate::sema::here::Here;
+use crate::text::blocks::BlockText;
+use crate::text::{FileError, Loc, Next, Request, Span};
+
+use super::calls::EXTENSIONS;
+use super::cycles::is_built;
+use super::programs::{Programs, Skeleton, bare_name};
+use super::vocabulary::{self, Code, GCodes, Meaning, Procedure};
+
+/// Looks at every block of the main program after its run.
+pub fn check_idle(job: &Job<'_>) {
+    let start = Loc { file: job.main, line: 1, span: Span::default() };
+    let mut idle = Idle::new(job);
+    if idle.programs.open(job, job.main, start).is_none() || idle.collect_names().is_err() {
+        return;
+    }
+    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
+    let mut block = Block::default();
+    let mut problems = Vec::new();
+    while let Ok(next) = cursor.next(job.sources) {
+        let text = match next {
+            Next::Block(text) => text,
+            Next::TooLong { .. } => continue,
+            Next::End => return,
+        };
+        problems.clear();
+        parse_block(text.text, &mut block, &mut idle.symbols, &mut problems);
+        // A macro may stand for anything.
+        if matches!(block.stmt, Stmt::Define(_)) {
+            return;
+        }
+        if problems.is_empty() && !has_place(&idle.reported, &text) && !idle.iso_dialect(&block) {
+            idle.look(&block, &text);
+        }
+    }
+}
+
+/// Does one of the ascending `places` lie in the block?
+fn has_place(places: &[u32], text: &BlockText<'_>) -> bool {
+    let first = places.partition_point(|place| *place < text.at);
+    places.get(first).is_some_and(|place| (*place as usize) < text.at as usize + text.text.len().max(1))
+}
+
+struct Idle<'a> {
+    job: &'a Job<'a>,
+    symbols: Symbols,
+    programs: Programs,
+    vocabulary: FxHashMap<&'static str, Meaning>,
+    gcodes: GCodes,
+    /// Offsets of reported errors.
+    reported: Vec<u32>,
+    /// Variables of any program of the file.
+    variables: FxHashSet<Symbol>,
+    /// Programs that were looked for, and whether they are here.
+    looked_for: FxHashMap<Symbol, bool>,
+    iso: bool,
+}
+
+impl<'a> Idle<'a> {
+    fn new(job: &'a Job<'a>) -> Idle<'a> {
+        Idle {
+            job,
+            symbols: Symbols::default(),
+            programs: Programs::default(),
+            vocabulary: vocabulary::words(),
+            gcodes: GCodes::new(),
+            reported: job.diags.errors_in(job.main),
+            variables: FxHashSet::default(),
+            looked_for: FxHashMap::default(),
+            iso: false,
+        }
+    }
+
+    /// Variables and programs of the file, and whether the structures of each program are closed. A file without
+    /// structures is not loaded for it.
+    fn collect_names(&mut self) -> std::io::Result<()> {
+        let start = Loc { file: self.job.main, line: 1, span: Span::default() };
+        let Some(mut cursor) = open_cursor(self.job, self.job.main, SPLIT, start) else { return Ok(()) };
+        let mut block = Block::default();
+        let mut problems = Vec::new();
+        let mut structured = Vec::new();
+        let mut several = false;
+        loop {
+            let text = match cursor.next(self.job.sources)? {
+                Next::Block(text) => text,
+                Next::TooLong { .. } => continue,
+                Next::End => break,
+            };
+            parse_block(text.text, &mut block, &mut self.symbols, &mut problems);
+            match block.stmt {
+                Stmt::Def { .. } | Stmt::Proc(_) => {
+                    self.variables.extend(block.variables.iter().filter_map(|variable| variable.name));
+                }
+                Stmt::Header => several = true,
+                Stmt::If(_) | Stmt::Else | Stmt::EndIf | Stmt::While(_) | Stmt::EndWhile => structured.push(text.at),
+                Stmt::For { .. } | Stmt::EndFor | Stmt::Loop | Stmt::EndLoop => structured.push(text.at),
+                Stmt::RepeatLoop | Stmt::Until(_) => structured.push(text.at),
+                _ => {}
+            }
+        }
+        if several || !structured.is_empty() {
+            self.programs.list(self.job, 0)?;
+        }
+        let mut known = FxHashSet::default();
+        for at in structured {
+            let unit = self.programs.units.iter().rposition(|unit| unit.start.at <= at).unwrap_or(0);
+            if known.insert(unit) {
+                self.programs.skeleton(self.job, unit, &mut self.symbols)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Between G291 and G290 words mean something else.
+    fn iso_dialect(&mut self, block: &Block) -> bool {
+        let has = |number: f64| {
+            block.words.iter().any(|word| matches!((word.target, word.value), (Target::Letter(b'G'), Value::Literal { value, .. }) if value == number))
+        };
+        if has(291.0) {
+            self.iso = true;
+        }
+        if has(290.0) {
+            self.iso = false;
+            return true;
+        }
+        self.iso
+    }
+
+    fn look(&mut self, block: &Block, text: &BlockText<'_>) {
+        let here = Here::new(self.job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let found = match block.stmt {
+            Stmt::Words => self.words(block, &here),
+            Stmt::Goto(jump) => self.jump(jump, text.at, &here),
+            Stmt::IfJump | Stmt::Case(_) => block.arms.iter().find_map(|arm| self.jump(arm.jump, text.at, &here)),
+            Stmt::Repeat { from, to, .. } => {
+                [Some(from), to].into_iter().flatten().find_map(|label| self.label(label, block, text.at, &here))
+            }
+            Stmt::RepeatBlock { label, .. } => self.label(label, block, text.at, &here),
+            Stmt::Call(form) => self.call(form, block, text.text, &here),
+            Stmt::Sync(span) => Some(refused(self.job, &here, span, codes::S9004)),
+            _ => None,
+        };
+        if let Some(found) = found
+            && !self.job.diags.knows(&found)
+        {
+            self.job.diags.push(found);
+        }
+    }
+
+    // Jumps.
+
+    fn skeleton(&mut self, at: u32) -> Option<std::rc::Rc<Skeleton>> {
+        let unit = self.programs.units.iter().rposition(|unit| unit.start.at <= at)?;
+        self.programs.skeleton(self.job, unit, &mut self.symbols).ok()
+    }
+
+    fn jump(&mut self, jump: Jump, at: u32, here: &Here) -> Option<Diagnostic> {
+        if jump.search == Search::BothQuiet {
+            return None;
+        }
+        let skeleton = self.skeleton(at)?;
+        let (found, what) = match jump.target {
+            JumpTarget::Number(n) => (skeleton.number(n, at, jump.search), format!("block N{n}")),
+            JumpTarget::Label(name) if self.variables.contains(&name) => return None,
+            JumpTarget::Label(name) => {
+                (skeleton.label(name, at, jump.search), format!("label `{}`", self.symbols.name(name)))
+            }
+            JumpTarget::Text(_) => return None,
+        };
+        if found.is_some() {
+            return None;
+        }
+        let way = match jump.search {
+            Search::Forward => " behind this block",
+            Search::Backward => " in front of this block",
+            _ => "",
+        };
+        Some(
+            Diagnostic::new(
+                codes::S2003,
+                here.loc(self.job, jump.span),
+                format!("there is no {what}{way} (alarm 14080)"),
+            )
+            .help("check the target of the jump"),
+        )
+    }
+
+    fn label(&mut self, name: Symbol, block: &Block, at: u32, here: &Here) -> Option<Diagnostic> {
+        let jump = Jump { search: Search::Both, target: JumpTarget::Label(name), span: block.span };
+        self.jump(jump, at, here)
+    }
+
+    // Calls.
+
+    fn call(&mut self, form: CallForm, block: &Block, text: &[u8], here: &Here) -> Option<Diagnostic> {
+        let written = |formula: Formula| match block.formula(formula) {
+            [Op::Text(span)] => Some((String::from_utf8_lossy(span.of(text)).into_owned(), formula.span)),
+            _ => None,
+        };
+        match form {
+            CallForm::Text(formula) | CallForm::External(formula) => {
+                let (name, span) = written(formula)?;
+                self.program(&name, span, here)
+            }
+            CallForm::Modal { name, .. } => {
+                let word = self.symbols.name(name).to_owned();
+                match self.vocabulary.get(word.as_str()) {
+                    Some(_) if is_built(&word) => None,
+                    Some(_) => Some(refused(self.job, here, block.span, codes::S9005)),
+                    None => self.program(&word, block.span, here),
+                }
+            }
+            CallForm::Iso => Some(refused(self.job, here, block.span, codes::S9003)),
+            CallForm::Path { .. } | CallForm::Section { .. } | CallForm::ModalOff => None,
+        }
+    }
+
+    /// A warning for a program that is not here.
+    fn program(&mut self, name: &str, span: Span, here: &Here) -> Option<Diagnostic> {
+        let upper = name.to_ascii_uppercase();
+        let last = upper.rsplit(['/', '\\']).next().unwrap_or(&upper);
+        let (bare, _) = bare_name(last);
+        let symbol = self.symbols.intern(upper.as_bytes());
+        let is_here = match self.looked_for.get(&symbol) {
+            Some(known) => *known,
+            None => {
+                let is_here = self.programs.find_in_file(0, &bare).is_some() || self.opens(&bare);
+                self.looked_for.insert(symbol, is_here);
+                is_here
+            }
+        };
+        (!is_here).then(|| {
+            let message = format!(
+                "this block does not run; if it did, it would call `{bare}`, which is not here ({})",
+                codes::S2002.id
+            );
+            Diagnostic::new(codes::S8040, here.loc(self.job, span), message)
+                .help("put the program beside this one or into an include root; or correct the word")
+        })
+    }
+
+    fn opens(&self, name: &str) -> bool {
+        let identity = self.job.sources.identity(self.job.main);
+        let request = Request { from: &identity, name, extensions: EXTENSIONS };
+        // What cannot be opened for another reason is there.
+        !matches!(self.job.files.open(&request), Err(FileError::NotFound { .. }))
+    }
+
+    // Words.
+
+    fn words(&mut self, block: &Block, here: &Here) -> Option<Diagnostic> {
+        let repeated = repeated_words(self, block, here);
+        repeated
+            .or_else(|| self.codes(block, here))
+            .or_else(|| block.words.iter().find_map(|word| self.refused_word(word, block, here)))
+    }
+
+    /// The G code that a word is.
+    fn code_of(&self, word: &Word) -> Option<Result<Code, f64>> {
+        match (word.target, word.value) {
+            (Target::Letter(b'G'), Value::Literal { value, .. }) => Some(self.gcodes.get(value).ok_or(value)),
+            (Target::Name(name), Value::None) => match self.vocabulary.get(self.symbols.name(name)) {
+                Some(Meaning::Code(code)) => Some(Ok(*code)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// G codes that do not exist or exclude each other.
+    fn codes(&self, block: &Block, here: &Here) -> Option<Diagnostic> {
+        let mut seen: Vec<(Code, Span)> = Vec::new();
+        for word in &block.words {
+            let code = match self.code_of(word) {
+                None => continue,
+                Some(Ok(code)) => code,
+                Some(Err(number)) => {
+                    let message = format!("G{number} is not known (alarm 12470)");
+                    return Some(
+                        Diagnostic::new(codes::S2010, here.loc(self.job, word.span), message).help("check the number"),
+                    );
+                }
+            };
+            let shapes = |code: Code| code.group <= 4;
+            let other = seen
+                .iter()
+                .find(|(known, _)| *known != code && (known.group == code.group || shapes(*known) && shapes(code)));
+            if let Some((first, at)) = other {
+                let (a, b) = (vocabulary::word(*first), vocabulary::word(code));
+                let (kind, message) = if shapes(code) {
+                    (codes::S2009, format!("{a} and {b} cannot stand in one block (alarm 12070)"))
+                } else {
+                    (codes::S2008, format!("{a} and {b} are of one group (alarm 12060)"))
+                };
+                let found = Diagnostic::new(kind, here.loc(self.job, word.span), message);
+                return Some(found.also(here.loc(self.job, *at), "the other one").help("delete one of them"));
+            }
+            seen.push((code, word.span));
+        }
+        None
+    }
+
+    /// What would be refused, or is not here.
+    fn refused_word(&mut self, word: &Word, block: &Block, here: &Here) -> Option<Diagnostic> {
+        match (word.target, word.value) {
+            (Target::Letter(b'L'), Value::Literal { value, digits, whole: true }) => {
+                let width = usize::from(digits);
+                self.program(&format!("L{value:0width$}"), word.span, here)
+            }
+            (Target::Letter(b'M'), Value::Literal { value, .. }) => {
+                let known = value <= 9.0 || matches!(value as u32, 17 | 19 | 30 | 40..=45);
+                let passed = self.job.settings.output.pass_m.contains(&(value as u32));
+                (!known && !passed).then(|| refused(self.job, here, word.span, codes::S2044))
+            }
+            (Target::Name(name), Value::None | Value::Call(_)) => {
+                let shown = self.symbols.name(name).to_owned();
+                match self.vocabulary.get(shown.as_str()) {
+                    Some(Meaning::Procedure(Procedure::Refused(_))) if is_built(&shown) => None,
+                    Some(Meaning::Procedure(Procedure::Refused(what))) => {
+                        let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
+                        Some(refused(self.job, here, word.span, code))
+                    }
+                    Some(_) => None,
+                    None if self.variables.contains(&name) || block.words.len() > 1 => None,
+                    None => self.program(&shown, word.span, here),
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A word that may stand once and stands twice.
+fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnostic> {
+    let once = |word: &Word| match word.target {
+        Target::Letter(
+            letter @ (b'X' | b'Y' | b'Z' | b'A'..=b'C' | b'U'..=b'W' | b'I'..=b'K' | b'F' | b'T' | b'D'),
+        ) => {
+            let variable = std::str::from_utf8(&[letter]).ok().and_then(|name| idle.symbols.find(name));
+            !variable.is_some_and(|name| idle.variables.contains(&name))
+        }
+        Target::Name(name) => {
+            let address = matches!(idle.vocabulary.get(idle.symbols.name(name)), Some(Meaning::Address(_)));
+            address && !idle.variables.contains(&name)
+        }
+        _ => false,
+    };
+    for (at, word) in block.words.iter().enumerate().filter(|(_, word)| once(word)) {
+        if block.words[..at].iter().any(|first| first.target == word.target) {
+            let message = "the address stands twice in the block (alarm 12000)";
+            return Some(
+                Diagnostic::new(codes::S2007, here.loc(idle.job, word.span), message).help("delete one of the words"),
+            );
+        }
+    }
+    None
+}
+
+fn refused(job: &Job<'_>, here: &Here, span: Span, code: &'static Found) -> Diagnostic {
+    let message = format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
+    Diagnostic::new(codes::S8040, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
+}

@@ -1,0 +1,128 @@
+//! The same programs through nc-gcode-interpreter, a SINUMERIK interpreter on PyPI: an optional tool.
+//!
+//! It is asked where it knows the language: variables, structures, jumps, TRANS and ROT, end points of arcs. What it
+//! leaves out without a word (chamfers, angles, inches, cycles …) is told by the words of the program.
+//! `NC_GCODE_INTERPRETER_PYTHON` names a Python that has it; without one the test says so and passes.
+
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use super::common::{cases, compile_case};
+
+/// Prints a line for each program: end points, and whether the interpreter refused or warned.
+const SCRIPT: &str = r#"
+import json, os, sys, tempfile
+import nc_gcode_interpreter as n
+said = tempfile.TemporaryFile()
+os.dup2(said.fileno(), 2)
+for path in sys.argv[1:]:
+    said.seek(0)
+    said.truncate()
+    at, ends = {}, []
+    try:
+        for _, row in n.nc_to_rows(open(path, errors="replace").read()):
+            at = {axis: row.get(axis, at.get(axis)) for axis in "XYZ"}
+            ends.append([at[axis] or 0.0 for axis in "XYZ"])
+        refused = False
+    except Exception:
+        refused = True
+    said.seek(0)
+    print(json.dumps({"ends": ends, "known": not refused and b"Warning" not in said.read()}))
+"#;
+
+/// Words that it passes over, or takes for something else.
+const NOT_KNOWN: &[&str] = &[
+    "ANG=", "RND", "CHR=", "CHF=", "CYCLE", "HOLES", "MCALL", "G70", "G25", "G26", "G53", "G58", "G59", "G11", "G[",
+    "DEFINE",
+];
+/// Programs in which it is wrong by the manuals.
+const WRONG: &[(&str, &str)] = &[
+    ("for_end_changes.MPF", "takes the end of FOR once"),
+    ("bool_from_number.MPF", "keeps numbers in BOOL"),
+    ("real_to_int.MPF", "keeps fractions in INT"),
+    ("program_beside.MPF", "calls no programs"),
+    ("joined_text.MPF", "writes a CHAR as a number"),
+];
+/// Largest difference of two end points.
+const SAME: f64 = 1e-3;
+
+fn python() -> Option<String> {
+    let python = std::env::var("NC_GCODE_INTERPRETER_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let mut probe = Command::new(&python);
+    probe.args(["-c", "import nc_gcode_interpreter as n; n.nc_to_rows"]).stdout(Stdio::null()).stderr(Stdio::null());
+    probe.status().is_ok_and(|status| status.success()).then_some(python)
+}
+
+/// End points of the printed moves.
+fn end_points(output: &str) -> Vec<[f64; 3]> {
+    let mut at = [0.0; 3];
+    let mut ends = Vec::new();
+    for line in output.lines() {
+        let mut words = line.split(' ');
+        if !matches!(words.next(), Some("G0" | "G1" | "G2" | "G3" | "G33")) {
+            continue;
+        }
+        for word in words {
+            let (address, number) = word.split_at(1);
+            if let Some(axis) = "XYZ".find(address)
+                && let Ok(value) = number.parse()
+            {
+                at[axis] = value;
+            }
+        }
+        ends.push(at);
+    }
+    ends
+}
+
+/// Places that the tool comes to, each once while it stays.
+fn visited(ends: impl IntoIterator<Item = [f64; 3]>) -> Vec<[f64; 3]> {
+    let mut places = vec![[0.0; 3]];
+    for end in ends {
+        if !places.last().is_some_and(|last| same(last, &end)) {
+            places.push(end);
+        }
+    }
+    places
+}
+
+fn same(a: &[f64; 3], b: &[f64; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME)
+}
+
+fn within_its_words(path: &PathBuf) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let Ok(text) = std::fs::read_to_string(path) else { return false };
+    let text = text.to_ascii_uppercase();
+    !path.with_extension("toml").exists()
+        && !NOT_KNOWN.iter().any(|word| text.contains(word))
+        && !WRONG.iter().any(|(wrong, _)| *wrong == name)
+}
+
+#[test]
+fn sinumerik_programs_go_where_the_peer_says() {
+    let Some(python) = python() else {
+        println!("nc-gcode-interpreter is not installed: nothing compared");
+        return;
+    };
+    let programs: Vec<PathBuf> = cases("sinumerik").into_iter().filter(within_its_words).collect();
+    let output = Command::new(python).args(["-c", SCRIPT]).args(&programs).output().expect("a run of the peer");
+    let text = String::from_utf8(output.stdout).expect("JSON");
+    let (mut compared, mut failures) = (0, Vec::new());
+    for (path, line) in programs.iter().zip(text.lines()) {
+        let answer: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
+        let compiled = compile_case(path);
+        if answer["known"] != true || compiled.has_errors() {
+            continue;
+        }
+        compared += 1;
+        let theirs: Vec<[f64; 3]> = serde_json::from_value(answer["ends"].clone()).expect("end points");
+        let (ours, theirs) = (visited(end_points(&compiled.output)), visited(theirs));
+        if ours.len() != theirs.len() || !ours.iter().zip(&theirs).all(|(a, b)| same(a, b)) {
+            failures.push(format!("{}:\n  ours   {ours:?}\n  theirs {theirs:?}", path.display()));
+        }
+    }
+    println!("{compared} programs compared");
+    assert!(compared >= 100, "only {compared} programs could be compared");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
