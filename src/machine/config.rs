@@ -209,6 +209,12 @@ impl Reader {
                 let plus = text(node) == "plus";
                 control.turning.recess_side = Some(if plus { RecessSide::Plus } else { RecessSide::Minus });
             }
+            "infeed" => control.turning.infeed_on_diameter = text(node) == "diameter",
+            "thread_left" => control.turning.left_is_plus = text(node) == "plus",
+            "recess_width" => {
+                let floor = text(node) == "floor";
+                control.turning.recess_width = if floor { RecessWidth::Floor } else { RecessWidth::Opening };
+            }
             "recess_blank" => {
                 let radius = text(node) == "radius";
                 control.turning.recess_blank = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };

@@ -172,6 +172,20 @@ pub const SECTIONS: &[Section] = &[
                 Kind::Choice(&["plus", "minus"]),
                 "side of its corner, along Z, on which a wide recess of G86 lies; refused if not given",
             ),
+            key("infeed", Kind::Choice(&["radius", "diameter"]), "what the infeed I of G81 in turning programs counts")
+                .or(r#""radius""#),
+            key(
+                "thread_left",
+                Kind::Choice(&["minus", "plus"]),
+                "turning programs: end of the Z axis that is left for the flank offset H of a thread",
+            )
+            .or(r#""minus""#),
+            key(
+                "recess_width",
+                Kind::Choice(&["opening", "floor"]),
+                "where K of a recess with leaning flanks (G23) is measured",
+            )
+            .or(r#""opening""#),
             key("recess_blank", Kind::Choice(&["diameter", "radius"]), "what RI of G869 (blank oversize in X) counts")
                 .or(r#""diameter""#),
             key(

@@ -17,7 +17,7 @@ mod values;
 pub use axis::{Axis, AxisSet};
 pub use settings::{
     ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, Modulo,
-    OutputSettings, PolarMissing, RecessDepth, RecessSide, RepeatCount, Settings, ShiftAxes, Unit,
+    OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings, ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -152,12 +152,21 @@ pub enum ArcChoice {
     ZeroIsFar,
 }
 
-/// What a depth or height of a recess counts.
+/// What a depth or height across the axis counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RecessDepth {
     #[default]
     Diameter,
     Radius,
+}
+
+/// Where the width of a recess with leaning flanks counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RecessWidth {
+    /// At the element that it is cut into.
+    #[default]
+    Opening,
+    Floor,
 }
 
 /// On which side of the programmed corner a recess of G86 lies.
@@ -180,6 +189,11 @@ pub struct Turning {
     pub change_point: Option<(f64, f64)>,
     /// Where a recess of G86 lies that is wider than the tool; `None` refuses it.
     pub recess_side: Option<RecessSide>,
+    pub recess_width: RecessWidth,
+    /// The infeed I of G81 counts on the diameter, not on the radius.
+    pub infeed_on_diameter: bool,
+    /// A flank offset from the left (H1) starts a thread towards +Z, not towards -Z.
+    pub left_is_plus: bool,
     /// What RI of G869 counts.
     pub recess_blank: RecessDepth,
     /// G32, whose words no manual at hand lists, is refused.

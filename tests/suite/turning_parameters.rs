@@ -34,6 +34,9 @@ const THREAD: &[Case] = &[
     ("threads/din_plus_reference", "NS3", "NS2"),
     ("threads/din_plus_reference", "V1", "V0"),
     ("threads/cuts_by_count", " IC4", " IC5"),
+    ("threads/data_of_g34", "G34 F1.5", "G34 F1.25"),
+    ("threads/data_of_g37", "P0.8", "P0.9"),
+    ("threads/data_of_g37_overridden", " U-0.3", ""),
     ("threads/example_14_successive", "X34 Z-40", "X35 Z-40"),
 ];
 
@@ -58,6 +61,7 @@ const RECESS_TURNING: &[Case] = &[
     ("recess_turning/blank_oversize_x", "RI4", "RI2"),
     ("recess_turning/blank_oversize_z", "RK2", "RK1"),
     ("recess_turning/reference_to_the_finished_part", "NS5 NE7", "NS7 NE5"),
+    ("recess_turning/named_contour", "ID\"left\"", "ID\"RIGHT\""),
     ("recess_turning/words_of_g80", "XS60", "XS61"),
     ("recess_turning/words_of_g80", "ZS-20", "ZS-21"),
     ("recess_turning/words_of_g80", "XE48", "XE50"),
@@ -96,6 +100,7 @@ const FINISHING: &[Case] = &[
     ("finishing/oversize_of_g57", " Z0.1", ""),
     ("finishing/oversize_of_g58", "P0.3", "P0.2"),
     ("finishing/clearance", "P3", "P2"),
+    ("finishing/recess_with_flanks", " A40", ""),
 ];
 
 /// G32, G33, G36, G71, G74, G81, G82, G85, G86 and the roughing cycles.

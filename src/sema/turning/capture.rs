@@ -35,7 +35,7 @@ impl Run<'_> {
     /// A cycle with its words; some wait for their contour.
     pub(super) fn begin_cycle(&mut self, number: u16, name: &'static str, w: &Words) -> Outcome {
         self.settle_chain()?;
-        let referenced = w.long("NS").is_some();
+        let referenced = w.long("NS").is_some() || self.named.is_some();
         let waits = match number {
             31 => !w.has(b'X') && !w.has(b'Z') && !referenced,
             89 | 817..=819 | 827..=829 => true,
@@ -88,7 +88,7 @@ impl Run<'_> {
                 "close the contour with a block that holds G80 alone",
             );
         };
-        let form = matches!(fun.number, 22 | 23 | 25 | 34);
+        let form = matches!(fun.number, 22 | 23 | 25 | 34 | 37);
         let path = matches!(fun.number, 0..=3 | 12 | 13);
         if !(path || form && self.sections.family() == Family::DinPlus) {
             return self.fail_help(

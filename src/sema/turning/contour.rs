@@ -28,6 +28,14 @@ pub(super) struct Mark {
     pub transition: Transition,
 }
 
+/// What G34 and G37 say of a thread, in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ThreadData {
+    pub pitch: f64,
+    /// Depth outside and inside.
+    pub depth: [f64; 2],
+}
+
 /// A complete element, and what belongs to it.
 #[derive(Debug, Clone)]
 pub(super) struct Piece {
@@ -38,8 +46,8 @@ pub(super) struct Piece {
     pub undercut: Option<(Undercut, Mark)>,
     /// Codes of the recesses and of the undercut, by which D of a cycle leaves them out.
     pub codes: (Vec<u32>, u32),
-    /// mm per revolution: this element is a thread.
-    pub thread: Option<f64>,
+    /// This element is a thread.
+    pub thread: Option<ThreadData>,
 }
 
 /// A problem with a contour, and where it is.
@@ -159,7 +167,7 @@ impl Builder {
             element_with_recesses(piece, line, transition, left_out, &mut rough)?;
             if let Some((made, mark)) = undercut {
                 for (element, transition) in made.elements {
-                    rough.push(Part { element, transition, mark, corner_of: mark.number, form: true });
+                    rough.push(Part { element, transition, mark, corner_of: mark.number, form: true, thread: None });
                 }
                 skip_start = Some(made.joins);
             }
@@ -195,14 +203,28 @@ fn element_with_recesses(
             return Err(Flaw::new(codes::T3004, mark.loc, message));
         }
         let element = Element::Line { from, to: made.from };
-        out.push(Part { element, transition: made.edges.0, mark: piece.mark, corner_of: mark.number, form: false });
+        out.push(Part {
+            element,
+            transition: made.edges.0,
+            mark: piece.mark,
+            corner_of: mark.number,
+            form: false,
+            thread: piece.thread,
+        });
         for (element, transition) in made.elements {
-            out.push(Part { element, transition, mark, corner_of: mark.number, form: true });
+            out.push(Part { element, transition, mark, corner_of: mark.number, form: true, thread: None });
         }
         from = made.to;
     }
     let element = if from == line.from { line.element() } else { Element::Line { from, to: line.to } };
-    out.push(Part { element, transition, mark: piece.mark, corner_of: piece.mark.number, form: false });
+    out.push(Part {
+        element,
+        transition,
+        mark: piece.mark,
+        corner_of: piece.mark.number,
+        form: false,
+        thread: piece.thread,
+    });
     Ok(())
 }
 
@@ -212,6 +234,7 @@ struct Part {
     element: Element,
     transition: Transition,
     mark: Mark,
+    thread: Option<ThreadData>,
     /// Block to which the chamfer or rounding at its end belongs.
     corner_of: Option<u32>,
     form: bool,
@@ -227,6 +250,7 @@ pub(super) struct Edge {
     pub corner: bool,
     /// Part of a recess or undercut.
     pub form: bool,
+    pub thread: Option<ThreadData>,
 }
 
 /// A contour as it is to be machined.
@@ -305,7 +329,8 @@ fn cut_corners(parts: Vec<Part>) -> Result<Outline, Flaw> {
         if let Some(from) = cut_from.take() {
             element = element.starting_at(from);
         }
-        let edge = |element, corner| Edge { element, number: part.mark.number, corner, form: part.form };
+        let edge =
+            |element, corner| Edge { element, number: part.mark.number, corner, form: part.form, thread: part.thread };
         let size = match part.transition {
             Transition::Open | Transition::Sharp => {
                 edges.push(edge(element, false));

@@ -4,7 +4,8 @@ use crate::diag::codes;
 use crate::ir::cycle::Cycle;
 
 use super::contour::{Edge, MOST_EDGES, Outline, Section};
-use super::words::Words;
+use super::geometry::Described;
+use super::words::{Num, Words};
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -80,6 +81,9 @@ impl Run<'_> {
 
     fn referenced(&self, w: &Words, left_out: u32) -> Outcome<Section> {
         let span = self.block_span();
+        if let Some(name) = &self.named {
+            return self.named_contour(name, w, left_out);
+        }
         let Some(first) = w.long("NS") else {
             return self.fail(codes::T1005, span, "the cycle has neither NS nor a contour behind it");
         };
@@ -124,5 +128,40 @@ impl Run<'_> {
             format!("no element of a contour has the block number {missing}"),
             "NS and NE name blocks of the geometry sections; each number may stand there once",
         )
+    }
+
+    /// The contour that ID names: all of it, or from NS to NE.
+    fn named_contour(&self, name: &str, w: &Words, left_out: u32) -> Outcome<Section> {
+        let span = self.block_span();
+        let same =
+            |described: &&Described| described.name.as_deref().is_some_and(|known| known.eq_ignore_ascii_case(name));
+        let mut found = self.geometry.contours.iter().filter(same);
+        let (Some(described), None) = (found.next(), found.next()) else {
+            return self.fail_help(
+                codes::T2019,
+                span,
+                format!("there is no contour `{name}`, or more than one"),
+                "give each auxiliary contour a name of its own: AUXIL_CONTOUR ID\"…\"",
+            );
+        };
+        if described.broken {
+            return Err(Reported);
+        }
+        let outline = described.outline_without(left_out).map_err(|flaw| {
+            self.flaw(&flaw);
+            Reported
+        })?;
+        let number =
+            |num: Num| (num.value.fract() == 0.0 && (0.0..=99_999.0).contains(&num.value)).then_some(num.value as u32);
+        let section = match (w.long("NS").map(number), w.long("NE").map(number)) {
+            (None, None) => Ok(outline.all()),
+            (Some(Some(ns)), None) => outline.between(ns, None),
+            (Some(Some(ns)), Some(Some(ne))) => outline.between(ns, Some(ne)),
+            _ => return self.fail(codes::T1007, span, "NS and NE are block numbers, and NE does not stand alone"),
+        };
+        let missing = |number| format!("no element of the contour `{name}` has the block number {number}");
+        section.or_else(|number| {
+            self.fail_help(codes::T2019, span, missing(number), "NS and NE name blocks of the contour that ID names")
+        })
     }
 }

@@ -17,8 +17,8 @@ pub(super) enum Recess {
     Cylinder { first: f64, second: f64, floor: f64, top: Transition, base: f64 },
     /// G22 with X: in a face, from `first` to `second` along X, floor at the Z `floor`.
     Face { first: f64, second: f64, floor: f64, top: Transition, base: f64 },
-    /// G23: symmetric, with upright flanks.
-    Centered { at: Along, width: f64, depth: f64, near: Transition, far: Transition, base: f64 },
+    /// G23: symmetric. The opening is `width` wide; each flank leans inwards by `lean` mm for each mm of depth.
+    Centered { at: Along, width: f64, lean: f64, depth: f64, near: Transition, far: Transition, base: f64 },
 }
 
 /// Where the middle of a recess lies.
@@ -63,12 +63,16 @@ pub(super) fn build(recess: &Recess, line: &Solved) -> Result<Made, &'static str
             let p = |x, z| Point2::new(z, x);
             made([p(a, z), p(a, floor), p(b, floor), p(b, z)], top, top, base)
         }
-        Recess::Centered { at, width, depth, near, far, base } => {
+        Recess::Centered { at, width, lean, depth, near, far, base } => {
             let middle = middle(at, line.from, u).ok_or("the middle of the recess does not lie on the element")?;
             // A positive depth lies right of the element, seen in its direction.
             let down = -left(u) * depth;
             let half: Vec2 = u * (width / 2.0);
-            made([middle - half, middle - half + down, middle + half + down, middle + half], near, far, base)
+            let foot: Vec2 = u * (width / 2.0 - lean * depth.abs());
+            if foot.dot(&u) <= PARALLEL {
+                return Err("the flanks of the recess meet above its floor");
+            }
+            made([middle - half, middle - foot + down, middle + foot + down, middle + half], near, far, base)
         }
     }
 }

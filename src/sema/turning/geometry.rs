@@ -5,12 +5,13 @@
 use std::borrow::Cow;
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Point2;
-use crate::machine::{Axis, RecessDepth};
+use crate::geo::{Deg, Point2};
+use crate::machine::{Axis, RecessDepth, RecessWidth};
 use crate::parser::turning::ast::Block;
+use crate::text::decode::readable;
 
 use super::chain::Coord;
-use super::contour::{Builder, Flaw, Mark, Outline};
+use super::contour::{Builder, Flaw, Mark, Outline, ThreadData};
 use super::coordinates::{Transition, transition_of};
 use super::forms::{Along, Recess};
 use super::undercuts::{self, LEAN_509, SLOPE_76, SLOPE_509, Undercut};
@@ -29,6 +30,8 @@ pub(super) enum Blank {
 /// A described contour.
 #[derive(Debug)]
 pub(super) struct Described {
+    /// ID of an auxiliary contour.
+    pub name: Option<String>,
     builder: Builder,
     pub outline: Outline,
     /// Something of it was refused.
@@ -55,6 +58,9 @@ pub(super) struct Geometry {
 
 /// What a block of a contour may hold.
 const ELEMENT: Letters = letters("XZABQRIK");
+
+/// Depth of a metric ISO thread by its pitch, outside and inside. Source: reference section 6.3, G37.
+const ISO_DEPTH: [f64; 2] = [0.613_43, 0.541_27];
 
 /// Codes by which D of a cycle leaves forms out. A recess of G22 is a sealing ring or a guard ring, which its block does
 /// not say, so both codes are needed. Source: reference section 6.3.
@@ -98,8 +104,9 @@ impl Run<'_> {
         Ok(codes)
     }
 
-    pub(super) fn begin_contour(&mut self) {
+    pub(super) fn begin_contour(&mut self, name: Option<String>) {
         self.geometry.contours.push(Described {
+            name,
             builder: Builder::default(),
             outline: Outline::default(),
             broken: false,
@@ -130,7 +137,16 @@ impl Run<'_> {
     }
 
     /// A block of a geometry section.
-    pub(super) fn geometry_block(&mut self, w: &Words, block: &Block) -> Outcome {
+    pub(super) fn geometry_block(&mut self, w: &Words, block: &Block, text: &[u8]) -> Outcome {
+        let alone = w.present() == 0 && w.g().is_empty() && w.m().is_empty() && w.longs().is_empty();
+        if let (Some(span), true) = (w.text("ID"), alone)
+            && let Some(described) = self.geometry.contours.last_mut()
+            && described.name.is_none()
+            && described.builder.is_empty()
+        {
+            described.name = Some(readable(span.of(text)).into_owned());
+            return Ok(());
+        }
         let mut builder = match self.geometry.contours.last_mut() {
             Some(described) => std::mem::take(&mut described.builder),
             None => return Err(Reported),
@@ -175,6 +191,7 @@ impl Run<'_> {
             23 => self.general_recess(w, mark, builder),
             25 => self.undercut(w, mark, builder),
             34 => self.thread_mark(w, builder),
+            37 => self.general_thread_mark(w, builder),
             49 => self.only(w, letters("BPWRUEIJKFVAO"), &[]),
             10 | 38 | 39 | 52 | 95 | 149 => self.fail_help(
                 codes::T9001,
@@ -182,10 +199,10 @@ impl Run<'_> {
                 format!("the attribute G{} of contour elements is not supported", fun.number),
                 "remove it, and put feeds and oversizes into the cycle",
             ),
-            24 | 37 => self.fail_help(
+            24 => self.fail_help(
                 codes::T9001,
                 fun.span,
-                format!("G{} in a contour is not supported", fun.number),
+                "G24 in a contour is not supported",
                 "describe the thread with G34 and the undercut with G25",
             ),
             number => self.fail(codes::T9001, fun.span, format!("G{number} is no element of a contour")),
@@ -343,19 +360,26 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// G23: a recess in any line, with upright flanks.
+    /// G23: a symmetric recess in any line.
     fn general_recess(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
         self.only(w, letters("HXZIKUABPR"), &[])?;
         let span = self.block_span();
-        let unclear = |letter: u8| w.get(letter).filter(|num| num.value != 0.0);
-        if let Some(num) = unclear(b'H').or(unclear(b'A')) {
+        if let Some(num) = w.get(b'H').filter(|num| num.value != 0.0) {
             return self.fail_help(
                 codes::T9007,
                 num.span,
-                "a relief turn, or flanks at an angle: how it is measured is shown in a picture only",
-                "describe the recess with G1 blocks",
+                "a relief turn: how it is measured is shown in a picture only",
+                "describe the relief turn with G1 blocks",
             );
         }
+        let lean = match w.get(b'A') {
+            None => 0.0,
+            Some(num) if (0.0..180.0).contains(&num.value) => {
+                let (sin, cos) = Deg(num.value / 2.0).sin_cos();
+                sin / cos
+            }
+            Some(num) => return self.fail(codes::T1007, num.span, "A lies between 0 and 180 degrees"),
+        };
         let at = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::At(x), Coord::Missing) => Along::X(x),
             (Coord::Missing, Coord::At(z)) => Along::Z(z),
@@ -387,7 +411,10 @@ impl Run<'_> {
         let edge = |letter: u8| w.value(letter).map_or(Transition::Sharp, |b| transition_of(b * mm));
         let (near, far) = (edge(b'B'), edge(b'P'));
         let base = w.value(b'R').unwrap_or(0.0) * mm;
-        piece.recesses.push((Recess::Centered { at, width, depth, near, far, base }, mark));
+        // K counts at the reference element, as far as any text says; a picture may show the floor.
+        let floor = self.job.settings.control.turning.recess_width == RecessWidth::Floor;
+        let width = if floor { width + 2.0 * lean * depth.abs() } else { width };
+        piece.recesses.push((Recess::Centered { at, width, lean, depth, near, far, base }, mark));
         piece.codes.0.push(CODE_OF_G23);
         Ok(())
     }
@@ -466,12 +493,48 @@ impl Run<'_> {
         })
     }
 
-    /// G34: the element before is a thread.
+    /// G34: the element before is a metric ISO thread.
     fn thread_mark(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
         self.only(w, letters("F"), &[])?;
         let num = self.needed(w, b'F', "the pitch of the thread", self.block_span())?;
         let pitch = self.above_zero(num, "the pitch of the thread")?;
-        self.reference(builder, "a thread")?.thread = Some(pitch);
+        self.reference(builder, "a thread")?.thread = Some(ThreadData { pitch, depth: ISO_DEPTH.map(|d| d * pitch) });
+        Ok(())
+    }
+
+    /// G37: the element before is a thread of type Q with the pitch F; P is its depth.
+    fn general_thread_mark(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
+        self.only(w, letters("QFPAWRKDHEV"), &[])?;
+        let span = self.block_span();
+        // Flank angles and the width of the crest are the tool's.
+        for letter in [b'K', b'D', b'E', b'V'] {
+            if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
+                let message = format!("{} of G37 is not supported", letter as char);
+                return self.fail_help(codes::T9007, num.span, message, "program the thread with B, P, C and Q of G31");
+            }
+        }
+        if let Some(num) = w.get(b'H').filter(|num| num.value > 1.0) {
+            let message = "a thread with several starts is not supported";
+            return self.fail_help(codes::T9007, num.span, message, "program G31 once for each start, with C");
+        }
+        let kind = self.choice(w, b'Q', 12, 14)?;
+        let num = self.needed(w, b'F', "the pitch of the thread", span)?;
+        let pitch = self.above_zero(num, "the pitch of the thread")?;
+        let depth = match (w.get(b'P'), kind) {
+            (Some(num), _) => [self.above_zero(num, "the depth of the thread")?; 2],
+            (None, 1 | 2 | 13 | 14) => ISO_DEPTH.map(|d| d * pitch),
+            (None, 9) => [0.640_33 * pitch; 2],
+            (None, 11) => [0.640_327 * pitch; 2],
+            _ => {
+                return self.fail_help(
+                    codes::T1005,
+                    span,
+                    format!("P is missing: the depth of a thread of type Q{kind}"),
+                    "program P with the depth on the radius",
+                );
+            }
+        };
+        self.reference(builder, "a thread")?.thread = Some(ThreadData { pitch, depth });
         Ok(())
     }
 }

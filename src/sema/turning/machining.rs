@@ -6,6 +6,7 @@
 use crate::diag::codes;
 use crate::ir::{Function as Item, Side};
 use crate::parser::turning::ast::Block;
+use crate::text::decode::readable;
 
 use super::functions::{Function, Kind, find};
 use super::sections::Part;
@@ -34,7 +35,7 @@ impl Run<'_> {
         match self.sections.part {
             Part::Start | Part::Machining if self.capture.is_none() => self.machine(w, text),
             Part::Start | Part::Machining => self.capture_block(w, block),
-            Part::Contour => self.geometry_block(w, block),
+            Part::Contour => self.geometry_block(w, block, text),
             Part::Turret => self.turret_line(w, text),
             Part::Unread => Ok(()),
             Part::Head | Part::Names | Part::Between => self.fail_help(
@@ -62,6 +63,7 @@ impl Run<'_> {
             self.before_motion(w, &plan, text)?;
         }
         if let Some((function, fun)) = plan.motion {
+            self.named = w.text("ID").map(|span| readable(span.of(text)).into_owned());
             self.motion(function, fun, w)?;
         }
         if only_moves || self.ended {
@@ -174,7 +176,8 @@ impl Run<'_> {
                 return self.fail(codes::T1003, num.span, format!("{name} takes a number"));
             }
         }
-        match w.texts().first() {
+        let named = plan.motion.is_some_and(|(function, _)| function.kind.takes_name());
+        match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
             Some((addr, span)) => {
                 self.fail(codes::T1003, *span, format!("no function of the block takes a text at {addr}"))
             }
@@ -314,6 +317,11 @@ struct Plan {
 impl Kind {
     fn is_path(self) -> bool {
         matches!(self, Kind::Rapid | Kind::Line | Kind::Arc { .. })
+    }
+
+    /// ID names the contour of the cycle.
+    fn takes_name(self) -> bool {
+        matches!(self, Kind::Cycle(31 | 810 | 820 | 869 | 890))
     }
 
     fn is_motion(self) -> bool {

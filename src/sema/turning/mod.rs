@@ -68,6 +68,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         calls: 1,
         sections: Sections::new(job.settings),
         geometry: Geometry::default(),
+        named: None,
         capture: None,
         chain: Chain::default(),
         stack: Vec::new(),
@@ -123,6 +124,8 @@ struct Run<'a> {
     calls: u32,
     sections: Sections,
     geometry: Geometry,
+    /// The contour that ID of the cycle in hand names.
+    named: Option<String>,
     /// The cycle whose contour is being read.
     capture: Option<Box<Capture>>,
     /// Moves that wait for the next one.

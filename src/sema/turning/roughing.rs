@@ -32,7 +32,8 @@ impl Run<'_> {
             );
         }
         let num = self.needed(w, infeed, "the greatest infeed", span)?;
-        let most = num.value.abs() * self.st.mm();
+        let on_diameter = along_z && self.job.settings.control.turning.infeed_on_diameter;
+        let most = num.value.abs() * self.st.mm() * if on_diameter { 0.5 } else { 1.0 };
         if most == 0.0 {
             return self.fail(codes::T1007, num.span, "the greatest infeed is not zero");
         }

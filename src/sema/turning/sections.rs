@@ -213,7 +213,17 @@ impl Run<'_> {
             Section::Clamping | Section::AuxiliaryBlank | Section::Milling => Part::Unread,
             Section::Contours => self.contours(rest, text)?,
             Section::Blank | Section::Finished | Section::AuxiliaryContour => {
-                self.begin_contour();
+                let id = rest.of(text).trim_ascii();
+                let name = quoted_id(id);
+                if !id.is_empty() && name.is_none() && section == Section::AuxiliaryContour {
+                    return self.fail_help(
+                        codes::T1001,
+                        rest,
+                        "this does not name the contour",
+                        "write the name as ID\"…\", or nothing",
+                    );
+                }
+                self.begin_contour(name.map(|name| readable(name).into_owned()));
                 Part::Contour
             }
             Section::Machining => Part::Machining,
@@ -394,4 +404,10 @@ impl Run<'_> {
         }
         let _ = self.end_of_job(false);
     }
+}
+
+/// The name in `ID"…"`.
+pub(super) fn quoted_id(text: &[u8]) -> Option<&[u8]> {
+    let rest = text.get(..2).filter(|id| id.eq_ignore_ascii_case(b"ID")).and(text.get(2..))?;
+    rest.trim_ascii().strip_prefix(b"\"")?.strip_suffix(b"\"")
 }

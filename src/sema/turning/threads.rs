@@ -11,7 +11,7 @@ use crate::machine::Axis;
 use crate::text::Span;
 
 use super::chain::Coord;
-use super::contour::Outline;
+use super::contour::{Outline, ThreadData};
 use super::sections::Family;
 use super::state::SpeedMode;
 use super::words::{Num, Words};
@@ -26,13 +26,14 @@ impl Run<'_> {
     pub(super) fn thread_cycle(&mut self, w: &Words, outline: Option<&Outline>) -> Outcome {
         let at = self.stand()?;
         let span = self.block_span();
-        let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
-        let lead = self.above_zero(pitch, "the pitch of the thread")?;
-        let u = self.needed(w, b'U', "the depth of the thread, negative for an external one", span)?;
-        let depth = u.value.abs() * self.st.mm();
-        if depth == 0.0 {
-            return self.fail(codes::T1007, u.span, "the thread has no depth");
-        }
+        let data = self.thread_data(w, outline)?;
+        let lead = match (w.get(b'F'), data) {
+            (None, Some(data)) => data.pitch,
+            _ => {
+                let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
+                self.above_zero(pitch, "the pitch of the thread")?
+            }
+        };
         for letter in [b'O', b'J'] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
                 let message = format!("{}{} of a thread is not supported", letter as char, num.value);
@@ -45,7 +46,18 @@ impl Run<'_> {
             }
         }
         let (start, parts) = self.thread_line(w, outline, at, lead)?;
-        let into = if u.value > 0.0 { Towards::PlusX } else { Towards::MinusX };
+        let (into, depth) = match (w.get(b'U'), data) {
+            (None, Some(data)) if at.y > start.y => (Towards::MinusX, data.depth[0]),
+            (None, Some(data)) => (Towards::PlusX, data.depth[1]),
+            _ => {
+                let u = self.needed(w, b'U', "the depth of the thread, negative for an external one", span)?;
+                let into = if u.value > 0.0 { Towards::PlusX } else { Towards::MinusX };
+                if u.value == 0.0 {
+                    return self.fail(codes::T1007, u.span, "the thread has no depth");
+                }
+                (into, u.value.abs() * self.st.mm())
+            }
+        };
         let forward = parts.first().is_some_and(|part| part.end.x < start.x);
         let thread = Thread {
             start,
@@ -66,6 +78,24 @@ impl Run<'_> {
         };
         self.send_cycle(&Cycle::Thread(thread));
         Ok(())
+    }
+
+    /// What G34 or G37 says of the first element of the contour.
+    fn thread_data(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Option<ThreadData>> {
+        if w.has(b'X') || w.has(b'Z') || (w.has(b'F') && w.has(b'U')) {
+            return Ok(None);
+        }
+        let edges = self.contour_of(w, outline, 0)?.edges;
+        let data = edges.iter().find(|edge| !edge.corner && !edge.form).and_then(|edge| edge.thread);
+        if edges.iter().any(|edge| edge.thread.is_some() && edge.thread != data) {
+            return self.fail_help(
+                codes::T9007,
+                self.block_span(),
+                "the elements of the thread have different pitches or depths",
+                "program F and U for all of it, or a cycle for each element",
+            );
+        }
+        Ok(data)
     }
 
     /// Start and parts of the thread: from the tool to X and Z, or along a contour.
@@ -89,7 +119,7 @@ impl Run<'_> {
             }
             return self.thread_contour(w, outline, lead);
         }
-        if outline.is_some() || w.long("NS").is_some() {
+        if outline.is_some() || w.long("NS").is_some() || self.named.is_some() {
             return self.fail(codes::T1006, span, "the thread has an end point and a contour: only one can hold");
         }
         let (Some(_), Some(_)) = (x, z) else {
@@ -229,7 +259,8 @@ impl Run<'_> {
             // Half a pitch at depth 0.
             None => Deg::from_radians(libm::atan(0.5 * lead / depth)),
         };
-        // Left is the side of -Z.
+        // Left is the side of -Z, as far as any text says.
+        let forward = forward != self.job.settings.control.turning.left_is_plus;
         Ok(match (self.choice(w, b'H', 0, 3)?, forward) {
             (0, _) => Flank::Radial,
             (1, true) | (2, false) => Flank::Ahead { angle },
@@ -239,7 +270,7 @@ impl Run<'_> {
                 return self.fail_help(
                     codes::T9007,
                     w.span(b'H', self.block_span()),
-                    "a thread cut towards +Z with alternating flanks is not supported",
+                    "alternating flanks that begin on the other side (a thread towards +Z) are not supported",
                     "program H0, H1 or H2",
                 );
             }
