@@ -200,13 +200,13 @@ impl Run<'_> {
             return self.fail_help(codes::S2080, 0, span, "radius compensation under D0, which has no radius", help);
         }
         if self.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
-            let message = "the program changes the radius of the active tool by $P_AD";
+            let message = "the program changes the radius of the active tool by `$P_AD`";
             return self.fail_help(
                 codes::S9010,
                 0,
                 span,
                 message,
-                "write $TC_DP6 of the tool in front of its selection",
+                "write `$TC_DP6` of the tool in front of its selection",
             );
         }
         let written = |parameter: u8| {
@@ -226,7 +226,7 @@ impl Run<'_> {
                 let what =
                     if wear.is_some() { "the program writes its wear only" } else { "the target knows that of D1" };
                 let message = format!("the radius of T{number} D{edge} is not known: {what}");
-                let help = format!("write it in front of G41 or G42: $TC_DP6[{number},{edge}]=…");
+                let help = format!("write it in front of G41 or G42: `$TC_DP6[{number},{edge}]=…`");
                 self.fail_help(codes::S9010, 0, span, message, &help)
             }
         }
