@@ -152,7 +152,7 @@ fn loops_and_calls_end() {
     assert_eq!(codes("R1=1/0\nG0 X=R1\nM30\n", &d), ["S2006"]);
     assert_eq!(codes("G0 X=NOTHING\nM30\n", &d), ["S2001"]);
     assert_eq!(codes("GOTOF NOWHERE\nM30\n", &d), ["S2003"]);
-    assert_eq!(codes("DEF STRING[100] T\nT=\"EXECSTRING(T)\"\nEXECSTRING(T)\nM30\n", &d), ["P4003"]);
+    assert_eq!(codes("DEF STRING[100] TT\nTT=\"EXECSTRING(TT)\"\nEXECSTRING(TT)\nM30\n", &d), ["P4003"]);
     assert_eq!(codes("DEFINE AAA AS BBB\nDEFINE BBB AS AAA\nG0 X1\nM30\n", &d), [""; 0]);
 }
 

@@ -267,9 +267,9 @@ S8008 Warning "siemens-rnd-and-chr" "rounding and chamfer in one block"
 S8009 Warning "siemens-tool-not-listed" "tool is not in the tool table"
 "A tool table was given, and this tool is not in it. Check the number, or add the tool."
 
-S8010 Note "siemens-edges" "cutting edge is not printed"
-"A tool of the target has one set of offsets. Edges D2 and higher have their own on a SINUMERIK control; the programmed path is the same, \
-but the target has to be told the offset of this edge."
+S8010 Note "siemens-edges" "tool data of the control are not printed"
+"A tool of the target has one set of offsets, in a table of its own. Edges D2 and higher, and lengths that the program writes ($TC_DP3), are \
+not printed; the target has to be told them. Under G41 and G42 the radius of the edge counts: where it is not known the block is refused."
 
 S8011 Note "siemens-g500" "G500 is printed in machine coordinates"
 "G500 switches the work offset off, so positions count in machine coordinates. The target does that by G53, for straight moves only. If G500 \
@@ -340,6 +340,16 @@ is modal. Compare the result with the drawing."
 S8030 Warning "siemens-contour-choice" "stored contour has two solutions"
 "A contour is made from its hidden records, and the values of one leave two solutions. Which one was chosen in the editor is stored in a way that is \
 not confirmed; the shorter arc or the farther point is taken. Compare it with the drawing."
+
+S8031 Note "siemens-spindle-sense" "sense of a spindle stop is not printed"
+"SPOS=ACP(…) and SPOS=ACN(…) say in which sense the spindle turns to its angle. The angle is printed; the target chooses the sense."
+
+S8032 Warning "siemens-speed-limited" "spindle speed is above its limit"
+"G26 S limits the speed of a spindle, LIMS= that of the master under G96 and G97. The control turns the spindle at the limit, so the limit is printed."
+
+S8033 Warning "siemens-mcall-trigger" "block without a move under a modal drilling cycle"
+"Under MCALL of a drilling cycle some controls drill behind a bare G0, G1, F or S as well, at the place where the tool stands. It is read here \
+as a block that drills nothing. Put such blocks in front of MCALL."
 
 S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \

@@ -119,7 +119,19 @@ fn label(text: &[u8], at: usize) -> Option<(usize, usize)> {
         end += 1;
     }
     let colon = after_blanks(text, end);
-    (text.get(colon) == Some(&b':') && end > at + 1).then_some((end, colon + 1))
+    (text.get(colon) == Some(&b':') && end > at + 1 && !is_keyword(&text[at..end])).then_some((end, colon + 1))
+}
+
+/// Words that begin or divide statements; no label has such a name.
+const KEYWORDS: &[&str] = &[
+    "IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "TO", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "REPEATB", "UNTIL",
+    "GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS", "CASE", "OF", "DEFAULT", "DEF", "REDEF", "PROC", "EXTERN", "DEFINE",
+    "CALL", "PCALL", "MCALL", "EXTCALL", "ISOCALL",
+];
+
+#[cold]
+fn is_keyword(name: &[u8]) -> bool {
+    KEYWORDS.iter().any(|keyword| name.eq_ignore_ascii_case(keyword.as_bytes()))
 }
 
 #[cold]

@@ -1,5 +1,6 @@
 //! A quick look at a block for jumps: its number, its label, and whether it opens or closes a structure.
 
+use crate::parser::problem::Problem;
 use crate::parser::symbols::{Symbol, Symbols};
 
 use super::ast::Block;
@@ -26,6 +27,16 @@ pub enum Word {
     EndLoop,
     Repeat,
     Until,
+}
+
+/// What is wrong with a line of a control structure that nobody executes when it is jumped over: ELSE and the ends.
+pub fn skipped_line(text: &[u8], word: Word, symbols: &mut Symbols) -> Option<Problem> {
+    if !matches!(word, Word::Else | Word::EndIf | Word::EndWhile | Word::EndFor | Word::EndLoop) {
+        return None;
+    }
+    let mut problems = Vec::new();
+    super::parse_block(text, &mut Block::default(), symbols, &mut problems);
+    problems.into_iter().find(|problem| problem.code.severity == crate::diag::Severity::Error)
 }
 
 /// Looks at one block.

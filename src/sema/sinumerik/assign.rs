@@ -384,7 +384,7 @@ impl Run<'_> {
     pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
         let (axis, component) = self.frame_place(args, span)?;
         match frame.component(axis, component) {
-            Some(value) => Ok(Val::Real(value)),
+            Some(value) => Ok(Val::Real(value / self.component_unit(axis, component))),
             None => self.fail(codes::S2034, 0, span, "this chain of rotations and scales has no such components"),
         }
     }
@@ -397,7 +397,7 @@ impl Run<'_> {
         span: Span,
     ) -> Outcome {
         let (axis, component) = self.frame_place(args, span)?;
-        let value = self.as_number(value, span)?;
+        let value = self.as_number(value, span)? * self.component_unit(axis, component);
         if frame.set_component(axis, component, value) {
             return Ok(());
         }

@@ -9,7 +9,7 @@ use crate::sema::exec::open_program;
 use crate::text::blocks::Place;
 use crate::text::{FileError, Loc, Request, Span};
 
-use super::programs::{UnitKind, bare_name};
+use super::programs::{UnitKind, bare_name, without_extension};
 use super::state::Saved;
 use super::value::Val;
 use super::vars::Slot;
@@ -152,12 +152,12 @@ impl Run<'_> {
         let (plain, _) = bare_name(&plain);
         let file = self.programs.units[self.unit()].file;
         if self.programs.list(&self.job, file).is_ok()
-            && let Some(unit) = self.programs.find_in_file(file, &plain)
+            && let Some(unit) = self.programs.find_in_file(file, without_extension(&plain))
         {
             return Ok(unit);
         }
         if file != 0
-            && let Some(unit) = self.programs.find_in_file(0, &plain)
+            && let Some(unit) = self.programs.find_in_file(0, without_extension(&plain))
         {
             return Ok(unit);
         }

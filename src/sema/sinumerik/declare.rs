@@ -9,6 +9,7 @@ use crate::parser::sinumerik::parse_block;
 use crate::sema::exec::open_cursor;
 use crate::text::{Next, Request};
 
+use super::functions;
 use super::value::{MOST_TEXT, Val, whole};
 use super::vars::{MOST_ELEMENTS, Var};
 use super::vocabulary::Meaning;
@@ -18,8 +19,19 @@ use super::{Outcome, Reported, Run};
 const DEFINITION_FILES: &[&str] =
     &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
 
+/// Characters of a STRING.
+const LONGEST_TEXT: usize = 200;
 /// Characters of a name.
 const LONGEST_NAME: usize = 32;
+
+/// `R1`, a machine axis like X1, or a letter that is an address on every machine.
+fn is_address(name: &str) -> bool {
+    match name.as_bytes() {
+        [letter] => b"DFGHMPRST".contains(letter),
+        [b'R' | b'X' | b'Y' | b'Z', digits @ ..] => digits.iter().all(u8::is_ascii_digit),
+        _ => false,
+    }
+}
 
 impl Run<'_> {
     pub(super) fn def_block(
@@ -42,9 +54,9 @@ impl Run<'_> {
         let length = match length {
             Some(formula) => {
                 let n = self.number(formula, block, text)?;
-                match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= MOST_TEXT) {
+                match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= LONGEST_TEXT) {
                     Some(n) => n,
-                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 400 characters"),
+                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 200 characters"),
                 }
             }
             None if kind == TypeName::String => 32,
@@ -82,8 +94,11 @@ impl Run<'_> {
         }
         let taken = match self.meaning(name) {
             Meaning::Axis(axis) if self.st.geometry_axes.contains(&axis) => Some("a geometry axis"),
-            Meaning::Code(_) => Some("a word of the language"),
-            _ => None,
+            Meaning::Axis(_) => None,
+            Meaning::Unknown if is_address(&word) => Some("an address"),
+            Meaning::Unknown if functions::NAMES.contains(&word.as_str()) => Some("a function"),
+            Meaning::Unknown => None,
+            _ => Some("a word of the language"),
         };
         if let Some(what) = taken {
             let message = format!("`{word}` is {what} and cannot be a variable");

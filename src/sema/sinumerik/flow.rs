@@ -67,17 +67,16 @@ impl Run<'_> {
         match block.stmt {
             Stmt::If(condition) => {
                 if !self.decides(condition, block, text)? {
-                    let next = own.middle.map_or(own.close.after, |middle| middle.after);
-                    return self.go_to(next);
+                    return self.go_behind(own.middle.unwrap_or(own.close));
                 }
                 Ok(())
             }
-            Stmt::Else => self.go_to(own.close.after),
+            Stmt::Else => self.go_behind(own.close),
             Stmt::While(condition) => {
                 if self.decides(condition, block, text)? {
                     Ok(())
                 } else {
-                    self.go_to(own.close.after)
+                    self.go_behind(own.close)
                 }
             }
             Stmt::EndWhile => self.go_to(own.open.place),
@@ -96,6 +95,22 @@ impl Run<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Goes on behind a line of a structure, which is not executed but has to be right.
+    fn go_behind(&mut self, line: Mark) -> Outcome {
+        let wrong = self.skeleton()?.wrong_line(line.place.at).cloned();
+        if let Some((number, lines, problem)) = wrong {
+            let file = self.here.file;
+            let here = crate::sema::here::Here::new(file, line.place.at, number, lines, self.here.origin.call);
+            let found = here.diagnostic(&self.job, problem);
+            if !self.job.diags.knows(&found) {
+                self.job.diags.push(found);
+            }
+            self.stop_run();
+            return Err(Reported);
+        }
+        self.go_to(line.after)
     }
 
     /// A condition on which the way of the program depends: without it the run cannot go on.
@@ -120,7 +135,7 @@ impl Run<'_> {
         let result = self.count(counts, variable, from, to, block, text);
         match result {
             Ok(true) => Ok(()),
-            Ok(false) => self.go_to(own.close.after),
+            Ok(false) => self.go_behind(own.close),
             Err(reported) => {
                 self.stop_run();
                 Err(reported)
@@ -375,11 +390,12 @@ impl Run<'_> {
     }
 
     pub(super) fn check_passes(&mut self, value: f64, span: Span) -> Outcome<u32> {
-        match whole(value).filter(|n| (1..=MOST_PASSES).contains(n)) {
+        let fits = |n: &i32| (1..=MOST_PASSES).contains(n) && (f64::from(*n) - value).abs() < 1e-6;
+        match whole(value).filter(fits) {
             Some(n) => Ok(n as u32),
             None => {
                 let message = format!("P={value} is no number of passes");
-                self.fail_help(codes::S2019, 14013, span, message, "P is 1 to 9999")
+                self.fail_help(codes::S2019, 14013, span, message, "P is a whole number, 1 to 9999")
             }
         }
     }

@@ -24,6 +24,14 @@ use NoResult::{Count, Domain, Type, Unknown};
 
 type Made = Result<Val, NoResult>;
 
+/// Names that no variable can have.
+pub(super) const NAMES: &[&str] = &[
+    "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN2", "SQRT", "POT", "ABS", "LN", "EXP", "TRUNC", "ROUND", "ROUNDUP",
+    "MINVAL", "MAXVAL", "BOUND", "ITOR", "BTOR", "RTOI", "BTOI", "RTOB", "ITOB", "AXNAME", "AXSTRING", "SPI", "ISAXIS",
+    "STRLEN", "TOUPPER", "TOLOWER", "INDEX", "RINDEX", "MINDEX", "MATCH", "SUBSTR", "ISNUMBER", "NUMBER", "SPRINT",
+    "CTRANS", "CFINE", "CROT", "CSCALE", "CMIRROR", "CRPL", "INVFRAME", "ISVAR", "ISFILE", "MODAXVAL", "SET", "REP",
+];
+
 /// Computes a function of plain values. Frame functions and those that need the program are elsewhere.
 pub(super) fn call(name: &str, args: &[Val]) -> Made {
     match name {

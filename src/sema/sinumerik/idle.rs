@@ -20,7 +20,7 @@ use crate::text::{FileError, Loc, Next, Request, Span};
 
 use super::calls::EXTENSIONS;
 use super::cycles::is_built;
-use super::programs::{Programs, Skeleton, bare_name};
+use super::programs::{Programs, Skeleton, bare_name, without_extension};
 use super::vocabulary::{self, Code, GCodes, Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
@@ -240,7 +240,7 @@ impl<'a> Idle<'a> {
         let is_here = match self.looked_for.get(&symbol) {
             Some(known) => *known,
             None => {
-                let is_here = self.programs.find_in_file(0, &bare).is_some() || self.opens(&bare);
+                let is_here = self.programs.find_in_file(0, without_extension(&bare)).is_some() || self.opens(&bare);
                 self.looked_for.insert(symbol, is_here);
                 is_here
             }
@@ -350,7 +350,7 @@ impl<'a> Idle<'a> {
 fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnostic> {
     let once = |word: &Word| match word.target {
         Target::Letter(
-            letter @ (b'X' | b'Y' | b'Z' | b'A'..=b'C' | b'U'..=b'W' | b'I'..=b'K' | b'F' | b'T' | b'D'),
+            letter @ (b'X' | b'Y' | b'Z' | b'A'..=b'C' | b'U'..=b'W' | b'I'..=b'K' | b'F' | b'T' | b'D' | b'L' | b'P'),
         ) => {
             let variable = std::str::from_utf8(&[letter]).ok().and_then(|name| idle.symbols.find(name));
             !variable.is_some_and(|name| idle.variables.contains(&name))

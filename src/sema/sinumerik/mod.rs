@@ -157,6 +157,8 @@ struct Run<'a> {
     lead: Option<(Axis, f64)>,
     axis_feed: BTreeMap<Axis, f64>,
     compensation_starts: bool,
+    /// G41 or G42 of the block, until its D is known.
+    cutter_open: Option<Span>,
     /// A corner that waits for its second line, and the blocks since.
     corner_open: Option<(Loc, u32)>,
     /// G96 waits for its S.
@@ -219,6 +221,7 @@ impl<'a> Run<'a> {
             lead: None,
             axis_feed: BTreeMap::new(),
             compensation_starts: false,
+            cutter_open: None,
             corner_open: None,
             cut_speed_open: None,
             depth: 0,

@@ -47,8 +47,11 @@ impl Run<'_> {
                 if code != Code::DIAMOF && self.job.settings.machine.diameter_axis.is_none() {
                     return self.no_diameter_axis(span);
                 }
-                self.st.groups[29] = code.index;
-                self.st.diameter = None;
+                // DIAMCYCOF counts inside of cycles only.
+                if code != Code::DIAMCYCOF {
+                    self.st.groups[29] = code.index;
+                    self.st.diameter = None;
+                }
             }
             10 | 12 | 21 | 24 | 30 | 34 | 39 | 57 | 59 => {
                 self.st.groups[code.group as usize] = code.index;

@@ -79,7 +79,9 @@ impl Run<'_> {
 
     /// The words of a block that holds no call.
     pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if !w.codes.is_empty() {
+        let triggers =
+            self.modal_cycle.is_some() && (w.code_of(1).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
+        if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() {
             self.check_codes(w)?;
             if let Some((code, span)) = w.code_of(2) {
                 self.modal_codes(w)?;
@@ -122,8 +124,20 @@ impl Run<'_> {
         self.late_functions(w)?;
         if moved && !self.ended.get() {
             self.call_modal()?;
+        } else if triggers && !moved {
+            self.warn_of_trigger(block.span);
         }
         Ok(())
+    }
+
+    /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
+    fn warn_of_trigger(&self, span: Span) {
+        if self.job.diags.first_time(codes::S8033) {
+            let message =
+                "under MCALL of a drilling cycle this block moves no axis; it is read as one that drills nothing";
+            let found = Diagnostic::new(codes::S8033, self.loc(span), message);
+            self.report(found.help("put it in front of MCALL: some controls drill behind it once more"));
+        }
     }
 
     pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {

@@ -39,7 +39,17 @@ impl Run<'_> {
                     }
                 }
                 Meaning::Address(Address::Dynamics) => {
-                    self.eval(formula, block, text)?;
+                    let value = self.eval(formula, block, text)?;
+                    if self.symbols.name(name) == "OVR" && value.number() != Some(100.0) {
+                        let message = "OVR= changes every feed by a factor";
+                        return self.fail_help(
+                            codes::S9009,
+                            0,
+                            word.span,
+                            message,
+                            "program the feed itself, and OVR=100",
+                        );
+                    }
                     words.dynamics.get_or_insert(word.span);
                 }
                 Meaning::Address(address) => {
@@ -71,6 +81,15 @@ impl Run<'_> {
         match (meaning, args) {
             (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
             (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {
+                let own = self.symbols.name(name);
+                if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
+                    let (what, help) = if own == "SAVE" {
+                        ("SAVE is an attribute of PROC", "write it behind the name in the PROC block")
+                    } else {
+                        ("STOPRE takes no argument", "write STOPRE alone")
+                    };
+                    return self.fail_help(codes::S1001, 12080, word.span, what, help);
+                }
                 // It ends the look-ahead.
                 if self.pending.is_some() && self.symbols.name(name) == "STOPRE" {
                     self.pending_must_be_done(word.span)?;

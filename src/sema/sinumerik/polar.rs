@@ -54,7 +54,7 @@ impl Run<'_> {
                 return self.mixed(span);
             }
             let (Some(ap), Some(rp)) = (ap, rp) else {
-                return self.fail_help(codes::S2054, 0, span, "a polar pole needs AP= and RP=", "give both");
+                return self.fail_help(codes::S2012, 12110, span, "a polar pole needs AP= and RP=", "give both");
             };
             self.check_angle(ap, 14260)?;
             self.check_radius(rp, 14250)?;

@@ -18,7 +18,7 @@ impl Run<'_> {
     pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
         let passes = w.passes.take();
         if let Some((name, span)) = w.l.take() {
-            if w.call.is_some() || self.has_other_words(w) {
+            if block.words.len() > 1 + usize::from(passes.is_some()) {
                 return self.call_not_alone(span);
             }
             return self.call_program(&name, span, None, passes, block, text);

@@ -7,9 +7,10 @@ use std::rc::Rc;
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
+use crate::parser::problem::Problem;
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::Search;
-use crate::parser::sinumerik::scan::{Word, scan};
+use crate::parser::sinumerik::scan::{Word, scan, skipped_line};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
 use crate::sema::exec::{Cache, open_cursor};
@@ -178,7 +179,13 @@ impl Programs {
                 break;
             }
             let mark = match entry.cursor.next(job.sources)? {
-                Next::Block(block) => scan(block.text, symbols),
+                Next::Block(block) => {
+                    let mark = scan(block.text, symbols);
+                    if let Some(problem) = mark.structure.and_then(|word| skipped_line(block.text, word, symbols)) {
+                        made.wrong.insert(place.at, (place.line, block.lines, problem));
+                    }
+                    mark
+                }
                 Next::TooLong { .. } => continue,
                 Next::End => break,
             };
@@ -242,6 +249,8 @@ pub(super) struct Skeleton {
     structures: Vec<Structure>,
     /// Structure that a block belongs to, by the offset of the block.
     by_block: FxHashMap<u32, usize>,
+    /// Lines of structures that cannot be read, with their line, its number of lines, and why.
+    wrong: FxHashMap<u32, (u32, u32, Problem)>,
 }
 
 impl Skeleton {
@@ -302,6 +311,11 @@ impl Skeleton {
             None => found.help(format!("delete {} or write its opening", name(word))),
         };
         push_once(job, found);
+    }
+
+    /// What is wrong with the line of a structure.
+    pub fn wrong_line(&self, at: u32) -> Option<&(u32, u32, Problem)> {
+        if self.wrong.is_empty() { None } else { self.wrong.get(&at) }
     }
 
     pub fn structure_of(&self, at: u32) -> Option<Structure> {
@@ -417,6 +431,11 @@ pub(super) fn bare_name(name: &str) -> (String, UnitKind) {
         }
     }
     (name.to_owned(), UnitKind::Main)
+}
+
+/// `X.SPF` as a program of an archive is named: X.
+pub(super) fn without_extension(name: &str) -> &str {
+    name.strip_suffix(".SPF").or_else(|| name.strip_suffix(".MPF")).unwrap_or(name)
 }
 
 /// A name as it is called; `NAME_MPF` and `NAME_SPF` are NAME.

@@ -102,7 +102,8 @@ impl Run<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
-                let speed = self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut);
+                let turns = self.st.turns.or(self.st.speed);
+                let speed = turns.filter(|speed| *speed > 0.0 && !self.st.constant_cut);
                 match speed {
                     Some(speed) => s.value * 60.0 / speed,
                     None => {
@@ -186,7 +187,11 @@ impl Run<'_> {
                     }
                 }
                 w.s.clear();
-                self.note_once(codes::S8013, span, "working-area and spindle limits (G25, G26) are left out; G26 S only limits a constant cutting speed");
+                self.note_once(
+                    codes::S8013,
+                    span,
+                    "working-area limits and lowest speeds (G25, G26) are left out; G26 S limits the spindle speed",
+                );
             }
             Code::G58 | Code::G59 => self.axial_shift(code, span, w)?,
             _ => {
@@ -212,6 +217,9 @@ impl Run<'_> {
             );
         }
         let rpl = w.take(Address::Rpl);
+        if let Some(rpl) = rpl.filter(|_| !matches!(code, Code::ROT | Code::AROT)) {
+            return self.does_not_fit(rpl.span);
+        }
         let bare = w.axes.is_empty() && rpl.is_none();
         let frame = match code {
             Code::TRANS | Code::ATRANS => {

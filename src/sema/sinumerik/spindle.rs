@@ -8,7 +8,8 @@ use crate::ir::function::Spindle;
 use crate::text::Span;
 
 use super::state::{MAIN_SPINDLE, SpindleState};
-use super::words::{Given, SWord, Words};
+use super::vocabulary::Address;
+use super::words::{Given, Mode, SWord, Words};
 use super::{Outcome, Run};
 
 /// Highest spindle number that is a spindle.
@@ -79,8 +80,11 @@ impl Run<'_> {
         match s.spindle {
             Some(n) if n != self.st.master => {
                 self.spindle_number(n, s.span)?;
-                self.st.spindles.entry(n).or_default().speed = Some(s.value);
-                self.send_spindle(n, Spindle::Speed(s.value));
+                let spindle = self.st.spindles.entry(n).or_default();
+                spindle.speed = Some(s.value);
+                let highest = spindle.highest;
+                let limited = self.limited(s.value, highest, s.span);
+                self.send_spindle(n, Spindle::Speed(limited));
             }
             _ if constant => {
                 self.master_is_main(s.span, "the cutting speed of G96")?;
@@ -92,9 +96,86 @@ impl Run<'_> {
             _ => {
                 self.st.speed = Some(s.value);
                 self.st.constant_cut = false;
-                self.send_spindle(self.st.master, Spindle::Speed(s.value));
+                let limited = self.limited(s.value, self.limit_of_turns(), s.span);
+                self.st.turns = Some(limited);
+                self.send_spindle(self.st.master, Spindle::Speed(limited));
             }
         }
+        Ok(())
+    }
+
+    /// The limit of a programmed speed: G26, and LIMS under G97.
+    fn limit_of_turns(&self) -> Option<f64> {
+        let lims = self.st.speed_limit.filter(|_| matches!(self.st.groups[15], 5 | 8));
+        [lims, self.st.highest_speed].into_iter().flatten().reduce(f64::min)
+    }
+
+    /// A speed as the spindle turns it.
+    fn limited(&self, speed: f64, limit: Option<f64>, span: Span) -> f64 {
+        match limit {
+            Some(limit) if limit < speed => {
+                let message = format!("the speed {speed} is above the limit {limit}, at which the spindle turns");
+                let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
+                let found = found.help("program a speed within the limit of LIMS= and G26");
+                if !self.job.diags.knows(&found) {
+                    self.report(found);
+                }
+                limit
+            }
+            _ => speed,
+        }
+    }
+
+    fn limit_changed(&mut self, span: Span) {
+        if self.st.constant_cut {
+            return self.send_cutting_speed();
+        }
+        let Some(speed) = self.st.speed else { return };
+        let limited = self.limited(speed, self.limit_of_turns(), span);
+        if self.st.turns.is_some_and(|turns| turns != limited) {
+            self.st.turns = Some(limited);
+            self.send_spindle(self.st.master, Spindle::Speed(limited));
+        }
+    }
+
+    /// SPOS and SPOSA: the spindle stops at an angle.
+    pub(super) fn spindle_position(&mut self, w: &mut Words) -> Outcome {
+        let (spos, sposa) = (w.take(Address::Spos), w.take(Address::Sposa));
+        let Some(given) = spos.or(sposa) else { return Ok(()) };
+        if let (Some(_), Some(second)) = (spos, sposa) {
+            return self.fail(codes::S2007, 12000, second.span, "SPOS= and SPOSA= stand in one block");
+        }
+        let master = self.st.master;
+        if let Some(m) = w.m.iter().find(|m| m.number == 19 && m.spindle.is_none_or(|n| n == master)) {
+            let help = "leave M19 out: SPOS= says where the spindle stops";
+            return self.fail_help(codes::S2045, 0, m.span, "M19 and SPOS= stop the spindle in one block", help);
+        }
+        let from = match given.mode {
+            Mode::Plain | Mode::Ac | Mode::Dc => 0.0,
+            Mode::Acp | Mode::Acn => {
+                let message = "the sense in which SPOS=ACP(…) and ACN(…) turn the spindle is not printed";
+                self.note_once(codes::S8031, given.span, message);
+                0.0
+            }
+            Mode::Ic => match self.st.spindle_angle {
+                Some(angle) => angle,
+                None => {
+                    return self.fail_help(
+                        codes::S2045,
+                        0,
+                        given.span,
+                        "where the spindle stands, from which SPOS=IC(…) counts, is not known",
+                        "stop it by SPOS= at an angle first",
+                    );
+                }
+            },
+            _ => return self.does_not_fit(given.span),
+        };
+        let angle = from + given.value;
+        let angle = angle - 360.0 * libm::floor(angle / 360.0);
+        self.st.spindle_angle = Some(angle);
+        self.st.turn = None;
+        self.send_spindle(master, Spindle::Orient(angle));
         Ok(())
     }
 
@@ -110,8 +191,8 @@ impl Run<'_> {
     pub(super) fn speed_limit(&mut self, lims: Given, speed_follows: bool) -> Outcome {
         self.check_limit(lims)?;
         self.st.speed_limit = Some(lims.value);
-        if self.st.constant_cut && !speed_follows {
-            self.send_cutting_speed();
+        if !speed_follows {
+            self.limit_changed(lims.span);
         }
         Ok(())
     }
@@ -136,9 +217,7 @@ impl Run<'_> {
             Some(n) if n != self.st.master => self.st.spindles.entry(n).or_default().highest = Some(s.value),
             _ => {
                 self.st.highest_speed = Some(s.value);
-                if self.st.constant_cut {
-                    self.send_cutting_speed();
-                }
+                self.limit_changed(s.span);
             }
         }
     }
@@ -171,6 +250,7 @@ impl Run<'_> {
         let new = st.spindles.remove(&n).unwrap_or_default();
         (st.speed, st.turn, st.speed_limit, st.highest_speed) = (new.speed, new.turn, new.limit, new.highest);
         st.master = n;
+        (st.spindle_angle, st.turns) = (None, None);
         self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));
         Ok(())
     }

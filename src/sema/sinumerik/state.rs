@@ -49,6 +49,8 @@ pub(super) struct State {
     pub rndm: f64,
     pub frcm: Option<Feed>,
     pub speed: Option<f64>,
+    /// Speed that was printed, within its limits.
+    pub turns: Option<f64>,
     /// LIMS of the master spindle.
     pub speed_limit: Option<f64>,
     /// G26 S of the master spindle.
@@ -56,6 +58,8 @@ pub(super) struct State {
     pub constant_cut: bool,
     /// Sense of rotation of the master spindle, while it turns.
     pub turn: Option<crate::ir::function::Turn>,
+    /// Where the master spindle was stopped by SPOS, degrees.
+    pub spindle_angle: Option<f64>,
     /// Master spindle.
     pub master: u8,
     /// What the spindles that are not the master were told.
@@ -98,6 +102,9 @@ pub(super) struct Tool {
     pub next: Option<u32>,
     /// Edge (D number).
     pub edge: Option<u32>,
+    /// D that was programmed between T and M6, and the doubt behind M6 whether it counts (MD 20270).
+    pub edge_before_change: Option<u32>,
+    pub edge_in_doubt: bool,
     pub lost: bool,
 }
 
@@ -142,10 +149,12 @@ impl State {
             rndm: 0.0,
             frcm: None,
             speed: None,
+            turns: None,
             speed_limit: None,
             highest_speed: None,
             constant_cut: false,
             turn: None,
+            spindle_angle: None,
             master: MAIN_SPINDLE,
             spindles: BTreeMap::new(),
             programmable: FrameValue::default(),

@@ -9,7 +9,8 @@ use crate::machine::Axis;
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
-use super::frames::FrameValue;
+use super::frames::{Component, FrameValue};
+use super::programs::without_extension;
 use super::value::{Val, whole};
 use super::{Outcome, Reported, Run};
 
@@ -22,7 +23,11 @@ impl Run<'_> {
         }
         let key = system_key(&word, args);
         if let Some(value) = self.system.get(&key) {
-            return Ok(value.clone());
+            let unit = self.tool_data_unit(&word);
+            return Ok(match value.number() {
+                Some(number) if unit != 1.0 => Val::Real(number / unit),
+                _ => value.clone(),
+            });
         }
         if let Some(value) = self.job.settings.variables.get(&key) {
             return Ok(Val::Real(*value));
@@ -56,12 +61,12 @@ impl Run<'_> {
             "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge.unwrap_or(1)).unwrap_or(1)),
             "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.system.contains_key(&system_key(word, args)) => {
                 match self.table_value(word, args) {
-                    Some(value) => Val::Real(value / self.st.length_unit()),
+                    Some(value) => Val::Real(value / self.st.feed_unit()),
                     None => return Ok(None),
                 }
             }
             "$P_TOOLR" => match self.active_tool().and_then(|tool| tool.radius) {
-                Some(radius) => Val::Real(radius / self.st.length_unit()),
+                Some(radius) => Val::Real(radius / self.st.feed_unit()),
                 None => return Ok(None),
             },
             "$P_GG" => {
@@ -186,7 +191,7 @@ impl Run<'_> {
             return Ok(value);
         }
         let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::state::Diameter::Off;
-        Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.length_unit())
+        Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
     }
 
     /// Writes `$NAME[args]`.
@@ -233,6 +238,12 @@ impl Run<'_> {
                 || word.starts_with("$P_AD")
                 || word.starts_with("$SN_") =>
             {
+                let unit = self.tool_data_unit(&word);
+                let value = match value.number() {
+                    Some(number) if unit != 1.0 => Val::Real(number * unit),
+                    _ => value,
+                };
+                self.note_tool_data(&word, span);
                 self.system.insert(system_key(&word, args), value);
                 Ok(())
             }
@@ -259,6 +270,36 @@ impl Run<'_> {
                 format!("`{word}` cannot be set by a compiled program"),
                 "it changes the machine or the control; set it there",
             ),
+        }
+    }
+
+    /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
+    fn tool_data_unit(&self, word: &str) -> f64 {
+        match word {
+            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14" | "$TC_DP15" => {
+                self.st.feed_unit()
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// Tool data besides the radius stay in the program.
+    fn note_tool_data(&self, word: &str, span: Span) {
+        if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {
+            return;
+        }
+        let message = format!("`{word}` is not printed: the target has tool data of its own");
+        let found = crate::diag::Diagnostic::new(codes::S8010, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found);
+        }
+    }
+
+    /// Millimetres in the unit of a component of a frame.
+    pub(super) fn component_unit(&self, axis: Axis, component: Component) -> f64 {
+        match component {
+            Component::Shift | Component::Fine if !axis.is_rotary() => self.st.feed_unit(),
+            _ => 1.0,
         }
     }
 
@@ -316,18 +357,34 @@ impl Run<'_> {
         };
         let wanted = String::from_utf8_lossy(text).into_owned();
         if name == "ISVAR" {
+            if wanted.trim_start().starts_with('$') {
+                let message = format!("whether the control has `{wanted}` is known on the machine only");
+                return Some(self.fail(codes::S2028, 0, span, message));
+            }
             return Some(Ok(Val::Bool(self.is_variable(&wanted))));
+        }
+        let file = self.programs.units[self.unit()].file;
+        if let Err(error) = self.programs.list(&self.job, 0).and_then(|()| self.programs.list(&self.job, file)) {
+            return Some(self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}")));
         }
         let identity = self.job.sources.identity(self.job.main);
         let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
         let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
-        let here = self.programs.find_in_file(0, &bare).is_some();
+        let in_archive = without_extension(&bare);
+        let here = [0, file].into_iter().any(|file| self.programs.find_in_file(file, in_archive).is_some());
         Some(Ok(Val::Bool(here || self.job.files.open(&request).is_ok())))
     }
 
     /// A variable, or an element of one that exists.
     fn is_variable(&mut self, wanted: &str) -> bool {
         let (name, rest) = wanted.split_once('[').unwrap_or((wanted, ""));
+        let (letter, number) =
+            name.trim().split_at(usize::from(name.trim().is_char_boundary(1) && name.trim().len() > 1));
+        let number =
+            if number.is_empty() || letter.is_empty() { rest.strip_suffix(']').unwrap_or(rest) } else { number };
+        if name.trim().eq_ignore_ascii_case("R") || letter.eq_ignore_ascii_case("R") && rest.is_empty() {
+            return number.trim().parse::<u32>().is_ok_and(|n| n <= super::vars::MOST_R);
+        }
         let symbol = self.symbols.intern(name.trim().as_bytes());
         let Some(slot) = self.vars.find(symbol) else { return false };
         let Some(var) = self.vars.get(slot) else { return false };
@@ -350,7 +407,7 @@ impl Run<'_> {
                 );
             };
             let value = self.as_number(value, span)?;
-            let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
+            let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
             pairs.push((*axis, value * unit));
         }
         Ok(pairs)

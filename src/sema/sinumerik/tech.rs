@@ -40,15 +40,21 @@ impl Run<'_> {
             if let Some(h) = w.h {
                 return self.fail(codes::S2012, 14197, h, "D and H stand in one block");
             }
-            self.edge(d)?;
+            // The edge is that of the tool that M6 brings.
+            if w.m.iter().any(|m| m.number == 6) {
+                w.edge_of_new_tool = Some(d);
+            } else {
+                self.edge(d)?;
+            }
+        }
+        if let Some(span) = self.cutter_open.take_if(|_| w.edge_of_new_tool.is_none()) {
+            self.select_cutter_or_end(span)?;
         }
         if let Some(lims) = w.take(Address::Lims) {
             self.speed_limit(lims, !w.s.is_empty())?;
         }
         self.speeds(w)?;
-        if let Some(spos) = w.take(Address::Spos).or(w.take(Address::Sposa)) {
-            self.send_spindle(self.st.master, Spindle::Orient(spos.value));
-        }
+        self.spindle_position(w)?;
         for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr, Address::Offn] {
             if let Some(given) = w.take(address)
                 && given.value != 0.0
@@ -68,7 +74,11 @@ impl Run<'_> {
             return self.fail(codes::S9001, 0, given.span, "orientable tool carriers cannot be printed");
         }
         // They matter for compensated corners only.
-        w.take(Address::Disc);
+        if let Some(disc) = w.take(Address::Disc)
+            && self.st.side() != crate::ir::Side::None
+        {
+            self.note_once(codes::S8002, disc.span, "words that only shape speed and accuracy are left out");
+        }
         if let Some(span) = w.h {
             self.note_once(codes::S8005, span, "H functions are for the machine's own control and are left out");
         }
@@ -82,6 +92,9 @@ impl Run<'_> {
         // The tool is changed before the spindle starts.
         if w.m.iter().any(|m| m.number == 6) {
             self.change_tool()?;
+            if let Some(d) = w.edge_of_new_tool {
+                self.edge(d)?;
+            }
         }
         let turning = |m: &&MWord| matches!(m.number, 3..=5);
         let spindles: Vec<&MWord> = w.m.iter().filter(turning).collect();
@@ -118,6 +131,9 @@ impl Run<'_> {
             Spindle::Start(turn) => Some(turn),
             _ => None,
         };
+        if m.spindle.is_none_or(|n| n == self.st.master) {
+            self.st.spindle_angle = None;
+        }
         match m.spindle {
             Some(n) if n != self.st.master => {
                 self.spindle_number(n, m.span)?;

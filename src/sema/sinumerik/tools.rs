@@ -20,6 +20,7 @@ impl Run<'_> {
             None => return self.fail(codes::S2043, 17190, t.span, format!("T{} is no tool number", t.value)),
         };
         self.st.tool.next = Some(number);
+        self.st.tool.edge_before_change = None;
         self.st.tool.lost = false;
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.by_number(number, 0).is_none() {
@@ -73,6 +74,7 @@ impl Run<'_> {
         }
         self.st.tool.active = Some(number);
         self.st.tool.edge = Some(1);
+        self.st.tool.edge_in_doubt = self.st.tool.edge_before_change.take().is_some_and(|edge| edge != 1);
         self.function(Function::ToolChange { number });
         // A tool of another length.
         let [_, _, third] = self.st.roles();
@@ -97,7 +99,20 @@ impl Run<'_> {
                 self.st.forget(axis);
             }
         }
+        if self.st.side() != Side::None && !self.compensation_starts && self.st.tool.edge != Some(edge) {
+            return self.fail_help(
+                codes::S2080,
+                0,
+                d.span,
+                "the cutting edge changes while radius compensation is on",
+                "program G40 in a block in front of it",
+            );
+        }
         self.st.tool.edge = Some(edge);
+        self.st.tool.edge_in_doubt = false;
+        if self.st.tool.next.is_some() && self.st.tool.next != self.st.tool.active {
+            self.st.tool.edge_before_change = Some(edge);
+        }
         if edge > 1 {
             self.note_once(
                 codes::S8010,
@@ -113,7 +128,8 @@ impl Run<'_> {
         let mut tool = self.job.settings.tools.by_number(number, 0).cloned().unwrap_or_default();
         let edge = self.st.tool.edge.unwrap_or(1);
         let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
-        tool.radius = written.or(tool.radius);
+        let wear = self.system.get(&format!("$TC_DP15[{number},{edge}]")).and_then(super::value::Val::number);
+        tool.radius = written.or(tool.radius.filter(|_| edge == 1)).map(|radius| radius + wear.unwrap_or(0.0));
         Some(tool)
     }
 
@@ -133,7 +149,9 @@ impl Run<'_> {
                 let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
                 return self.fail_help(codes::S9010, 0, span, message, "have the CAM system put out the centre path");
             }
-            self.select_cutter(span)?;
+            self.cutter_open = Some(span);
+        } else {
+            self.cutter_open = None;
         }
         self.compensation_starts = code.index != self.st.groups[7];
         self.st.groups[7] = code.index;
@@ -150,10 +168,68 @@ impl Run<'_> {
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
             return self.fail_help(codes::S2080, 10750, span, "radius compensation without a tool", help);
         };
+        if self.st.tool.edge_in_doubt {
+            return self.fail_help(
+                codes::S2080,
+                0,
+                span,
+                "D was programmed between T and M6: which edge is in force behind M6 is machine datum 20270",
+                "program D behind M6",
+            );
+        }
         let edge = self.st.tool.edge.unwrap_or(1);
-        let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
-        self.function(Function::Cutter(CutterData { number, radius: written }));
+        let radius = self.cutter_radius(number, edge, span)?;
+        self.function(Function::Cutter(CutterData { number, radius }));
         Ok(())
+    }
+
+    /// The same for G41 and G42 themselves, which do not come into force without it.
+    pub(super) fn select_cutter_or_end(&mut self, span: Span) -> Outcome {
+        let result = self.select_cutter(span);
+        if result.is_err() {
+            self.st.groups[7] = Code::G40.index;
+            self.compensation_starts = false;
+        }
+        result
+    }
+
+    /// The radius that the program gives an edge, with its wear; `None` for that of the target's own table.
+    fn cutter_radius(&self, number: u32, edge: u32, span: Span) -> Outcome<Option<f64>> {
+        if edge == 0 {
+            let help = "select the edge in front of G41 or G42: D1";
+            return self.fail_help(codes::S2080, 0, span, "radius compensation under D0, which has no radius", help);
+        }
+        if self.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
+            let message = "the program changes the radius of the active tool by `$P_AD`";
+            return self.fail_help(
+                codes::S9010,
+                0,
+                span,
+                message,
+                "write `$TC_DP6` of the tool in front of its selection",
+            );
+        }
+        let written = |parameter: u8| {
+            let key = format!("$TC_DP{parameter}[{number},{edge}]");
+            self.system.get(&key).and_then(super::value::Val::number)
+        };
+        let listed = || {
+            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
+            tool.and_then(|tool| tool.radius)
+        };
+        match (written(6), written(15).filter(|wear| *wear != 0.0)) {
+            (radius, None) if radius.is_some() || edge == 1 => Ok(radius),
+            (radius, Some(wear)) if radius.or_else(listed).is_some() => {
+                Ok(radius.or_else(listed).map(|radius| radius + wear))
+            }
+            (_, wear) => {
+                let what =
+                    if wear.is_some() { "the program writes its wear only" } else { "the target knows that of D1" };
+                let message = format!("the radius of T{number} D{edge} is not known: {what}");
+                let help = format!("write it in front of G41 or G42: `$TC_DP6[{number},{edge}]=…`");
+                self.fail_help(codes::S9010, 0, span, message, &help)
+            }
+        }
     }
 
     /// Compensation starts and ends on a straight line.

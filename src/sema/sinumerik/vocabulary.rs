@@ -149,7 +149,7 @@ code_names! {
     SUPD = 9 4
     G70 = 13 1
     G91 = 14 2
-    DIAMOF = 29 1  DIAMON = 29 2
+    DIAMOF = 29 1  DIAMON = 29 2  DIAMCYCOF = 29 4
 }
 
 /// Addresses of more than one letter and those of one letter that are no axes. The value is a bit number.

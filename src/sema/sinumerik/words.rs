@@ -117,6 +117,8 @@ pub(super) struct Words {
     pub diameter: Option<(Indexed, Axis, Span)>,
     /// The program behind SETINT.
     pub interrupt: Option<Span>,
+    /// D in the block of M6.
+    pub edge_of_new_tool: Option<Given>,
     /// An assignment, and a word that is none.
     assigned: Option<Span>,
     other: Option<Span>,
@@ -143,6 +145,7 @@ impl Words {
             dynamics: None,
             diameter: None,
             interrupt: None,
+            edge_of_new_tool: None,
             assigned: None,
             other: None,
         }
@@ -165,6 +168,7 @@ impl Words {
         self.dynamics = None;
         self.diameter = None;
         self.interrupt = None;
+        self.edge_of_new_tool = None;
         self.assigned = None;
         self.other = None;
     }
@@ -303,6 +307,13 @@ impl Run<'_> {
                 words.h = Some(given.span);
                 Ok(())
             }
+            b'P' if words.passes.is_some() => self.fail_help(
+                codes::S2007,
+                12000,
+                given.span,
+                "P stands twice in the block",
+                "delete one of the words",
+            ),
             b'P' => {
                 words.passes = Some(given);
                 Ok(())
@@ -319,6 +330,10 @@ impl Run<'_> {
         let Value::Literal { digits, whole: true, value } = word.value else {
             return self.fail(codes::S1001, 12080, word.span, "a subprogram number is written in digits: L10");
         };
+        if words.l.is_some() {
+            let help = "give each call a block of its own";
+            return self.fail_help(codes::S2007, 12000, given.span, "L stands twice in the block", help);
+        }
         let width = usize::from(digits);
         words.l = Some((format!("L{value:0width$}"), given.span));
         Ok(())
