@@ -123,6 +123,14 @@ M2017 Error "mtc-rotary" "rotary axis position has no certain direction"
 "An absolute position of a rotary axis is approached the short way and lies within 360 degrees. Here the way is exactly half a turn, or the value is larger. \
 Program it incrementally, where the sign gives the direction. Source: NC Programming Instructions 17VRS, page 4-1."
 
+M2018 Error "mtc-incremental-offset" "incremental word right behind a changed offset"
+"One description of G50 counts an increment from where the tool stands, another from the last programmed position, to which the new offset is added: the two lie \
+one offset apart. Program the axis once under G90 behind the offset, then go on with G91."
+
+M2019 Error "mtc-thread-spindle" "thread is cut while the spindle does not turn"
+"G33 moves the tool by its lead with every turn of the spindle. No M3, M4, M13 or M14 stands before it, or M5 or M19 stopped the spindle. Start it in front of the \
+thread; an M function of the machine that is passed on counts as a start."
+
 M2101 Error "mtc-offset-in-machine" "G53 with a programmed offset"
 "G53 cancels the zero offsets. Whether that includes G50, G51 and G52 is not documented. Set the programmed offset to 0 before: `G50 X0 Y0 Z0`."
 

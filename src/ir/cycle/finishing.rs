@@ -37,6 +37,8 @@ pub struct Finishing {
     pub away: Vec2,
     /// Way along each axis between the contour and where the tool comes down to it and lifts off it, over 0.
     pub clearance: f64,
+    /// Lower and upper corner of the blank from which nothing was cut yet: the approach does not pass through it.
+    pub blank: Option<(Point2, Point2)>,
     pub feed: Feed,
     pub descending: Descending,
     pub arcs: ArcFeed,
@@ -181,6 +183,26 @@ impl Finishing {
         let (obstacles, _) = self.obstacles();
         let near = |least: f64, element: &Element| least.min(gap::between(&leg, element));
         obstacles.iter().fold(f64::INFINITY, near) - self.nose.radius
+    }
+
+    /// Does a straight way of the programmed point lead through the blank?
+    pub fn through_blank(&self, from: Point2, to: Point2) -> bool {
+        let Some((low, high)) = self.blank else { return false };
+        let (mut first, mut last) = (0.0_f64, 1.0_f64);
+        let way = to - from;
+        for (at, way, low, high) in [(from.x, way.x, low.x, high.x), (from.y, way.y, low.y, high.y)] {
+            let (low, high) = (low + SLACK, high - SLACK);
+            if way.abs() <= f64::EPSILON {
+                if at <= low || at >= high {
+                    return false;
+                }
+                continue;
+            }
+            let (a, b) = ((low - at) / way, (high - at) / way);
+            first = first.max(a.min(b));
+            last = last.min(a.max(b));
+        }
+        first < last
     }
 
     /// Does the nose stand on the free side of the finished contour?

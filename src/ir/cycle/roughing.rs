@@ -188,13 +188,28 @@ impl Roughing {
         }
     }
 
+    /// Height of the last lift on the infeed axis, where the last cut runs along a level floor.
+    fn last_lift(&self) -> Option<f64> {
+        let plain = self.smoothing == Smoothing::Never && self.operation == Operation::Rough && self.nose.radius == 0.0;
+        let [Element::Line { from, to }, Element::Line { from: foot, to: top }] = self.contour[..] else { return None };
+        let height = |p: Point2| self.into.depth_coordinate(p);
+        let out = -(self.into.unit().x + self.into.unit().y);
+        let along = |p: Point2| if self.into.is_radial() { p.x } else { p.y };
+        let square = height(from) == height(to) && along(foot) == along(top) && height(top) == self.blank;
+        let aside = if self.into.is_radial() { self.oversize.y } else { self.oversize.x };
+        (plain && square).then(|| height(from) + (aside + self.lift) * out)
+    }
+
     /// Changes `at` from where the cycle starts to where it ends.
     pub fn leaves(&self, at: &mut Pos) {
         if self.end == RoughingEnd::Beside {
             let (infeed, cutting) = self.into.axes();
             at.set(cutting, self.begin);
-            // It depends on the contour.
-            at.forget(infeed);
+            match self.last_lift() {
+                Some(height) => at.set(infeed, height),
+                // It depends on the contour.
+                None => at.forget(infeed),
+            }
         }
     }
 }

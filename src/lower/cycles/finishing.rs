@@ -134,11 +134,27 @@ impl Cutter<'_> {
                 "position the tool in front of the start of the contour",
             ));
         };
+        let Some(way) = ways.iter().find(|way| self.is_free(from, way) && !self.passes_blank(from, way)) else {
+            return Err(Failure::new(
+                codes::G3048,
+                format!(
+                    "the rapid approach to X{:.3} Z{:.3} leads through the blank, from which nothing was cut yet",
+                    2.0 * way.last().map_or(0.0, |to| to.y),
+                    way.last().map_or(0.0, |to| to.x)
+                ),
+                "rough the contour before it is finished, or correct the section BLANK to what is clamped",
+            ));
+        };
         for to in way {
             self.track.rapid(*to);
         }
         self.track.line(start, self.finishing.feed);
         Ok(())
+    }
+
+    fn passes_blank(&self, from: Point2, way: &[Point2]) -> bool {
+        let mut at = from;
+        way.iter().any(|to| self.finishing.through_blank(std::mem::replace(&mut at, *to), *to))
     }
 
     fn retract(&mut self, from: Point2) -> Result<(), Failure> {

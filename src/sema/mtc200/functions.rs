@@ -88,6 +88,8 @@ impl Run<'_> {
             self.report(Diagnostic::new(codes::M2704, self.loc(span), text).help("put it into a block of its own"));
         }
         self.function(Function::Aux(number));
+        // It may be the one that starts a spindle of this machine.
+        self.st.spindle_stands = false;
     }
 
     #[inline]
@@ -115,6 +117,11 @@ impl Run<'_> {
             // The end waits for the flow words of the block.
             _ => return self.end_of_program(number == 30, span),
         };
+        match number {
+            3 | 4 | 13 | 14 => self.st.spindle_stands = false,
+            5 | 19 => self.st.spindle_stands = true,
+            _ => {}
+        }
         self.function(function);
         if matches!(number, 13 | 14) {
             self.function(Function::Coolant(Coolant::Flood));

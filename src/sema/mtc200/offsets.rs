@@ -128,6 +128,11 @@ impl Run<'_> {
         };
         let at = self.st.ctx.frame.apply(&self.st.pos);
         self.st.pos = frame.unapply(&at);
+        for axis in Axis::ALL {
+            if shift[axis.index()] != self.st.shift[axis.index()] {
+                self.st.shifted.insert(axis);
+            }
+        }
         self.st.shift = shift;
         self.st.ctx = Rc::new(Ctx { plane: self.st.plane, frame });
         self.st.cornerable = false;

@@ -82,6 +82,7 @@ impl Run<'_> {
         for (axis, value) in w.axes.iter() {
             let length = self.length(axis, value, w.axes_span)?;
             let to = if self.st.incremental {
+                self.refuse_shifted(axis, w.axes_span)?;
                 self.position_of(axis, w.axes_span)? + length
             } else if axis.is_rotary() {
                 self.rotary_target(axis, length, w.axes_span)?
@@ -91,6 +92,21 @@ impl Run<'_> {
             end.set(axis, to);
         }
         Ok(end)
+    }
+
+    /// An increment right behind a changed offset: from the tool, or from the last programmed position?
+    #[inline]
+    fn refuse_shifted(&mut self, axis: Axis, span: Span) -> Outcome {
+        if !self.st.shifted.contains(axis) {
+            return Ok(());
+        }
+        let letter = axis.letter();
+        self.fail_help(
+            codes::M2018,
+            span,
+            format!("{letter} is incremental, and its zero offset changed since {letter} was programmed last"),
+            &format!("program {letter} once under G90 behind the offset, then go on with G91"),
+        )
     }
 
     /// Where an axis stands.
@@ -182,6 +198,7 @@ impl Run<'_> {
         self.st.pos.update(end);
         self.st.lost = self.st.lost.without(end.known());
         self.st.moved = self.st.moved.union(end.known());
+        self.st.shifted = self.st.shifted.without(end.known());
         self.st.corner = None;
     }
 
@@ -313,6 +330,10 @@ impl Run<'_> {
                 "a thread under G53 or path compensation",
                 "program G54 and G40 before",
             );
+        }
+        if self.st.spindle_stands {
+            let help = "program S and M3 or M4 before";
+            return self.fail_help(codes::M2019, span, "the spindle does not turn when G33 begins", help);
         }
         let mut leads = AxisSet::MAIN.iter().filter_map(|axis| Some((axis, w.centre[axis.index()]?)));
         let (Some((along, value)), None) = (leads.next(), leads.next()) else {

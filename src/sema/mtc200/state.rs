@@ -68,6 +68,10 @@ pub(super) struct State {
     pub offset: Offset,
     /// G50, G51 and G52 together, radius values.
     pub shift: [f64; AXES],
+    /// Axes whose `shift` changed since they moved.
+    pub shifted: AxisSet,
+    /// The spindle does not turn, as far as the program says.
+    pub spindle_stands: bool,
     /// A part of `shift` comes from G52.
     pub named: bool,
     /// G96.
@@ -108,6 +112,8 @@ impl State {
             chamfers: false,
             offset: Offset::Start,
             shift: [0.0; AXES],
+            shifted: AxisSet::EMPTY,
+            spindle_stands: true,
             named: false,
             constant_speed: false,
             cutting_speed: None,

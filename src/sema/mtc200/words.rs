@@ -119,6 +119,15 @@ impl Words {
     }
 }
 
+/// Does the E of this word stand right behind the number of a coordinate or a feed?
+fn is_exponent(span: Span, text: &[u8]) -> bool {
+    let before = text.get(..span.start as usize).unwrap_or_default();
+    let number = before.iter().rev().take_while(|b| b.is_ascii_digit() || **b == b'.').count();
+    let rest = before.get(..before.len() - number).unwrap_or_default();
+    let letter = rest.iter().rev().find(|b| !matches!(**b, b' ' | b'\t' | b'+' | b'-'));
+    number > 0 && letter.is_some_and(|b| b"XYZUVWABCIJKRF".contains(&b.to_ascii_uppercase()))
+}
+
 impl Run<'_> {
     /// Evaluates the words of a block.
     pub(super) fn gather(&mut self, block: &Block, text: &[u8]) -> Outcome<Box<Words>> {
@@ -159,6 +168,11 @@ impl Run<'_> {
             b'R' => &mut w.radius,
             b'T' => &mut w.tool,
             b'P' => &mut w.program,
+            b'E' if is_exponent(word.span, text) => {
+                let help = "write the number in full: 1000 for 1E3; put a blank in front of E if the word E is meant";
+                let message = "E behind a number looks like an exponent, which the control does not know";
+                return self.fail_help(codes::M9002, word.span, message, help);
+            }
             b'D' | b'E' => {
                 self.whole(at, if letter == b'D' { "D" } else { "E" })?;
                 self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);

@@ -5,6 +5,7 @@ use crate::ir::cycle::Cycle;
 
 use super::contour::{Edge, MOST_EDGES, Outline, Section};
 use super::geometry::Described;
+use super::sections::Family;
 use super::words::{Num, Words};
 use super::{Outcome, Reported, Run};
 
@@ -21,6 +22,12 @@ impl Run<'_> {
             810 | 817..=819 | 820 | 827..=829 => self.contour_roughing(w, outline, number),
             85 => self.undercut_cycle(w),
             890 => self.finishing(w, outline),
+            869 if self.sections.family() == Family::Basic => self.fail_help(
+                codes::T2017,
+                self.block_span(),
+                "the MANUALplus 4110 has no G869, and a program without sections is one of that control",
+                "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml if it is for a later control",
+            ),
             869 => self.recess_turning(w, outline),
             _ => {
                 self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
@@ -35,6 +42,7 @@ impl Run<'_> {
         self.st.pos = cycle.leaves(&self.st.pos);
         self.st.last = None;
         self.st.moved = true;
+        self.cycle_cuts(cycle);
     }
 
     /// The contour of a cycle: the blocks behind it, or those of a geometry section that NS and NE name.
@@ -122,6 +130,19 @@ impl Run<'_> {
         if self.geometry.contours.iter().any(|described| described.broken) {
             return Err(Reported);
         }
+        self.no_element(first, missing)
+    }
+
+    #[cold]
+    fn no_element<T>(&self, first: Num, missing: u32) -> Outcome<T> {
+        if self.geometry.starts.contains(&missing) {
+            return self.fail_help(
+                codes::T2019,
+                first.span,
+                format!("N{missing} is the start point of a contour (G0), not an element of it"),
+                "name the first element that is cut: the G1, G2 or G3 block behind the start point",
+            );
+        }
         self.fail_help(
             codes::T2019,
             first.span,
@@ -161,6 +182,11 @@ impl Run<'_> {
         };
         let missing = |number| format!("no element of the contour `{name}` has the block number {number}");
         section.or_else(|number| {
+            if self.geometry.starts.contains(&number)
+                && let Some(first) = w.long("NS")
+            {
+                return self.no_element(first, number);
+            }
             self.fail_help(codes::T2019, span, missing(number), "NS and NE name blocks of the contour that ID names")
         })
     }

@@ -65,6 +65,7 @@ impl Run<'_> {
             shift,
             away: stance.away,
             clearance: self.cycle_clearance(),
+            blank: self.uncut_bar(),
             feed,
             descending,
             arcs,

@@ -3,6 +3,7 @@
 //! Source: reference section 6.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
@@ -53,6 +54,8 @@ impl Described {
 pub(super) struct Geometry {
     pub blank: Option<Blank>,
     pub contours: Vec<Described>,
+    /// Block numbers of the start points of contours, which name no element.
+    pub starts: BTreeSet<u32>,
     open: bool,
 }
 
@@ -181,7 +184,10 @@ impl Run<'_> {
     pub(super) fn contour_element(&mut self, w: &Words, block: &Block, fun: Fun, builder: &mut Builder) -> Outcome {
         let mark = Mark { number: block.number, loc: self.here.origin.loc, transition: Transition::Open };
         match fun.number {
-            0 => self.contour_start(w, builder),
+            0 => {
+                self.geometry.starts.extend(block.number);
+                self.contour_start(w, builder)
+            }
             1 => self.element(w, None, mark, builder),
             2 => self.element(w, Some((false, false)), mark, builder),
             3 => self.element(w, Some((true, false)), mark, builder),

@@ -27,6 +27,7 @@ mod shifts;
 mod simple_recess;
 mod simple_thread;
 mod state;
+mod stock;
 mod subprograms;
 mod threads;
 mod undercut_cycle;

@@ -91,12 +91,25 @@ impl Run<'_> {
 
     /// G96 and G97.
     pub(super) fn speed_mode(&mut self, mode: SpeedMode, w: &Words) -> Outcome {
-        if self.st.speed_mode != Some(mode) {
+        let changes = self.st.speed_mode != Some(mode);
+        if changes {
             self.st.speed = None;
         }
         self.st.speed_mode = Some(mode);
         match w.get(b'S') {
             Some(num) => self.speed_word(num),
+            None if changes => {
+                let (name, form) = match mode {
+                    SpeedMode::Cutting => ("G96", "`G96 S180`"),
+                    SpeedMode::Revolutions => ("G97", "`G97 S800`"),
+                };
+                self.fail_help(
+                    codes::T1005,
+                    self.block_span(),
+                    format!("{name} changes what S means, and has no S"),
+                    format!("program the speed in the same block: {form}"),
+                )
+            }
             None => Ok(()),
         }
     }

@@ -52,6 +52,9 @@ impl Run<'_> {
         self.st.moved = true;
         let to = self.st.at();
         self.st.lost &= to.is_none();
+        if let (false, Some(to)) = (rapid, to) {
+            self.cuts(to);
+        }
         match (from, to) {
             (Some(from), Some(to)) => self.follow(Solved { from, to, arc: None }, transition),
             _ => self.st.last = None,
@@ -188,6 +191,9 @@ impl Run<'_> {
         };
         let mv = Move { end: EndPoint::Cartesian(end), path, feed: tag.feed, side: tag.side, coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &tag.origin);
+        if tag.feed.is_some() {
+            self.cuts(solved.to);
+        }
         self.st.stands(solved.to);
         self.st.lost = false;
         self.st.moved = true;
@@ -239,6 +245,7 @@ impl Run<'_> {
         }
         let from = self.stand()?;
         let span = self.block_span();
+        self.spindle_turns(33)?;
         let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
         let lead = self.above_zero(pitch, "the pitch of the thread")?;
         let (x, z) = (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z));

@@ -3,7 +3,7 @@
 //! Source: reference section 8.8, worked example 6.
 
 use crate::diag::codes;
-use crate::geo::Element;
+use crate::geo::{Element, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTool, RecessTurning};
@@ -29,6 +29,7 @@ impl Run<'_> {
         let (tool, radial) = self.recess_tool()?;
         let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
         let into = direction(&contour, radial);
+        self.above_rim(&contour, at, into)?;
         let clearance = self.cycle_clearance();
         let turn = self.cutting_feed()?;
         let recess = RecessTurning {
@@ -57,6 +58,32 @@ impl Run<'_> {
         self.send_cycle(&Cycle::RecessTurning(recess));
         self.st.oversize = None;
         Ok(())
+    }
+
+    /// The tool comes from outside of the rims of the recess; below the higher one it stands between the two.
+    fn above_rim(&self, contour: &[Element], at: Point2, into: Towards) -> Outcome {
+        let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return Ok(()) };
+        let out = -(into.unit().x + into.unit().y);
+        let height = |p: Point2| into.depth_coordinate(p) * out;
+        let along = |p: Point2| if into.is_radial() { p.x } else { p.y };
+        let (a, b) = (first.from(), last.to());
+        let between = (along(at) - along(a)) * (along(at) - along(b)) < 0.0;
+        let rim = if between { height(a).min(height(b)) } else { height(a).max(height(b)) };
+        let tool = height(at);
+        if tool >= rim - 1e-6 {
+            return Ok(());
+        }
+        let (word, scale) = if into.is_radial() { ("X", 2.0 * out) } else { ("Z", out) };
+        self.fail_help(
+            codes::T2025,
+            self.block_span(),
+            format!(
+                "the tool stands at {word}{} inside of the material: the rim of the recess lies at {word}{}",
+                tool * scale,
+                rim * scale
+            ),
+            "position the tool outside of the material, beyond the rims of the recess, and begin its contour at a rim",
+        )
     }
 
     /// Words whose effect on the path no text at hand describes.

@@ -22,6 +22,14 @@ impl Run<'_> {
         let at = self.stand()?;
         let span = self.block_span();
         let corner = self.corner_of(w, at)?;
+        if along_z && corner.y.min(at.y) < 0.0 {
+            return self.fail_help(
+                codes::T1007,
+                w.span(b'X', span),
+                format!("the cuts of G81 would lie beyond the turning centre, down to X{}", 2.0 * corner.y.min(at.y)),
+                "program X0 or more; an inside contour is roughed from X0 or more outwards",
+            );
+        }
         let (infeed, offset) = if along_z { (b'I', b'K') } else { (b'K', b'I') };
         if let Some(num) = w.get(offset).filter(|num| num.value != 0.0) {
             return self.fail_help(
@@ -130,6 +138,7 @@ impl Run<'_> {
         let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
         let into = towards(&contour, at, along_z);
         self.check_side(&contour, at, into, number)?;
+        self.check_stock(&contour, at, into, number)?;
         self.note_bridged(&contour, at, into, number);
         let plunges = matches!(number, 819 | 829);
         let idle = w.get(b'E').is_some_and(|num| num.value == 0.0);

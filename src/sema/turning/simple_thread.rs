@@ -33,6 +33,7 @@ impl Run<'_> {
                 return self.fail_help(codes::T9007, num.span, message, "program G31, which has R, H and A");
             }
         }
+        self.spindle_turns(32)?;
         let end = self.corner_of(w, at)?;
         let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
         let lead = self.above_zero(pitch, "the pitch of the thread")?;
@@ -50,6 +51,9 @@ impl Run<'_> {
                 "position the tool outside of the thread, or program P without the sign",
             );
         }
+        let start = Point2::new(at.x, end.y);
+        let parts = vec![ThreadPart { end, lead }];
+        self.above_centre(start, &parts, into, depth)?;
         let most = self.needed(w, b'I', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
         let run_out = match w.get(b'K') {
@@ -57,8 +61,8 @@ impl Run<'_> {
             num => num.map_or(0.0, |num| num.value * self.st.mm()),
         };
         let thread = Thread {
-            start: Point2::new(at.x, end.y),
-            parts: vec![ThreadPart { end, lead }],
+            start,
+            parts,
             into,
             depth,
             infeed: match self.choice(w, b'B', 0, 1)? {

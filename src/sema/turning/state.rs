@@ -67,6 +67,8 @@ pub(super) struct State {
     pub shift: Shift,
     /// Something moved already.
     pub moved: bool,
+    /// Something was cut from the blank already.
+    pub cut: bool,
     pub ctx: CtxRef,
 }
 
@@ -121,6 +123,7 @@ impl State {
             oversize: None,
             shift: Shift::default(),
             moved: false,
+            cut: false,
             ctx: Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() }),
         }
     }

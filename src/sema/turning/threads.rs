@@ -26,6 +26,7 @@ impl Run<'_> {
     pub(super) fn thread_cycle(&mut self, w: &Words, outline: Option<&Outline>) -> Outcome {
         let at = self.stand()?;
         let span = self.block_span();
+        self.spindle_turns(31)?;
         let data = self.thread_data(w, outline)?;
         let lead = match (w.get(b'F'), data) {
             (None, Some(data)) => data.pitch,
@@ -58,6 +59,7 @@ impl Run<'_> {
                 (into, u.value.abs() * self.st.mm())
             }
         };
+        self.above_centre(start, &parts, into, depth)?;
         let forward = parts.first().is_some_and(|part| part.end.x < start.x);
         let thread = Thread {
             start,
@@ -78,6 +80,38 @@ impl Run<'_> {
         };
         self.send_cycle(&Cycle::Thread(thread));
         Ok(())
+    }
+
+    /// A thread is cut with a turning spindle.
+    pub(super) fn spindle_turns(&self, number: u16) -> Outcome {
+        if self.st.spindle.is_some() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::T1005,
+            self.block_span(),
+            format!("the spindle does not turn when G{number} begins, so the thread has no pitch"),
+            format!("program M3 or M4 before G{number}"),
+        )
+    }
+
+    /// The root of the thread lies on this side of the turning centre.
+    pub(super) fn above_centre(&self, start: Point2, parts: &[ThreadPart], into: Towards, depth: f64) -> Outcome {
+        let least = parts.iter().map(|part| part.end.y).fold(start.y, f64::min);
+        let root = if into == Towards::MinusX { least - depth } else { least };
+        if root > 0.0 {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::T1007,
+            self.block_span(),
+            format!(
+                "the thread at X{} with a depth of {depth} mm reaches the turning centre: its root lies at X{}",
+                2.0 * least,
+                2.0 * root
+            ),
+            "check the diameter and the depth, which counts as a radius",
+        )
     }
 
     /// What G34 or G37 says of the first element of the contour.
@@ -194,6 +228,14 @@ impl Run<'_> {
         let kind = self.choice(w, b'V', 0, 6)?;
         let din_plus = self.sections.family() == Family::DinPlus;
         if let Some(cuts) = w.long("IC") {
+            if let Some(num) = w.get(b'I') {
+                return self.fail_help(
+                    codes::T1006,
+                    num.span,
+                    "I gives the infeed and IC the number of cuts: only one of the two can hold",
+                    "leave one of the two out",
+                );
+            }
             return self.infeed_by_count(cuts, kind);
         }
         let most = match w.get(b'I') {

@@ -20,6 +20,7 @@ fn shaft() -> Finishing {
         shift: Vec2::zeros(),
         away: Vec2::new(1.0, 1.0),
         clearance: 1.0,
+        blank: None,
         feed: Feed::PerRevolution(0.2),
         descending: Descending::Cut { feed: Feed::PerRevolution(0.1) },
         arcs: ArcFeed::Same,

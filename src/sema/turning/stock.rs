@@ -1,0 +1,79 @@
+//! Where the tool stands, seen from the bar of the section BLANK.
+//!
+//! What a program cut before is not subtracted from the blank: a cycle that cuts from the tool on begins outside of all of it.
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2};
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::turning::Towards;
+
+use super::geometry::Blank;
+use super::{Outcome, Run};
+
+/// What arithmetic loses in a position, mm.
+const SLACK: f64 = 1e-6;
+
+impl Run<'_> {
+    /// Roughing begins at the tool: it stands outside of the bar along the infeed and along the cut.
+    pub(super) fn check_stock(&self, contour: &[Element], at: Point2, into: Towards, number: u16) -> Outcome {
+        let Some(Blank::Bar { radius, length, right, bore }) = self.geometry.blank else { return Ok(()) };
+        let along = |p: Point2| if into.is_radial() { p.x } else { p.y };
+        let ends = contour.iter().flat_map(|element| [along(element.from()), along(element.to())]);
+        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let cut = match (into.is_radial(), along(at) >= (low + high) / 2.0) {
+            (true, true) => Towards::MinusZ,
+            (true, false) => Towards::PlusZ,
+            (false, true) => Towards::MinusX,
+            (false, false) => Towards::PlusX,
+        };
+        for side in [into, cut] {
+            let (word, tool, limit, free) = match side {
+                Towards::MinusX => ("X", 2.0 * at.y, 2.0 * radius, at.y >= radius - SLACK),
+                Towards::PlusX => ("X", 2.0 * at.y, 2.0 * bore, at.y <= bore + SLACK),
+                Towards::MinusZ => ("Z", at.x, right, at.x >= right - SLACK),
+                Towards::PlusZ => ("Z", at.x, right - length, at.x <= right - length + SLACK),
+            };
+            if !free {
+                let beyond = if matches!(side, Towards::MinusX | Towards::MinusZ) { "or more" } else { "or less" };
+                return self.fail_help(
+                    codes::T2025,
+                    self.block_span(),
+                    format!(
+                        "G{number} begins at the tool, which stands at {word}{tool} inside of the blank: its surface lies at \
+                         {word}{limit}"
+                    ),
+                    format!(
+                        "position the tool at {word}{limit} {beyond} before the cycle; where that part of the blank was cut \
+                         off before, give in BLANK what is left"
+                    ),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// The bar as (Z, X) of its lower and upper corner, while nothing was cut from it.
+    pub(super) fn uncut_bar(&self) -> Option<(Point2, Point2)> {
+        match self.geometry.blank {
+            Some(Blank::Bar { radius, length, right, bore }) if !self.st.cut => {
+                // A solid bar reaches beyond the turning centre.
+                let inner = if bore > 0.0 { bore } else { -radius };
+                Some((Point2::new(right - length, inner), Point2::new(right, radius)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The tool cuts to `to`: does that take something off the bar?
+    #[inline]
+    pub(super) fn cuts(&mut self, to: Point2) {
+        if let Some((low, high)) = self.uncut_bar() {
+            self.st.cut = to.x > low.x && to.x < high.x && to.y > low.y && to.y < high.y;
+        }
+    }
+
+    /// Threads and holes leave the surfaces as they are.
+    pub(super) fn cycle_cuts(&mut self, cycle: &Cycle) {
+        self.st.cut |= matches!(cycle, Cycle::Roughing(_) | Cycle::Finishing(_));
+    }
+}
