@@ -163,7 +163,7 @@ impl Files for IncludeRoots {
                     }
                 }
             }
-            similar.extend(like(folder, parts.last().map_or("", String::as_str)));
+            similar.extend(like(folder, parts.last().map_or("", String::as_str), request.extensions));
         }
         Err(FileError::NotFound { tried, similar })
     }
@@ -252,11 +252,28 @@ fn shown(path: &Path) -> String {
     plain.to_string_lossy().into_owned()
 }
 
-fn like(folder: &Path, name: &str) -> Option<String> {
+/// Fewest letters of a name that another one may be near to.
+const SHORTEST_LIKE: usize = 3;
+
+/// A program in the folder with a name near to this one. Of very short names any other would be near.
+fn like(folder: &Path, name: &str, extensions: &[&str]) -> Option<String> {
+    let (stem, extension) = name.rsplit_once('.').map_or((name, None), |(stem, extension)| (stem, Some(extension)));
+    if stem.chars().count() < SHORTEST_LIKE {
+        return None;
+    }
+    let program = |name: &String| {
+        name.rsplit_once('.').is_some_and(|(stem, found)| {
+            let kind = extensions.iter().chain(&extension).any(|wanted| wanted.eq_ignore_ascii_case(found));
+            kind && stem.chars().count() >= SHORTEST_LIKE
+        })
+    };
     let mut names: Vec<String> =
         fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
+    names.retain(program);
     names.sort();
-    did_you_mean(name, names.iter().map(String::as_str)).map(str::to_owned)
+    let stems = names.iter().filter_map(|name| name.rsplit_once('.')).map(|(stem, _)| stem);
+    let near = did_you_mean(stem, stems)?;
+    names.iter().find(|name| name.rsplit_once('.').is_some_and(|(stem, _)| stem == near)).cloned()
 }
 
 /// Part programs at and below `path`, in order of their names.

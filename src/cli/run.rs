@@ -165,9 +165,14 @@ fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<
         }
         out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
     } else {
-        drop(out);
+        drop((out, map));
         if let Some(stale) = set_aside(&target, Made::Program).map_err(trouble)? {
             say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
+        }
+        if let Some(path) = &args.map
+            && let Some(stale) = set_aside(path, Made::Map).map_err(map_trouble)?
+        {
+            say(&format!("partc: the older {} was renamed to {}", path.display(), stale.display()));
         }
     }
     reporter.session(session);

@@ -133,7 +133,8 @@ impl Cursor {
             cursor.pos = 3;
             cursor.first = 3;
         }
-        if head.iter().all(u8::is_ascii_whitespace) && head.len() as u64 == sources.size(file) {
+        let blank = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x0b | 0x1a);
+        if head.iter().all(blank) && head.len() as u64 == sources.size(file) {
             return Err(OpenError::Empty);
         }
         cursor.line_end = line_end(head);

@@ -86,6 +86,30 @@ fn an_older_output_is_set_aside_beside_a_foreign_stale_file() {
 }
 
 #[test]
+fn an_older_source_map_is_set_aside_with_its_output() {
+    let folder = Folder::new("stale_map").with(&[("PART.H", PART)]);
+    folder.run(&["compile", "PART.H", "--map", "m.json"]).exits(0);
+    folder.write("PART.H", WRONG);
+    folder.run(&["compile", "PART.H", "--map", "m.json"]).exits(1).says("m.json.stale");
+    assert_eq!(folder.names(), set(&["PART.H", "PART.ngc.stale", "m.json.stale"]));
+}
+
+#[test]
+fn check_reads_on_behind_m30() {
+    let text = "0 BEGIN PGM A MM\n1 L Z+2 R0 FMAX\n2 M30\n3 END PGM A INCH\n0 BEGIN PGM B MM\n1 END PGM B MM\n";
+    let folder = Folder::new("behind_m30").with(&[("A.H", text)]);
+    folder.run(&["check", "A.H"]).exits(1).says("K1009").says("K1012");
+}
+
+#[test]
+fn a_similar_name_is_one_of_a_program() {
+    let text = "0 BEGIN PGM A MM\n1 CALL PGM TEILE\n2 CALL PGM t\n3 END PGM A MM\n";
+    let folder = Folder::new("similar").with(&[("A.H", text), ("TEIL.H", PART), ("TEILE.sh", "x"), ("g", "x")]);
+    let found = folder.run(&["check", "A.H"]).exits(1).says("did you mean `TEIL.H`?");
+    assert!(!found.err.contains("`g`"), "{}", found.err);
+}
+
+#[test]
 fn too_many_output_blocks_leave_no_output() {
     // Five lines of head, three of the program, one of the frame.
     let folder =
@@ -296,11 +320,12 @@ fn quiet_holds_for_json_too() {
 
 #[test]
 fn an_empty_file_is_no_program() {
-    let folder = Folder::new("empty").with(&[("A.H", ""), ("B.H", " \n\r\n"), ("CALLER.H", &caller("B"))]);
-    for name in ["A.H", "B.H", "CALLER.H"] {
+    let folder =
+        Folder::new("empty").with(&[("A.H", ""), ("B.H", " \n\r\n"), ("N.H", "\0\0\0\n"), ("CALLER.H", &caller("B"))]);
+    for name in ["A.H", "B.H", "N.H", "CALLER.H"] {
         folder.run(&["compile", name]).exits(1).says("P0004");
     }
-    assert_eq!(folder.names(), set(&["A.H", "B.H", "CALLER.H"]));
+    assert_eq!(folder.names(), set(&["A.H", "B.H", "N.H", "CALLER.H"]));
 }
 
 #[test]

@@ -321,8 +321,8 @@ K2507 Warning "scaling-of-depth" "scaling also changes the tool axis"
 the parameter's basic setting. `[control] scaling = \"plane\"` leaves the tool axis alone."
 
 K2508 Warning "blank-form" "blank form is not usable"
-"The MIN point of BLK FORM 0.1 must lie below the MAX point of BLK FORM 0.2 in every axis. The control refuses the blank; the path \
-does not depend on it. Most often the two points are mixed up."
+"The MIN point of BLK FORM 0.1 must lie below the MAX point of BLK FORM 0.2 in every axis. The control refuses the blank, and one \
+that lacks an axis; the path does not depend on it. Most often the two points are mixed up."
 
 K2509 Error "rotary-feed" "feed of a rotary axis under M116 is not supported"
 "M116 makes F a speed at the workpiece surface, which depends on the radius at which the tool stands from the rotary axis. \
@@ -388,9 +388,10 @@ knows what the function would do."
 K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does"
 "On the control M0 also stops the spindle and the coolant; a plain M0 does not on every target. M5 and M9 are printed before it."
 
-K2709 Warning "plunge-feed-open" "M103 does not know where the move starts"
+K2709 Warning "plunge-feed-open" "what M103 does to this feed is open"
 "M103 limits the feed by the share of the way that leads down, and where this move starts was not programmed. partc takes the lowest \
-feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning."
+feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning. A drilling cycle called under \
+M103 keeps the feeds of its own parameters."
 
 K8001 Warning "block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \

@@ -3,6 +3,7 @@
 
 pub mod ast;
 pub mod build;
+mod cycle;
 pub mod literal;
 pub mod problem;
 
@@ -183,7 +184,8 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
             Problem::new(codes::K1003, block.span, "`CYCLE` is read as `CYCL`").help("the control writes `CYCL`"),
         );
     }
-    if let Some(problem) = number_problem(text, block).or_else(|| return_problem(text, block)) {
+    let problem = number_problem(text, block).or_else(|| return_problem(text, block));
+    if let Some(problem) = problem.or_else(|| cycle::problem(text, block)) {
         problems.push(problem);
         block.stmt = Stmt::Bad;
     }

@@ -8,6 +8,7 @@ use crate::machine::tree::did_you_mean;
 use crate::text::{Span, decode::readable};
 
 use super::build::Refusal;
+use super::cycle::{begins_line, dangling};
 use crate::parser::problem::Problem;
 
 /// How blocks look, by their first word.
@@ -64,15 +65,33 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
 }
 
 fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
+    let span = whole_character(span, text);
     let word = readable(span.of(text)).into_owned();
     if tok == Tok::Bad {
         return Problem::new(codes::K0001, span, format!("`{word}` has no place in a block"))
             .help("a comment starts with `;`");
     }
+    if span.start > from && begins_line(text, span.start) {
+        return dangling(text, span.start, "the block");
+    }
     if span.start == from {
         return no_statement(&word, span, text);
     }
     Problem::new(codes::K1001, span, format!("`{word}` cannot stand here")).form(text, from)
+}
+
+/// The characters that a span holds a part of, where the text is UTF-8.
+fn whole_character(span: Span, text: &[u8]) -> Span {
+    let follows = |at: u32| text.get(at as usize).is_some_and(|b| b & 0xc0 == 0x80);
+    let Span { mut start, mut end } = span;
+    while follows(start) && start > 0 && span.start - start < 3 {
+        start -= 1;
+    }
+    while follows(end) && end - span.end < 3 {
+        end += 1;
+    }
+    let wider = Span { start, end };
+    if std::str::from_utf8(wider.of(text)).is_ok() { wider } else { span }
 }
 
 /// Statements of two words: the first one, the second ones, how such a block looks.
@@ -166,6 +185,34 @@ fn two_words(text: &[u8]) -> u32 {
     (second + word(second)) as u32
 }
 
+/// How the definition of this cycle looks.
+fn cycle_form(text: &[u8]) -> &'static str {
+    let text = readable(text).to_uppercase();
+    let mut words = text.split_whitespace();
+    if words.nth(1) == Some("CALL") {
+        return "CYCL CALL M3";
+    }
+    let number = words.next().unwrap_or_default().split(['.', ',']).next().unwrap_or_default();
+    match number {
+        "1" => "CYCL DEF 1.2 DEPTH -15",
+        "2" => "CYCL DEF 2.2 DEPTH -15",
+        "8" => "CYCL DEF 8.1 X Y",
+        "9" => "CYCL DEF 9.1 DWELL 1.5",
+        "10" => "CYCL DEF 10.1 ROT+35",
+        "11" => "CYCL DEF 11.1 SCL 0.75",
+        "12" => "CYCL DEF 12.1 PGM NAME.H",
+        "13" => "CYCL DEF 13.1 ANGLE 180",
+        "14" => "CYCL DEF 14.1 CONTOUR LABEL 1 /2",
+        "17" => "CYCL DEF 17.3 PITCH +1.5",
+        "19" => "CYCL DEF 19.1 A+0 B+0 C+0",
+        "26" => "CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20",
+        "32" => "CYCL DEF 32.1 T0.05",
+        "247" => "CYCL DEF 247 DATUM SETTING Q339=1",
+        number if number.len() > 2 => "CYCL DEF 200 DRILLING Q200=+2 Q201=-15",
+        _ => "CYCL DEF 7.1 X+60",
+    }
+}
+
 impl Problem {
     /// Adds how a block with this first word looks.
     fn form(self, text: &[u8], from: u32) -> Problem {
@@ -173,6 +220,9 @@ impl Problem {
         let len = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let first = readable(&rest[..len]).to_uppercase();
         let first = if first.starts_with('Q') { "Q" } else { &first };
+        if first == "CYCL" || first == "CYCLE" {
+            return self.help(format!("the block looks like `{}`", cycle_form(rest)));
+        }
         let jump = first == "FN"
             && matches!(rest[len..].trim_ascii_start(), [b'9', b':' | b' ', ..] | [b'1', b'0'..=b'2', ..]);
         let first = if jump { "FN 9" } else { first };

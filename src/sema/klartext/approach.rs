@@ -315,7 +315,7 @@ impl Run<'_> {
         }
         match arc {
             None => self.plane_move(a.to, Some(a.feed), a.side),
-            Some(on) => self.arc_move(a.to, &on, a.feed, a.side),
+            Some(on) => self.arc_move(a.to, &on, a.feed, a.side)?,
         }
         Ok(())
     }
@@ -387,7 +387,7 @@ impl Run<'_> {
             Shape::Arc { radius: r, angle } => {
                 let on = self.circle_beside(at, beside, r, radius, side, name)?;
                 let turn = geo::Deg(if on.ccw { angle } else { -angle });
-                self.arc_move(geo::angle::rotated(at, on.center, turn), &on, feed, side);
+                self.arc_move(geo::angle::rotated(at, on.center, turn), &on, feed, side)?;
                 geo::angle::rotated(edge, on.center, turn)
             }
             Shape::LineArc { radius: r } => {
@@ -405,7 +405,7 @@ impl Run<'_> {
                         "end further away, or make R smaller",
                     );
                 };
-                self.arc_move(on.center + out * on.radius, &on, feed, side);
+                self.arc_move(on.center + out * on.radius, &on, feed, side)?;
                 end
             }
         };
@@ -436,12 +436,14 @@ impl Run<'_> {
         self.raw_move(end, if feed.is_some() { Path::Line } else { Path::Rapid }, feed, side);
     }
 
-    fn arc_move(&mut self, to: Point2, on: &Circle, feed: Feed, side: Side) {
+    fn arc_move(&mut self, to: Point2, on: &Circle, feed: Feed, side: Side) -> Outcome {
+        self.check_edge_feed(side)?;
         let plane = self.st.plane();
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, to);
         let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: CLOSE };
         self.raw_move(end, Path::Arc(Arc { plane, shape, turns: 0 }), Some(feed), side);
+        Ok(())
     }
 
     fn raw_move(&mut self, end: Pos, path: Path, feed: Option<Feed>, side: Side) {

@@ -127,12 +127,18 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn send_arc(&mut self, w: &Words, plane: Plane, shape: ArcShape, end: Pos) -> Outcome {
-        let feed = self.arc_feed(w)?;
-        if self.st.edge_feed && self.st.side != Side::None {
+    /// Refuses M109 and M110 on an arc that is compensated.
+    pub(super) fn check_edge_feed(&self, side: Side) -> Outcome {
+        if self.st.edge_feed && side != Side::None {
             self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
             return Err(Reported);
         }
+        Ok(())
+    }
+
+    pub(super) fn send_arc(&mut self, w: &Words, plane: Plane, shape: ArcShape, end: Pos) -> Outcome {
+        let feed = self.arc_feed(w)?;
+        self.check_edge_feed(self.st.side)?;
         let length = if self.st.plunge_share.is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
         let feed = self.plunge_feed(w, Some(feed), &end, length);
         self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape, turns: 0 }), feed);

@@ -5,9 +5,10 @@ use crate::ir::{Function, Side};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Generation, RepeatCount, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
-use crate::text::blocks::Place;
-use crate::text::{Loc, Next, Span, decode::readable};
+use crate::text::blocks::{Cursor, Place};
+use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
+use super::super::Job;
 use super::super::exec::open_program;
 use super::labels::{Label, Labels};
 use super::vars::Locals;
@@ -99,10 +100,7 @@ impl Run<'_> {
         let here = self.here.origin.loc;
         if let Some(head) = self.program().head.clone() {
             if head.unit.is_some() && unit.is_some() && head.unit != unit {
-                self.report(
-                    Diagnostic::new(codes::K1009, here, "END PGM states another unit than BEGIN PGM")
-                        .also(head.loc, "the program begins here"),
-                );
+                self.report(other_unit(here, head.loc));
             }
             if !head.name.eq_ignore_ascii_case(name) {
                 let (begin, end) = (readable(&head.name).into_owned(), readable(name).into_owned());
@@ -139,29 +137,13 @@ impl Run<'_> {
 
     /// Warns about blocks behind END PGM.
     fn look_behind_end(&mut self) {
-        let sources = self.job.sources;
+        let (job, call) = (self.job, self.here.origin.call);
         let program = self.program();
         let file = program.source.file;
         let place = program.source.cursor.place();
-        let found = loop {
-            match program.source.cursor.next(sources) {
-                Ok(Next::Block(block))
-                    if block.text.iter().all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x1a)) => {}
-                Ok(Next::Block(block)) => {
-                    break Some(Loc { file, line: block.line, span: Span::at(block.at, block.text.len() as u32) });
-                }
-                _ => break None,
-            }
-        };
+        report_behind_end(&job, &mut program.source.cursor, file, call);
         if program.source.cursor.is_whole() {
             program.source.cursor.resume(place);
-        }
-        if let Some(loc) = found {
-            self.report(Diagnostic::new(
-                codes::K1012,
-                loc,
-                "this stands behind END PGM and is not part of the program",
-            ));
         }
     }
 
@@ -539,5 +521,25 @@ impl Run<'_> {
 fn push_unless_known(job: &crate::sema::Job<'_>, found: Diagnostic) {
     if !job.diags.knows(&found) {
         job.diags.push(found);
+    }
+}
+
+/// The finding for a program whose head and end state different units.
+pub(super) fn other_unit(end: Loc, begin: Loc) -> Diagnostic {
+    Diagnostic::new(codes::K1009, end, "END PGM states another unit than BEGIN PGM")
+        .also(begin, "the program begins here")
+        .help("correct the wrong one of the two")
+}
+
+/// Warns about the first block behind END PGM, where the cursor stands.
+pub(super) fn report_behind_end(job: &Job<'_>, cursor: &mut Cursor, file: FileId, call: CallPath) {
+    while let Ok(Next::Block(block)) = cursor.next(job.sources) {
+        if block.text.iter().all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x1a)) {
+            continue;
+        }
+        let loc = Loc { file, line: block.line, span: Span::at(block.at, block.text.len() as u32) };
+        let what = "this stands behind END PGM and is not part of the program";
+        job.diags.push(Diagnostic::new(codes::K1012, loc, what).called(call));
+        return;
     }
 }

@@ -7,15 +7,15 @@ use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
-use crate::lexer::klartext::{QKind, QRef, Value};
+use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, AxisSet, Generation};
-use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt, Word};
+use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
 use crate::text::{Loc, Span};
 
 use super::cycle_names::{Nature, name, nature};
+use super::cycle_words::is_parameter_of;
 use super::holes::{self, Retract};
 use super::machining::{Machining, Part, What};
-use super::vars::Slot;
 use super::words::Admits;
 use super::{Here, Outcome, Reported, Run};
 
@@ -34,7 +34,7 @@ pub(super) struct Open {
     pub number: u32,
     here: Here,
     /// Highest part read; `None` for a cycle with Q parameters.
-    part: Option<u32>,
+    pub part: Option<u32>,
     pub axes: Vec<AxisValue>,
     /// Values without an axis.
     pub values: Vec<Labelled>,
@@ -42,11 +42,13 @@ pub(super) struct Open {
     pub parameters: Vec<(u32, f64)>,
     /// Q parameters that are set to a word: FMAX, FAUTO, FU, PREDEF.
     pub words: Vec<(u32, &'static str)>,
+    /// Parameters stand in lines of their own, without `~`.
+    loose: bool,
     /// What the parts of an old machining cycle hold.
     pub parts: Vec<Part>,
     pub table_row: bool,
-    program: Option<String>,
-    pub failed: bool,
+    pub program: Option<String>,
+    failed: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -64,11 +66,37 @@ pub(super) struct Labelled {
     pub value: f64,
 }
 
+impl Open {
+    fn new(number: u32, part: Option<u32>, here: Here, failed: bool) -> Open {
+        Open {
+            number,
+            here,
+            part,
+            axes: Vec::new(),
+            values: Vec::new(),
+            parameters: Vec::new(),
+            words: Vec::new(),
+            loose: false,
+            parts: Vec::new(),
+            table_row: false,
+            program: None,
+            failed,
+        }
+    }
+}
+
 /// What CYCL CALL, M99 and M89 run.
 #[derive(Debug, Clone)]
 enum Defined {
-    Program { name: String },
-    Machining { cycle: Rc<Machining>, refused: bool },
+    Program {
+        name: String,
+    },
+    Machining {
+        cycle: Rc<Machining>,
+        refused: bool,
+    },
+    /// The definition was refused, which was reported.
+    Refused,
 }
 
 impl Cycles {
@@ -98,32 +126,43 @@ impl Run<'_> {
     }
 
     /// A formula block turned out to be a line of the open definition.
-    pub(super) fn note_cycle_parameter(&mut self, q: QRef, value: f64, _span: Span) {
-        if let Some(open) = &mut self.cycles.open
-            && open.part.is_none()
-            && is_parameter_of(open.number, q)
-        {
-            open.parameters.push((q.number, value));
+    pub(super) fn note_cycle_parameter(&mut self, q: QRef, value: f64, span: Span) -> Outcome {
+        let Some(open) = &mut self.cycles.open else { return Ok(()) };
+        if open.part.is_some() || !is_parameter_of(open.number, q) {
+            return Ok(());
         }
+        // Behind a definition that `~` holds together, such a line is a block that changes the cycle.
+        if !open.parameters.iter().any(|(number, _)| *number == q.number) {
+            open.loose = true;
+            open.parameters.push((q.number, value));
+        } else if open.loose {
+            open.failed = true;
+            let message = format!("`{}` sets {q} a second time in this definition", self.word_text(span));
+            return self.fail_help(codes::K1004, span, message, "remove one of the two");
+        }
+        Ok(())
+    }
+
+    /// A block that cannot be read was to define a cycle: what calls it or goes on with it suffers only from that.
+    pub(super) fn refused_definition(&mut self, text: &[u8]) {
+        let Some((number, part)) = definition(text) else { return };
+        if let Some(open) = &mut self.cycles.open
+            && open.number == number
+            && part.is_some_and(|part| part > 0)
+        {
+            open.failed = true;
+            open.part = part;
+            return;
+        }
+        self.finish_cycle();
+        self.cycles.open = Some(Open::new(number, part, self.here, true));
     }
 
     pub(super) fn cycle_block(&mut self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
         match part {
             None | Some(0) => {
                 let words = self.check_title(number, part, block, text);
-                self.cycles.open = Some(Open {
-                    number,
-                    here: self.here,
-                    part,
-                    axes: Vec::new(),
-                    values: Vec::new(),
-                    parameters: Vec::new(),
-                    words: Vec::new(),
-                    parts: Vec::new(),
-                    table_row: false,
-                    program: None,
-                    failed: words.is_err(),
-                });
+                self.cycles.open = Some(Open::new(number, part, self.here, words.is_err()));
             }
             Some(part) => match &mut self.cycles.open {
                 Some(open) if open.number == number && open.part.is_some_and(|last| last < part) => {
@@ -148,142 +187,15 @@ impl Run<'_> {
         result
     }
 
-    /// Names in cycles are decoration in any language; values and axes count.
-    fn cycle_words(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let mut label = String::new();
-        let number = self.open_cycle().number;
-        let nature = nature(number);
-        for &word in &block.words {
-            let first = self.open_cycle().values.is_empty();
-            self.check_cycle_word(nature, number, word, &label, first)?;
-            match word.addr {
-                Addr::Axis { axis, incremental } => {
-                    if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
-                        && self.open_cycle().axes.iter().any(|other| other.axis == axis)
-                    {
-                        return self.twice(word, block);
-                    }
-                    let value = self.number_if(word.value, word.span)?;
-                    let loc = self.loc(word.span);
-                    self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
-                }
-                Addr::Name => label = String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(),
-                Addr::Hash => {
-                    label = "#".to_owned();
-                    self.open_cycle().table_row = true;
-                }
-                Addr::Value => {
-                    let value = self.number(word.value, word.span)?;
-                    let label = std::mem::take(&mut label);
-                    self.keep_part(What::Value, value);
-                    self.open_cycle().values.push(Labelled { label, value });
-                }
-                Addr::Feed if nature == Nature::Machining => {
-                    let value = self.number(word.value, word.span)?;
-                    self.keep_part(What::Feed, value);
-                }
-                Addr::Assign(q) => {
-                    // FMAX, FAUTO, PREDEF: of use to machining cycles only.
-                    let named = match word.value {
-                        Value::FeedMax => Some("FMAX"),
-                        Value::FeedAuto => Some("FAUTO"),
-                        Value::None => Some("a word"),
-                        _ => None,
-                    };
-                    if let Some(named) = named {
-                        self.open_cycle().words.push((q.number, named));
-                        continue;
-                    }
-                    let value = self.number(word.value, word.span)?;
-                    self.set(q, Slot::Number(value), word.span)?;
-                    if q.kind == QKind::Q {
-                        self.open_cycle().parameters.push((q.number, value));
-                    }
-                }
-                Addr::Text => {
-                    let name = self.program_name(strip_pgm(word.span.of(text)))?;
-                    self.open_cycle().program = Some(name);
-                }
-                // F, DR, R, S, T of old machining cycles; cycle 19 has F and DIST.
-                _ => {}
-            }
-        }
-        Ok(())
-    }
-
-    /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
-    fn check_title(&self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
-        let acts = !matches!(nature(number), Nature::Machining | Nature::Pattern | Nature::Data | Nature::Unknown);
-        if part.is_none() || !acts {
-            return Ok(());
-        }
-        let head = block.span.of(text);
-        let name = head.iter().position(|b| *b == b'.').map_or(head.len(), |dot| dot + 2).min(head.len());
-        let mut at = name;
-        for word in head[name..].split(u8::is_ascii_whitespace) {
-            if word.iter().any(u8::is_ascii_digit) {
-                let span = Span::at(block.span.start + at as u32, word.len() as u32);
-                return self.fail_help(
-                    codes::K1005,
-                    span,
-                    format!("`{}` stands in the name of the cycle", self.word_text(span)),
-                    &format!("the values of cycle {number} belong into the blocks {number}.1 and up"),
-                );
-            }
-            at += word.len() + 1;
-        }
-        Ok(())
-    }
-
-    /// A word that the cycle does not take.
-    pub(super) fn cycle_word<T>(&self, span: Span, cycle: u32) -> Outcome<T> {
-        let text = self.word_text(span);
-        let form = match cycle {
-            7 => "write the shift: `CYCL DEF 7.1 X+60`",
-            8 => "write the letters of the axes: `CYCL DEF 8.1 X Y`",
-            9 => "write the time: `CYCL DEF 9.1 DWELL 1.5`",
-            10 => "write the angle: `CYCL DEF 10.1 ROT+35`",
-            11 => "write the factor: `CYCL DEF 11.1 SCL 0.75`",
-            13 => "write the angle: `CYCL DEF 13.1 ANGLE 180`",
-            26 => "write factors and centre: `CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20`",
-            _ => "remove the word",
-        };
-        self.fail_help(codes::K1005, span, format!("`{text}` has no place in cycle {cycle}"), form)
-    }
-
-    /// Refuses a word that the definition under way does not take, before it is stored.
-    fn check_cycle_word(&self, nature: Nature, number: u32, word: Word, label: &str, first: bool) -> Outcome {
-        use Nature::*;
-        let valued = word.value != Value::None;
-        let admitted = match (nature, word.addr) {
-            // What these do is decided where they run, or they do nothing.
-            (Machining | Pattern | Data | Unknown | Tolerance | Preset | ProgramCall, _) => true,
-            (_, Addr::Name | Addr::MEmpty | Addr::RadiusEmpty | Addr::FeedEmpty) => true,
-            (DatumShift, Addr::Axis { .. } | Addr::Hash) => true,
-            (DatumShift, Addr::Value) => label == "#",
-            (Mirror, Addr::Axis { incremental, .. }) => !valued && !incremental,
-            (AxisScaling, Addr::Axis { incremental, .. }) => valued && !incremental,
-            (AxisScaling, Addr::Value) => matches!(label, "CCX" | "CCY" | "CCZ"),
-            (Rotation, Addr::Value) => first && matches!(label, "ROT" | "IROT"),
-            (Scaling, Addr::Value) => first && label == "SCL",
-            // Their names are written in the language of the control.
-            (Dwell | Orientation, Addr::Value) => first,
-            // A tilt is refused for its angles; its feed and distance belong to it.
-            (Tilt, Addr::Axis { .. } | Addr::Value | Addr::Feed | Addr::FeedMax) => true,
-            _ => false,
-        };
-        if admitted { Ok(()) } else { self.cycle_word(word.span, number) }
-    }
-
     /// Keeps what a part of an old machining cycle says.
-    fn keep_part(&mut self, what: What, value: f64) {
+    pub(super) fn keep_part(&mut self, what: What, value: f64) {
         let open = self.open_cycle();
         if let Some(part) = open.part {
             open.parts.push(Part { part, what, value });
         }
     }
 
-    fn open_cycle(&mut self) -> &mut Open {
+    pub(super) fn open_cycle(&mut self) -> &mut Open {
         self.cycles.open.as_mut().expect("called while a definition is open")
     }
 
@@ -292,7 +204,12 @@ impl Run<'_> {
         let Some(open) = self.cycles.open.take() else { return };
         let here = std::mem::replace(&mut self.here, open.here);
         let failed = open.failed || self.apply_cycle(&open).is_err();
-        if failed && nature(open.number) != Nature::Machining {
+        let nature = nature(open.number);
+        if failed && matches!(nature, Nature::Machining | Nature::ProgramCall | Nature::Unknown) {
+            self.cycles.defined = Some(Defined::Refused);
+            self.cycles.modal = false;
+        }
+        if failed && nature != Nature::Machining {
             self.st.lose(AxisSet::MAIN);
         }
         self.here = here;
@@ -350,7 +267,16 @@ impl Run<'_> {
                 }
             },
             Nature::Orientation => {
-                self.st.orientation = Some(self.single_value(open)?);
+                let angle = self.single_value(open)?;
+                if !(0.0..=360.0).contains(&angle) {
+                    return self.fail_help(
+                        codes::K2403,
+                        self.block_span(),
+                        format!("a spindle angle of {angle} degrees is out of range"),
+                        "cycle 13 takes 0 to 360 degrees",
+                    );
+                }
+                self.st.orientation = Some(angle);
                 Ok(())
             }
             Nature::Tilt => self.tilt(open),
@@ -366,8 +292,8 @@ impl Run<'_> {
             Nature::Data => Ok(()),
             Nature::Machining => {
                 let mm = self.level().unit.mm();
-                let mut cycle = Machining::new(open, self.here.origin.loc, mm);
-                cycle.failed |= self.check_definition(&cycle).is_err();
+                let cycle = Machining::new(open, self.here.origin.loc, mm);
+                self.check_definition(&cycle)?;
                 self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
                 self.cycles.modal = false;
                 Ok(())
@@ -441,7 +367,7 @@ impl Run<'_> {
     /// The machining cycle that a pattern runs.
     pub(super) fn pattern_subject(&mut self, by: &str) -> Outcome<Rc<Machining>> {
         match &self.cycles.defined {
-            Some(Defined::Machining { cycle, .. }) if cycle.failed => Err(Reported),
+            Some(Defined::Refused) => Err(Reported),
             Some(Defined::Machining { cycle, .. }) if holes::needed(cycle.number).is_some() => Ok(Rc::clone(cycle)),
             Some(Defined::Machining { .. }) => {
                 self.call_cycle(by)?;
@@ -493,13 +419,17 @@ impl Run<'_> {
                 );
                 Err(Reported)
             }
+            Some(Defined::Refused) => {
+                self.lose_all();
+                Err(Reported)
+            }
             Some(Defined::Program { name, .. }) => {
                 let name = name.clone();
                 self.call_program_named(&name)
             }
             Some(Defined::Machining { cycle, .. }) if holes::needed(cycle.number).is_some() => {
                 let cycle = Rc::clone(cycle);
-                let result = if cycle.failed { Err(Reported) } else { self.drill(&cycle, 0.0, Retract::Far) };
+                let result = self.drill(&cycle, 0.0, Retract::Far);
                 if result.is_err() {
                     self.st.lose(AxisSet::of(self.st.axis()));
                     self.lost();
@@ -525,15 +455,16 @@ impl Run<'_> {
     }
 }
 
-/// Is `q` a parameter that a definition of this cycle may set?
-fn is_parameter_of(cycle: u32, q: QRef) -> bool {
-    q.kind == QKind::Q && (matches!(q.number, 200..=1199) || (matches!(cycle, 20..=29) && q.number <= 21))
-}
-
-/// `PGM LOT31` without its keyword.
-fn strip_pgm(text: &[u8]) -> &[u8] {
-    match text.get(..3) {
-        Some(head) if head.eq_ignore_ascii_case(b"PGM") => text[3..].trim_ascii(),
-        _ => text,
+/// Number and part of the cycle that `CYCL DEF` at the start of the text defines.
+fn definition(text: &[u8]) -> Option<(u32, Option<u32>)> {
+    let text = text.get(..text.len().min(40))?.to_ascii_uppercase();
+    let mut words = std::str::from_utf8(&text).unwrap_or_default().split_ascii_whitespace();
+    if !matches!(words.next()?, "CYCL" | "CYCLE") {
+        return None;
     }
+    let number =
+        words.next()?.strip_prefix("DEF").map(|rest| if rest.is_empty() { words.next() } else { Some(rest) })??;
+    let (number, part) = number.split_once('.').map_or((number, None), |(number, part)| (number, Some(part)));
+    let digits = |text: &str| text.trim_end_matches(|c: char| !c.is_ascii_digit()).parse().ok();
+    Some((digits(number)?, part.and_then(digits)))
 }

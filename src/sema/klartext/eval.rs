@@ -253,7 +253,7 @@ impl Run<'_> {
         if block.number.is_none()
             && let Ok(Slot::Number(n)) = value
         {
-            self.note_cycle_parameter(q, n, block.span);
+            self.note_cycle_parameter(q, n, block.span)?;
         }
         self.set(q, value.unwrap_or(Slot::Lost), block.span)
     }

@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::words::{FeedWord, Words};
 use super::{Outcome, Reported, Run};
@@ -22,16 +22,7 @@ impl Run<'_> {
         let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
             FeedWord::Value(f) => {
-                if self.st.per_revolution && f > MOST_PER_REVOLUTION {
-                    self.report(
-                        Diagnostic::new(
-                            codes::K2013,
-                            self.loc(w.feed_span),
-                            format!("under M136 this feed is {f} mm per revolution"),
-                        )
-                        .help("write the feed in mm/rev, or M137 in front of a feed in mm/min"),
-                    );
-                }
+                self.large_per_revolution(self.loc(w.feed_span), f);
                 (self.feed_of(f), f)
             }
             FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
@@ -69,6 +60,16 @@ impl Run<'_> {
         self.st.feed = Some(feed);
         self.st.written_feed = written;
         Ok(())
+    }
+
+    /// M136 makes a feed that was meant per minute count per revolution.
+    pub(super) fn large_per_revolution(&self, loc: Loc, feed: f64) {
+        if self.st.per_revolution && feed > MOST_PER_REVOLUTION {
+            self.report(
+                Diagnostic::new(codes::K2013, loc, format!("under M136 this feed is {feed} mm per revolution"))
+                    .help("write the feed in mm/rev, or M137 in front of a feed in mm/min"),
+            );
+        }
     }
 
     #[cold]

@@ -39,6 +39,29 @@ pub(super) fn needed(number: u32) -> Option<&'static [u32]> {
     })
 }
 
+/// The Q parameters of a drilling cycle: those that it needs, and those that newer software has besides.
+pub(super) fn parameters(number: u32) -> Option<(&'static [u32], &'static [u32])> {
+    let optional: &[u32] = match number {
+        200 => &[211, 395],
+        202 => &[336],
+        203 => &[256, 395],
+        205 => &[379, 253, 208, 395],
+        240 => &[344, 342, 253],
+        1 | 2 | 17 => return None,
+        _ => &[],
+    };
+    Some((needed(number)?, optional))
+}
+
+/// The part of an old cycle that holds its feed.
+pub(super) fn feed_part(number: u32) -> Option<u32> {
+    match number {
+        1 => Some(5),
+        2 => Some(4),
+        _ => None,
+    }
+}
+
 /// Parts of an old cycle, from 1 on.
 fn parts(number: u32) -> u32 {
     match number {
@@ -121,6 +144,21 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
+        if self.st.speed.is_none_or(|speed| speed <= 0.0) {
+            self.report(
+                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("program S in the TOOL CALL"),
+            );
+            return Err(Reported);
+        }
+        self.check_pitch(cycle)?;
+        if self.st.plunge_share.is_some() {
+            self.report(
+                Diagnostic::new(codes::K2709, self.here.origin.loc, "M103 does not change the feeds of this cycle")
+                    .help("program M103 without F in front of the cycle, or the feed of the cycle as it is meant"),
+            );
+        }
         let Some(hole) = self.hole(cycle, shift, retract)? else { return Ok(()) };
         if let Err(fault) = hole.check() {
             return self.cycle_value(cycle, &fault_text(fault));
@@ -135,6 +173,16 @@ impl Run<'_> {
         self.st.moved = true;
         if matches!(cycle, Cycle::Drilling(Drilling { method: Method::Tap(Tap { after: Spindle::Stop, .. }), .. })) {
             self.st.spindle = None;
+        }
+        Ok(())
+    }
+
+    /// A scaling changes the depth of a thread, but no tap has another pitch.
+    fn check_pitch(&mut self, cycle: &Machining) -> Outcome {
+        let t = &self.st.transform;
+        let scaled = t.scale != 1.0 || t.axis_scale != [1.0; 3];
+        if scaled && matches!(cycle.number, 2 | 17 | 206 | 207) {
+            return self.cycle_unbuilt(cycle, "tapping under a scaling, which would change the pitch of the thread,");
         }
         Ok(())
     }
@@ -230,7 +278,12 @@ impl Run<'_> {
                 let lead = self.cycle_length(cycle, 239)?;
                 self.tapping(dwell, Some(lead))?
             }
-            240 => Method::Drill { dwell },
+            240 => {
+                if self.cycle_option(cycle, 342)? != 0.0 {
+                    return self.cycle_unbuilt(cycle, "centring of a hole that is drilled already (Q342)");
+                }
+                Method::Drill { dwell }
+            }
             _ => {
                 let ahead = self.cycle_length(cycle, 200)?;
                 let first = self.infeed(cycle)?;
@@ -277,7 +330,7 @@ impl Run<'_> {
             ahead: [ahead; 2],
             dwell_out: self.cycle_dwell(cycle, 210)?,
             dwell,
-            back: Some(self.cycle_feed(cycle, 208, Some(feed))?),
+            back: self.retract_feed(cycle, 208, Some(feed))?,
         }))
     }
 
@@ -295,7 +348,7 @@ impl Run<'_> {
             ));
         }
         let every = self.cycle_length(cycle, 257)?;
-        let back = if cycle.sets(208) { Some(self.cycle_feed(cycle, 208, None)?) } else { None };
+        let back = if cycle.sets(208) { self.retract_feed(cycle, 208, None)? } else { None };
         Ok(Method::Deep(DeepHole {
             first,
             less: self.cycle_length(cycle, 212)?,
@@ -320,8 +373,10 @@ impl Run<'_> {
                 return self.cycle_value(cycle, &format!("the disengaging direction Q214 = {other} is not 0 to 4"));
             }
         };
-        let back = self.cycle_feed(cycle, 208, Some(feed))?;
-        let orient = self.cycle_option(cycle, 336)?;
+        let back = self.retract_feed(cycle, 208, Some(feed))?;
+        // Whole turns more or less are the same angle, and the target takes 0 to 360.
+        let angle = self.cycle_option(cycle, 336)?;
+        let orient = if (0.0..=360.0).contains(&angle) { angle } else { angle.rem_euclid(360.0) };
         if lift != [0.0; 3] {
             if *self.st.ctx.frame.linear() != nalgebra::Matrix3::identity() {
                 return self.cycle_unbuilt(cycle, "lifting the edge off the wall under a mirror, rotation or scaling");
@@ -332,7 +387,7 @@ impl Run<'_> {
             }
         }
         let turn = self.st.spindle.unwrap_or(Turn::Clockwise);
-        Ok(Method::Bore(Bore { dwell, turn, orient, back: Some(back), lift }))
+        Ok(Method::Bore(Bore { dwell, turn, orient, back, lift }))
     }
 
     /// `lead` is positive for a right-hand thread; without one the feed of the hole holds both ways.
@@ -348,13 +403,6 @@ impl Run<'_> {
             Some(_) => Turn::Clockwise,
             None => self.st.spindle.unwrap_or(Turn::Clockwise),
         };
-        if lead.is_some() && self.st.speed.is_none_or(|speed| speed <= 0.0) {
-            self.report(
-                Diagnostic::new(codes::K2405, here, "the spindle has no speed at this cycle call")
-                    .help("program S in the TOOL CALL"),
-            );
-            return Err(Reported);
-        }
         Ok(Method::Tap(Tap {
             lead: lead.map(f64::abs),
             turn,
@@ -470,10 +518,8 @@ impl Run<'_> {
 
     /// A feed; 0 stands for `instead` where that is given.
     fn cycle_feed(&mut self, cycle: &Machining, q: u32, instead: Option<Feed>) -> Outcome<Feed> {
-        if cycle.word(q) == Some("FAUTO")
-            && let Some((feed, _)) = self.st.tool_feed
-        {
-            return Ok(feed);
+        if cycle.word(q) == Some("FAUTO") {
+            return self.tool_feed_of(cycle, q);
         }
         let value = self.cycle_number(cycle, q)?;
         match instead {
@@ -482,8 +528,34 @@ impl Run<'_> {
         }
     }
 
+    /// FAUTO: the F of the last TOOL CALL.
+    fn tool_feed_of(&mut self, cycle: &Machining, q: u32) -> Outcome<Feed> {
+        match self.st.tool_feed {
+            Some((feed, _)) if matches!(feed, Feed::PerRevolution(_)) == self.st.per_revolution => Ok(feed),
+            Some(_) => self.cycle_unbuilt(cycle, &format!("Q{q}=FAUTO with a TOOL CALL that counts F in another way")),
+            None => {
+                self.report(
+                    Diagnostic::new(
+                        codes::K2003,
+                        self.here.origin.loc,
+                        format!("the last TOOL CALL has no F, so Q{q}=FAUTO has no value"),
+                    )
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("put F into the TOOL CALL, or a number behind the parameter"),
+                );
+                Err(Reported)
+            }
+        }
+    }
+
+    /// A retract: FMAX is rapid traverse.
+    fn retract_feed(&mut self, cycle: &Machining, q: u32, instead: Option<Feed>) -> Outcome<Option<Feed>> {
+        if cycle.word(q) == Some("FMAX") { Ok(None) } else { self.cycle_feed(cycle, q, instead).map(Some) }
+    }
+
     fn check_feed(&mut self, cycle: &Machining, value: f64) -> Outcome<Feed> {
         if value > 0.0 {
+            self.large_per_revolution(cycle.loc, value);
             return Ok(self.feed_of(value));
         }
         self.cycle_value(cycle, &format!("a feed of {value} is not above zero"))

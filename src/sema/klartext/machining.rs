@@ -26,8 +26,6 @@ pub(super) struct Machining {
     pub loc: Loc,
     /// Millimetres per unit of length of the definition.
     pub mm: f64,
-    /// The definition was refused, which was reported.
-    pub failed: bool,
     parameters: Vec<u32>,
     words: Vec<(u32, &'static str)>,
     parts: Vec<Part>,
@@ -39,7 +37,6 @@ impl Machining {
             number: open.number,
             loc,
             mm,
-            failed: open.failed,
             parameters: open.parameters.iter().map(|(q, _)| *q).collect(),
             words: open.words.clone(),
             parts: open.parts.clone(),

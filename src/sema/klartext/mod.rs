@@ -10,6 +10,7 @@ mod calls;
 mod coordinates;
 mod cycle;
 mod cycle_names;
+mod cycle_words;
 mod eval;
 mod feed;
 mod formula;
@@ -94,16 +95,32 @@ pub fn check_form(job: &Job<'_>) {
     let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
     let mut block = Block::default();
     let mut problems = Vec::new();
+    let mut head: Option<(Unit, Loc)> = None;
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut problems);
         let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             job.diags.push(here.diagnostic(job, problem));
         }
-        // What follows END PGM is reported as a whole.
-        if matches!(block.stmt, Stmt::End { .. }) {
-            break;
+        match block.stmt {
+            Stmt::Begin { unit: Some(unit), .. } if head.is_none() => head = Some((unit, here.loc(job, block.span))),
+            // What follows END PGM is reported as a whole.
+            Stmt::End { unit, .. } => {
+                check_end(job, unit, head, here.loc(job, block.span));
+                calls::report_behind_end(job, &mut cursor, job.main, CallPath::MAIN);
+                break;
+            }
+            _ => {}
         }
+    }
+}
+
+/// A run does not come here where the program ends by M30.
+fn check_end(job: &Job<'_>, unit: Option<Unit>, head: Option<(Unit, Loc)>, here: Loc) {
+    if let (Some(unit), Some((begun, begin))) = (unit, head)
+        && unit != begun
+    {
+        job.diags.push(calls::other_unit(here, begin));
     }
 }
 
@@ -321,6 +338,7 @@ impl Run<'_> {
         self.lose_feed(block);
         self.lost();
         self.lose_target(block.span.of(text));
+        self.refused_definition(block.span.of(text));
     }
 
     /// The first words of the block as written, which name its function.

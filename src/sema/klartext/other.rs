@@ -42,26 +42,36 @@ impl Run<'_> {
                 _ => return self.not_admitted(word, "BLK FORM"),
             }
         }
-        let [Some(x), Some(y), Some(z)] = values else { return Ok(()) };
+        let [Some(x), Some(y), Some(z)] = values else {
+            if let Some(corner) = corner {
+                let corner = crate::text::decode::readable(&corner).into_owned();
+                self.unusable_blank(&format!("BLK FORM {corner} does not name X, Y and Z"));
+            }
+            return Ok(());
+        };
         match corner.as_deref() {
             Some(b"0.1" | b"0,1") => self.st.blank.min = Some([x, y, z]),
             Some(b"0.2" | b"0,2") => {
                 if let Some(min) = self.st.blank.min
                     && [x, y, z].iter().zip(&min).any(|(max, min)| max <= min)
                 {
-                    self.report(
-                        Diagnostic::new(
-                            codes::K2508,
-                            self.here.origin.loc,
-                            "the MAX point does not lie above the MIN point",
-                        )
-                        .help("the control refuses this blank; the path does not depend on it"),
-                    );
+                    self.unusable_blank("the MAX point does not lie above the MIN point");
                 }
             }
-            _ => {}
+            Some(other) => {
+                let corner = crate::text::decode::readable(other).into_owned();
+                self.unusable_blank(&format!("BLK FORM {corner} is neither 0.1 nor 0.2"));
+            }
+            None => {}
         }
         Ok(())
+    }
+
+    fn unusable_blank(&self, what: &str) {
+        self.report(
+            Diagnostic::new(codes::K2508, self.here.origin.loc, what)
+                .help("the control refuses this blank; the path does not depend on it"),
+        );
     }
 
     /// FN 14 and up. What writes to screens and files only has no influence on the path.
@@ -169,7 +179,13 @@ impl Run<'_> {
                 self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
             }
             // Only selects: a shift from the table is refused where it is programmed.
-            Refused::SelectTable => Ok(()),
+            Refused::SelectTable if span.end < block.span.end => Ok(()),
+            Refused::SelectTable => self.fail_help(
+                codes::K1006,
+                span,
+                format!("{name} names no table"),
+                "write the name of the table: `SEL TABLE \"NAME.D\"`",
+            ),
             Refused::Contour => {
                 self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
             }

@@ -103,6 +103,7 @@ impl Run<'_> {
                 PathFn::LinePolar => self.polar_end(w, Path::Line)?,
                 PathFn::TangentPolar => {
                     let plane = self.pole("CTP")?.plane;
+                    self.check_edge_feed(self.st.side)?;
                     self.polar_end(w, Path::Arc(Arc { plane, shape: ArcShape::Tangent, turns: 0 }))?;
                 }
                 PathFn::CirclePolar => self.polar_arc(w)?,
@@ -355,6 +356,9 @@ impl Run<'_> {
                 );
             }
         };
+        if rounding {
+            self.check_edge_feed(self.st.side)?;
+        }
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         // What stands behind a corner begins at its cut.
         self.st.last = None;

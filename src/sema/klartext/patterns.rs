@@ -24,6 +24,15 @@ const MOST: f64 = 99_999.0;
 const POLAR: &[u32] = &[216, 217, 244, 245, 246, 247, 241, 200, 203, 204, 301];
 const CARTESIAN: &[u32] = &[225, 226, 237, 238, 242, 243, 224, 200, 203, 204, 301];
 
+/// The Q parameters of a pattern: those that it needs, and those that newer software has besides.
+pub(super) fn parameters(number: u32) -> Option<(&'static [u32], &'static [u32])> {
+    match number {
+        220 => Some((POLAR, &[365])),
+        221 => Some((CARTESIAN, &[])),
+        _ => None,
+    }
+}
+
 impl Run<'_> {
     /// Runs the machining cycle at the places of a pattern, whose Q200, Q203 and Q204 hold instead of its own.
     pub(super) fn pattern_cycle(&mut self, pattern: &Machining) -> Outcome {

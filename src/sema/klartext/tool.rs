@@ -62,6 +62,14 @@ impl Run<'_> {
         let mut at = 0;
         while let Some(&word) = rest.get(at) {
             at += 1;
+            let repeated = match word.addr {
+                Addr::Length | Addr::Name => length.is_some(),
+                Addr::Radius { .. } => radius.is_some(),
+                _ => false,
+            };
+            if repeated {
+                return self.twice(word, block);
+            }
             match word.addr {
                 Addr::Length => length = Some(self.number(word.value, word.span)? * mm),
                 Addr::Radius { .. } => radius = Some(self.number(word.value, word.span)? * mm),

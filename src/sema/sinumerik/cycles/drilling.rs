@@ -97,13 +97,25 @@ impl Run<'_> {
         let [_, _, third] = self.st.roles();
         let mut axis = third;
         if axn != 0 {
-            axis = match args.or_zero(axn) {
-                0.0 => third,
-                1.0 => self.st.geometry_axes[0],
-                2.0 => self.st.geometry_axes[1],
-                3.0 => self.st.geometry_axes[2],
-                _ => return self.cycle_fault(args, args.span_of(axn), 0, "`_AXN` is 0 to 3", "0 is the tool axis"),
+            let place = match args.or_zero(axn) {
+                0.0 => None,
+                1.0 => Some(0),
+                2.0 => Some(1),
+                3.0 => Some(2),
+                _ => return self.cycle_fault(args, args.span_of(axn), 61803, "`_AXN` is 0 to 3", "0 is the tool axis"),
             };
+            if let Some(place) = place {
+                // Axes of the plane, or of the machine: which is counted is not documented.
+                let counted: [Axis; 2] = [self.st.roles()[place], self.st.geometry_axes[place]];
+                if counted[0] != counted[1] {
+                    return self.not_built(
+                        args,
+                        axn,
+                        "an axis by `_AXN` outside G17, which may count the axes of the plane or of the machine,",
+                    );
+                }
+                axis = counted[0];
+            }
         }
         if gmode != 0 && args.digit(gmode, 1) != 0 {
             return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (`_GMODE`)");

@@ -10,7 +10,7 @@ mod thread;
 mod undercut;
 
 use crate::diag::{Code, codes};
-use crate::geo::Point2;
+use crate::geo::{Plane, Point2};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
@@ -30,6 +30,8 @@ pub(super) struct ModalCycle {
     hole: Drilling,
     /// The feed is the one that is modal when the hole is drilled.
     feed_of_block: bool,
+    /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
+    under: (Plane, f64),
 }
 
 /// The arguments of a call, counted from 1 as the manuals do.
@@ -68,6 +70,21 @@ impl Arguments {
     fn digit(&self, place: usize, position: u32) -> i32 {
         let value = self.number(place).and_then(whole).unwrap_or(0);
         value.unsigned_abs().checked_div(10u32.saturating_pow(position)).map_or(0, |v| (v % 10) as i32)
+    }
+}
+
+/// Is the argument a text? Contour cycles check theirs by their signature.
+fn takes_text(name: &str, place: usize) -> bool {
+    match name {
+        "CYCLE84" => (19..=21).contains(&place),
+        "CYCLE840" => (15..=17).contains(&place),
+        "CYCLE94" | "CYCLE96" => place == 3,
+        "CYCLE940" => matches!(place, 3 | 18..=20),
+        "CYCLE98" => (27..=29).contains(&place),
+        "CYCLE99" => (25..=27).contains(&place),
+        "HOLES1" | "HOLES2" => place == 9,
+        "CYCLE801" => place == 12,
+        _ => signatures::of(name).is_some(),
     }
 }
 
@@ -114,7 +131,11 @@ impl Run<'_> {
             return self.fail(codes::S2021, 12340, at, message);
         }
         let args = Arguments { name: name.to_owned(), span, list };
-        for (value, at) in &args.list {
+        for (place, (value, at)) in (1..).zip(&args.list) {
+            if *value != Val::Missing && value.number().is_none() && !takes_text(name, place) {
+                let message = format!("argument {place} of {name} has to be a number");
+                return self.fail_help(codes::S2090, 12150, *at, message, "a number in quotation marks is a text");
+            }
             if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
                 return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
             }
@@ -168,7 +189,8 @@ impl Run<'_> {
                 self.modal = None;
                 let hole = self.hole(&args)?;
                 let feed_of_block = !matches!(name, "CYCLE85");
-                self.modal_cycle = Some(Box::new(ModalCycle { hole, feed_of_block }));
+                let under = (self.st.plane(), self.st.length_unit());
+                self.modal_cycle = Some(Box::new(ModalCycle { hole, feed_of_block, under }));
                 Ok(())
             });
             return Some(result);
@@ -190,6 +212,15 @@ impl Run<'_> {
         let Some(modal) = self.modal_cycle.as_deref().cloned() else { return Ok(()) };
         if self.st.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
+        }
+        if modal.under != (self.st.plane(), self.st.length_unit()) {
+            return self.fail_help(
+                codes::S9015,
+                0,
+                Span::default(),
+                "the plane or the unit was changed since MCALL: the hole would go elsewhere",
+                "call the cycle again behind G17, G18, G19, G70 or G71",
+            );
         }
         let mut hole = modal.hole;
         if modal.feed_of_block

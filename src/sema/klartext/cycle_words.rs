@@ -1,0 +1,247 @@
+//! The words of CYCL DEF: which of them a definition takes, and what they say.
+//!
+//! Source: reference sections 3.1, 4.4, 4.5, 6.1 and 6.2. A name in a part of an old cycle is decoration in the language
+//! of the control; every value has to have its place.
+
+use crate::diag::codes;
+use crate::lexer::klartext::{QKind, QRef, Value};
+use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::text::Span;
+
+use super::cycle::{AxisValue, Labelled};
+use super::cycle_names::{Nature, nature};
+use super::machining::What;
+use super::vars::Slot;
+use super::{Outcome, Run, holes, patterns};
+
+/// What was read of a part of a definition.
+#[derive(Debug, Default)]
+struct Read {
+    /// The name that waits for its value, in upper case, and where it stands.
+    label: Option<(String, Span)>,
+    /// Values without an axis, feeds included.
+    values: u32,
+}
+
+impl Read {
+    fn label(&self) -> &str {
+        self.label.as_ref().map_or("", |(label, _)| label)
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn cycle_words(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let mut read = Read::default();
+        let number = self.open_cycle().number;
+        let nature = nature(number);
+        for &word in &block.words {
+            if !self.takes_cycle_word(nature, number, word, &read, text) {
+                return self.cycle_word(word.span, number);
+            }
+            match word.addr {
+                Addr::Axis { axis, incremental } => {
+                    if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
+                        && self.open_cycle().axes.iter().any(|other| other.axis == axis)
+                    {
+                        return self.twice(word, block);
+                    }
+                    let value = self.number_if(word.value, word.span)?;
+                    let loc = self.loc(word.span);
+                    self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
+                }
+                Addr::Name => {
+                    read.label = Some((String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(), word.span));
+                }
+                Addr::Hash => {
+                    read.label = Some(("#".to_owned(), word.span));
+                    self.open_cycle().table_row = true;
+                }
+                Addr::Value => {
+                    self.doubtful_point(&read, word, text)?;
+                    let value = self.number(word.value, word.span)?;
+                    let label = read.label.take().map(|(label, _)| label).unwrap_or_default();
+                    read.values += 1;
+                    self.keep_part(What::Value, value);
+                    self.open_cycle().values.push(Labelled { label, value });
+                }
+                Addr::Feed if nature == Nature::Machining => {
+                    let value = self.number(word.value, word.span)?;
+                    read.values += 1;
+                    self.keep_part(What::Feed, value);
+                }
+                Addr::Assign(q) => self.cycle_parameter(q, word, text)?,
+                Addr::Text => {
+                    let name = self.program_name(strip_pgm(word.span.of(text)))?;
+                    self.open_cycle().program = Some(name);
+                }
+                // Words of cycles that are refused where they are called; cycle 19 has F and DIST.
+                _ => {}
+            }
+        }
+        match read.label {
+            Some((label, span)) if matches!(nature, Nature::AxisScaling | Nature::Rotation | Nature::Scaling) => {
+                self.fail_help(codes::K1006, span, format!("`{label}` has no number"), "write the number behind it")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// `Q200=+2`
+    fn cycle_parameter(&mut self, q: QRef, word: Word, text: &[u8]) -> Outcome {
+        let number = self.open_cycle().number;
+        if q.kind == QKind::Q && !is_parameter_of(number, q) {
+            return self.fail_help(
+                codes::K1005,
+                word.span,
+                format!("cycle {number} has no parameter {q}"),
+                "remove it; if the line is a block of its own, remove the `~` at the end of the line in front",
+            );
+        }
+        // FMAX, FAUTO, PREDEF: of use to machining cycles only.
+        let named = match word.value {
+            Value::FeedMax => Some("FMAX"),
+            Value::FeedAuto => Some("FAUTO"),
+            Value::None => Some(named_value(word.span.of(text))),
+            _ => None,
+        };
+        if let Some(named) = named {
+            self.open_cycle().words.push((q.number, named));
+            return Ok(());
+        }
+        let value = self.number(word.value, word.span)?;
+        self.set(q, Slot::Number(value), word.span)?;
+        if q.kind == QKind::Q {
+            self.open_cycle().parameters.push((q.number, value));
+        }
+        Ok(())
+    }
+
+    /// `ABST.2`: does the point end the name or begin the number?
+    fn doubtful_point(&self, read: &Read, word: Word, text: &[u8]) -> Outcome {
+        let Some((label, span)) = &read.label else { return Ok(()) };
+        let exact = matches!(label.as_str(), "ROT" | "IROT" | "SCL" | "CCX" | "CCY" | "CCZ" | "T" | "TA");
+        if exact || span.end != word.span.start || !word.span.of(text).starts_with(b".") {
+            return Ok(());
+        }
+        let whole = span.to(word.span);
+        self.fail_help(
+            codes::K1005,
+            whole,
+            format!("in `{}` the point may belong to the name or to the number", self.word_text(whole)),
+            "write a blank between the name and the number",
+        )
+    }
+
+    /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
+    pub(super) fn check_title(&self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
+        let acts = !matches!(nature(number), Nature::Machining | Nature::Pattern | Nature::Data | Nature::Unknown);
+        if part.is_none() || !acts {
+            return Ok(());
+        }
+        let head = block.span.of(text);
+        let name = head.iter().position(|b| *b == b'.').map_or(head.len(), |dot| dot + 2).min(head.len());
+        let mut at = name;
+        for word in head[name..].split(u8::is_ascii_whitespace) {
+            if word.iter().any(u8::is_ascii_digit) {
+                let span = Span::at(block.span.start + at as u32, word.len() as u32);
+                return self.fail_help(
+                    codes::K1005,
+                    span,
+                    format!("`{}` stands in the name of the cycle", self.word_text(span)),
+                    &format!("the values of cycle {number} belong into the blocks {number}.1 and up"),
+                );
+            }
+            at += word.len() + 1;
+        }
+        Ok(())
+    }
+
+    /// A word that the cycle does not take.
+    pub(super) fn cycle_word<T>(&self, span: Span, cycle: u32) -> Outcome<T> {
+        let text = self.word_text(span);
+        let form = match cycle {
+            1 | 2 => "write a name and one value: `CYCL DEF 1.2 DEPTH -15`, the feed as `CYCL DEF 1.5 F80`",
+            17 => "write a name and one value: `CYCL DEF 17.3 PITCH +1.5`",
+            7 => "write the shift: `CYCL DEF 7.1 X+60`",
+            8 => "write the letters of the axes: `CYCL DEF 8.1 X Y`",
+            9 => "write the time: `CYCL DEF 9.1 DWELL 1.5`",
+            10 => "write the angle: `CYCL DEF 10.1 ROT+35`",
+            11 => "write the factor: `CYCL DEF 11.1 SCL 0.75`",
+            13 => "write the angle: `CYCL DEF 13.1 ANGLE 180`",
+            26 => "write factors and centre: `CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20`",
+            _ => "remove the word",
+        };
+        self.fail_help(codes::K1005, span, format!("`{text}` has no place in cycle {cycle}"), form)
+    }
+
+    /// Does the definition under way take this word?
+    fn takes_cycle_word(&mut self, nature: Nature, number: u32, word: Word, read: &Read, text: &[u8]) -> bool {
+        use Nature::*;
+        let valued = word.value != Value::None;
+        let none = read.values == 0;
+        let part = self.open_cycle().part;
+        let old = number < 20 && holes::needed(number).is_some();
+        match (nature, word.addr) {
+            (Machining, Addr::Name | Addr::Value) if old => none,
+            (Machining, Addr::Feed) if old => none && read.label.is_none() && holes::feed_part(number) == part,
+            (Machining, _) if old => false,
+            (Machining | Pattern | Data | Unknown | Preset, Addr::Assign(_) | Addr::AssignText(_)) => true,
+            // Refused where they are called, whatever they say.
+            (Machining | Unknown, _) => true,
+            (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
+            (Tolerance, Addr::Name) => true,
+            (Tolerance, Addr::Value) => read.label.is_some(),
+            (ProgramCall, Addr::Text) => true,
+            (DatumShift, Addr::Axis { .. } | Addr::Hash) => read.label.is_none(),
+            (DatumShift, Addr::Value) => read.label() == "#",
+            (Mirror, Addr::Axis { incremental, .. }) => !valued && !incremental,
+            (AxisScaling, Addr::Axis { incremental, .. }) => valued && !incremental && read.label.is_none(),
+            (AxisScaling, Addr::Name) => read.label.is_none() && is_one_of(word, text, &["CCX", "CCY", "CCZ"]),
+            (AxisScaling, Addr::Value) => read.label.is_some(),
+            (Rotation, Addr::Name) => none && is_one_of(word, text, &["ROT", "IROT"]),
+            (Scaling, Addr::Name) => none && is_one_of(word, text, &["SCL"]),
+            (Rotation | Scaling, Addr::Value) => none && read.label.is_some(),
+            // Their names are written in the language of the control.
+            (Dwell | Orientation, Addr::Name | Addr::Value) => none && self.open_cycle().values.is_empty(),
+            // A tilt is refused for its angles; its feed and distance belong to it.
+            (Tilt, Addr::Axis { .. } | Addr::Feed | Addr::FeedMax | Addr::Name) => true,
+            (Tilt, Addr::Value) => read.label.is_some(),
+            _ => false,
+        }
+    }
+}
+
+fn is_one_of(word: Word, text: &[u8], names: &[&str]) -> bool {
+    names.iter().any(|name| word.span.of(text).eq_ignore_ascii_case(name.as_bytes()))
+}
+
+/// What a word as the value of a parameter means: `Q206=AUTO` is FAUTO.
+fn named_value(assignment: &[u8]) -> &'static str {
+    let value = assignment.iter().position(|b| *b == b'=').map_or(assignment, |at| &assignment[at + 1..]);
+    match value.trim_ascii() {
+        word if word.eq_ignore_ascii_case(b"AUTO") => "FAUTO",
+        word if word.eq_ignore_ascii_case(b"MAX") => "FMAX",
+        _ => "a word",
+    }
+}
+
+/// Is `q` a parameter that a definition of this cycle may set?
+pub(super) fn is_parameter_of(cycle: u32, q: QRef) -> bool {
+    if q.kind != QKind::Q {
+        return false;
+    }
+    let known = holes::parameters(cycle).or_else(|| patterns::parameters(cycle));
+    match known {
+        Some((needed, optional)) => needed.contains(&q.number) || optional.contains(&q.number),
+        None if cycle == 247 => q.number == 339,
+        None => matches!(q.number, 200..=1199) || (matches!(cycle, 20..=39) && q.number <= 21),
+    }
+}
+
+/// `PGM LOT31` without its keyword.
+fn strip_pgm(text: &[u8]) -> &[u8] {
+    match text.get(..3) {
+        Some(head) if head.eq_ignore_ascii_case(b"PGM") => text[3..].trim_ascii(),
+        _ => text,
+    }
+}
