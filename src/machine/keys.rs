@@ -281,6 +281,8 @@ pub const SECTIONS: &[Section] = &[
                 "thread undercut of a pitch: \"1.5\" = { external = 2.3, a = [3.2, 5.2], r = 0.8 }",
             ),
             key("din509_by_diameter", Kind::Free, "size up to a diameter: \"80\" = \"0.6x0.3\", above = \"1.0x0.4\""),
+            key("din509_in_editor", Kind::Texts, "SINUMERIK: sizes by their index in the contour editor: [\"0.1x0.1\", …]"),
+            key("din509_in_cycle", Kind::Texts, "SINUMERIK: sizes by `_PITI` of CYCLE940: [\"0.6x0.3\", …]"),
             key(
                 "thread_length",
                 Kind::Choice(&["middle", "shortest", "longest"]),

@@ -210,7 +210,8 @@ fn read_tool_tbl(text: &str) -> Result<BTreeMap<ToolKey, Tool>, TableError> {
                 'T' => number = Some(value as u32),
                 'D' => tool.radius = Some(value / 2.0),
                 'Z' => tool.length = Some(value),
-                'Q' => tool.orientation = Some(value as u8),
+                // Cutting-edge positions are numbered otherwise there; `[tools]` gives them.
+                'Q' => {}
                 'P' | 'X' | 'Y' | 'A' | 'B' | 'C' | 'U' | 'V' | 'W' | 'I' | 'J' => {}
                 _ => return Err(fail()),
             }
@@ -249,7 +250,7 @@ mod tests {
     fn linuxcnc_table() {
         let table = read_table("T1 P1 D6.0 Z+50.5 Q2 ;6 mm end mill\n;remark\n\nT12 D.5\n").unwrap();
         let one = &table[&ToolKey::Number(1, 0)];
-        assert_eq!((one.radius, one.length, one.orientation), (Some(3.0), Some(50.5), Some(2)));
+        assert_eq!((one.radius, one.length, one.orientation), (Some(3.0), Some(50.5), None));
         assert_eq!(table[&ToolKey::Number(12, 0)].radius, Some(0.25));
         assert_eq!(read_table("X1 2\n").unwrap_err().line, 1);
     }

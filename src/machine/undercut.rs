@@ -72,6 +72,8 @@ pub struct Undercuts {
     /// Up to this diameter, the index into `sizes`.
     by_diameter: Vec<(f64, usize)>,
     threads: Vec<Din76>,
+    editor: SizeList,
+    cycle: SizeList,
     pub thread_length: ThreadLength,
     pub internal_depth: InternalDepth,
 }
@@ -117,6 +119,45 @@ const BY_DIAMETER: &[(f64, f64, f64)] = &[
     (80.0, 0.6, 0.3),
     (f64::INFINITY, 1.0, 0.4),
 ];
+
+/// Sizes by their place in the list of SINUMERIK's contour editor. Place 4 was seen in stored programs, the others follow
+/// from the order by radius and are not confirmed.
+const EDITOR: &[(f64, f64)] = &[
+    (0.1, 0.1),
+    (0.2, 0.1),
+    (0.4, 0.2),
+    (0.6, 0.2),
+    (0.6, 0.3),
+    (1.0, 0.2),
+    (1.0, 0.4),
+    (1.6, 0.3),
+    (2.5, 0.4),
+    (4.0, 0.5),
+];
+const EDITOR_SEEN: u32 = 4;
+
+/// Sizes by their place in the list of CYCLE940 (`_PITI`): 0 was seen, the others are not confirmed.
+const CYCLE: &[(f64, f64)] = &[
+    (0.6, 0.3),
+    (1.0, 0.4),
+    (1.0, 0.2),
+    (1.6, 0.3),
+    (2.5, 0.4),
+    (4.0, 0.5),
+    (0.4, 0.2),
+    (0.6, 0.2),
+    (0.1, 0.1),
+    (0.2, 0.1),
+];
+const CYCLE_SEEN: u32 = 0;
+
+/// A list in which programs name sizes by their place.
+#[derive(Debug, Clone, PartialEq)]
+struct SizeList {
+    sizes: Vec<(f64, f64)>,
+    /// The one place that is confirmed; `None` for a list of the configuration, which the user answers for.
+    seen: Option<u32>,
+}
 
 /// DIN 76-1: pitch, d - dg, A, B, r, dg - D, C, D. Depths, r and the longest lengths of A and C: HEIDENHAIN CNC
 /// PILOT 4290, p. 426; g1 and the short forms B and D have a single source and are not confirmed.
@@ -202,6 +243,8 @@ impl Default for Undercuts {
             sizes: DIN_509.to_vec(),
             by_diameter: BY_DIAMETER.iter().filter_map(|(upto, r, t)| Some((*upto, index(*r, *t)?))).collect(),
             threads: DIN_76.to_vec(),
+            editor: SizeList { sizes: EDITOR.to_vec(), seen: Some(EDITOR_SEEN) },
+            cycle: SizeList { sizes: CYCLE.to_vec(), seen: Some(CYCLE_SEEN) },
             thread_length: ThreadLength::default(),
             internal_depth: InternalDepth::default(),
         }
@@ -212,6 +255,21 @@ impl Undercuts {
     /// The size r x t1.
     pub fn size(&self, radius: f64, depth: f64) -> Option<&Din509> {
         self.sizes.iter().find(|size| same_size(size, radius, depth))
+    }
+
+    /// The size at a place of the contour editor's list, and whether the place is confirmed.
+    pub fn editor_size(&self, index: u32) -> Option<(&Din509, bool)> {
+        self.listed(&self.editor, index)
+    }
+
+    /// The size at a place of CYCLE940's list, and whether the place is confirmed.
+    pub fn cycle_size(&self, index: u32) -> Option<(&Din509, bool)> {
+        self.listed(&self.cycle, index)
+    }
+
+    fn listed(&self, list: &SizeList, index: u32) -> Option<(&Din509, bool)> {
+        let (radius, depth) = list.sizes.get(index as usize)?;
+        Some((self.size(*radius, *depth)?, list.seen.is_none_or(|seen| seen == index)))
     }
 
     /// The size for a diameter of the cylinder.
@@ -266,6 +324,8 @@ impl Undercuts {
                 }
             }
             ("din509_by_diameter", Value::Table(table)) => self.set_by_diameter(table)?,
+            ("din509_in_editor", Value::List(items)) => self.editor = self.size_list(items)?,
+            ("din509_in_cycle", Value::List(items)) => self.cycle = self.size_list(items)?,
             _ => return Err(node.fail(format!("`{name}` has no place in [undercut]"))),
         }
         Ok(())
@@ -298,6 +358,19 @@ impl Undercuts {
             }
         }
         Ok(())
+    }
+
+    /// Sizes by their place.
+    fn size_list(&self, items: &[Node]) -> Result<SizeList, ConfigError> {
+        let mut sizes = Vec::with_capacity(items.len());
+        for node in items {
+            let known = match &node.value {
+                Value::Text(text) => radius_and_depth(text).filter(|(r, t)| self.size(*r, *t).is_some()),
+                _ => None,
+            };
+            sizes.push(known.ok_or_else(|| node.fail("needs a size of DIN 509 such as \"0.6x0.3\""))?);
+        }
+        Ok(SizeList { sizes, seen: None })
     }
 
     fn set_by_diameter(&mut self, table: &Table) -> Result<(), ConfigError> {
@@ -459,6 +532,21 @@ mod tests {
         assert_eq!(tables.size_for(21.0).map(|s| s.radius), Some(1.0));
         assert_eq!(tables.thread_length, ThreadLength::Shortest);
         assert_eq!(tables.internal_depth, InternalDepth::Bore);
+    }
+
+    #[test]
+    fn sizes_are_named_by_their_place() {
+        let place = |found: Option<(&Din509, bool)>| found.map(|(size, sure)| (size.radius, size.depth, sure));
+        let tables = Undercuts::default();
+        assert_eq!(place(tables.editor_size(4)), Some((0.6, 0.3, true)));
+        assert_eq!(place(tables.editor_size(0)), Some((0.1, 0.1, false)));
+        assert_eq!(place(tables.cycle_size(0)), Some((0.6, 0.3, true)));
+        assert_eq!(place(tables.cycle_size(9)), Some((0.2, 0.1, false)));
+        assert_eq!((place(tables.editor_size(10)), place(tables.cycle_size(10))), (None, None));
+        let tables = read("din509_in_editor = ['0.8x0.3', '1.2x0.2']\ndin509_in_cycle = ['1.2x0.4']\n").unwrap();
+        assert_eq!(place(tables.editor_size(1)), Some((1.2, 0.2, true)));
+        assert_eq!((place(tables.editor_size(2)), place(tables.cycle_size(0))), (None, Some((1.2, 0.4, true))));
+        assert!(read("din509_in_editor = ['0.9x0.3']").is_err() && read("din509_in_cycle = [1]").is_err());
     }
 
     #[test]

@@ -10,7 +10,6 @@ use crate::ir::cycle::UndercutCycle;
 use crate::ir::undercut::{CORE, Doubts, Surface, ThreadForm, form_e, form_f, thread, usual_pitch};
 use crate::machine::Undercuts;
 use crate::machine::undercut::coarse_pitch;
-use crate::parser::sinumerik::records::CYCLE_SIZES;
 
 /// Pitches in the order of the cycle's list, `_PITI` 0 to 23.
 const PITCHES: [f64; 24] = [
@@ -179,9 +178,9 @@ fn shape940(
     match form {
         b'E' | b'F' => {
             let index = index().ok_or(CallFault::Range("_PITI"))?;
-            rests.size_index = index != 0;
-            let (radius, depth) = CYCLE_SIZES.get(index).ok_or(CallFault::Size)?;
-            let size = tables.size(*radius, *depth).ok_or(CallFault::Size)?;
+            let place = u32::try_from(index).ok().and_then(|index| tables.cycle_size(index));
+            let (size, sure) = place.ok_or(CallFault::Size)?;
+            rests.size_index = !sure;
             Ok(if form == b'E' { form_e(size) } else { form_f(size) })
         }
         b'A'..=b'D' => {

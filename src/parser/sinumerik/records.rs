@@ -85,35 +85,6 @@ pub enum Undercut {
     Free,
 }
 
-/// Radius and depth of the undercut sizes in the order of the editor's list. Index 4 was seen in stored programs, the
-/// others follow from the order by radius and are not confirmed.
-pub const SIZES: [(f64, f64); 10] = [
-    (0.1, 0.1),
-    (0.2, 0.1),
-    (0.4, 0.2),
-    (0.6, 0.2),
-    (0.6, 0.3),
-    (1.0, 0.2),
-    (1.0, 0.4),
-    (1.6, 0.3),
-    (2.5, 0.4),
-    (4.0, 0.5),
-];
-
-/// Size of the cycle's list of forms E and F (`_PITI` of CYCLE940): 0 was seen, the others are not confirmed.
-pub const CYCLE_SIZES: [(f64, f64); 10] = [
-    (0.6, 0.3),
-    (1.0, 0.4),
-    (1.0, 0.2),
-    (1.6, 0.3),
-    (2.5, 0.4),
-    (4.0, 0.5),
-    (0.4, 0.2),
-    (0.6, 0.2),
-    (0.1, 0.1),
-    (0.2, 0.1),
-];
-
 /// Reads the line of a stored contour; `None` for any other comment. `text` begins with the semicolon.
 pub fn read(text: &[u8]) -> Option<Record> {
     let text = core::str::from_utf8(text).ok()?.trim();

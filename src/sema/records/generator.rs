@@ -4,15 +4,13 @@ use crate::geo::undercut::{Allowance, Corner, Orientation, Reference, vertices};
 use crate::geo::{Deg, Point2, SAME_POINT, Vec2, cross, distance, intersect, left};
 use crate::ir::undercut::{Surface, ThreadForm, Undercut, form_e, form_f, thread, thread_by_contour};
 use crate::machine::Undercuts;
-use crate::parser::sinumerik::records::{Record, SIZES, Undercut as Form};
+use crate::parser::sinumerik::records::{Record, Undercut as Form};
 
 use super::solver::{Begin, Solved};
 use super::{Block, Contour, CornerWord, NoUndercut, Unsolved};
 
 /// Directions closer than this are the same, in degrees: three decimals of a coordinate over a few mm.
 const SAME_ANGLE: f64 = 0.01;
-/// The index of a size that was seen in stored programs.
-const CONFIRMED: u32 = 4;
 
 /// Makes NC blocks of solved elements.
 pub(super) struct Generator<'a> {
@@ -137,7 +135,8 @@ impl Generator<'_> {
     fn doubts(&self, undercut: Form, corner: &Corner) -> Option<String> {
         match undercut {
             Form::E(index) | Form::F(index) => {
-                (index != CONFIRMED).then(|| "the list of sizes by their index".to_owned())
+                let (_, sure) = self.tables.editor_size(index)?;
+                (!sure).then(|| "the list of sizes by their index (`[undercut] din509_in_editor`)".to_owned())
             }
             Form::Thread { pitch, entry } => {
                 let row = self.tables.thread(pitch?)?;
@@ -150,10 +149,7 @@ impl Generator<'_> {
 
     /// The undercut with its dimensions.
     fn sized(&self, undercut: Form, corner: &Corner) -> Result<Undercut, NoUndercut> {
-        let size = |index: u32| {
-            let size = SIZES.get(index as usize).and_then(|(radius, depth)| self.tables.size(*radius, *depth));
-            size.ok_or(NoUndercut::Index(index))
-        };
+        let size = |index: u32| self.tables.editor_size(index).map(|(size, _)| size).ok_or(NoUndercut::Index(index));
         match undercut {
             Form::E(index) => size(index).map(|size| Undercut::new(form_e(size))),
             Form::F(index) => size(index).map(|size| Undercut::new(form_f(size))),

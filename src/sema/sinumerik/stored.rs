@@ -192,9 +192,10 @@ impl Run<'_> {
                 "how a free undercut is stored is not known".to_owned(),
                 "write it as blocks, or by CYCLE940".to_owned(),
             ),
-            NoUndercut::Index(index) => {
-                (format!("no size of DIN 509 has the index {index}"), "the indices are 0 to 9".to_owned())
-            }
+            NoUndercut::Index(index) => (
+                format!("no size of DIN 509 has the index {index}"),
+                "0 to 9, or as `[undercut] din509_in_editor` says".to_owned(),
+            ),
             NoUndercut::PitchMissing { diameter, surface } => {
                 let help = match usual_pitch(&self.job.settings.undercut, surface, diameter) {
                     Some(pitch) => format!("the coarse pitch for {diameter} mm is {pitch}: give `P:{pitch}`"),

@@ -245,8 +245,11 @@ impl Run<'_> {
             let message = format!("the undercut rests on facts that are not confirmed: {}", rests.thread);
             self.note_once(codes::S8022, args.span, message);
         } else if rests.size_index || rests.size_by_diameter || rests.convention {
-            let what =
-                if rests.convention { "the reading of the position or of form T" } else { "the choice of the size" };
+            let what = match (rests.convention, rests.size_index) {
+                (true, _) => "the reading of the position or of form T",
+                (false, true) => "the size by its index (`[undercut] din509_in_cycle`)",
+                (false, false) => "the size by the diameter (`[undercut] din509_by_diameter`)",
+            };
             self.note_once(codes::S8022, args.span, format!("{what} is not confirmed: compare with the drawing"));
         }
         if rests.roughing {
