@@ -114,8 +114,8 @@ impl Run<'_> {
                 codes::S2016,
                 12050,
                 span,
-                "machine axes like X1 stand in G74 and G75 only",
-                "name the geometry axis: X=10",
+                "axes with a number, like X1 or B1, are machine axes, which stand in G74 and G75 only here",
+                "name a geometry axis: X=10; leave out axes that the target does not have",
             );
         }
         if let Some(passes) = w.passes {

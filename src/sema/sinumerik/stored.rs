@@ -26,6 +26,8 @@ pub(super) struct Stored {
     blocks: Vec<Block>,
     /// Where each block stands.
     places: Vec<Loc>,
+    /// The first element that runs at rapid traverse.
+    rapid: Option<usize>,
     records: Vec<Record>,
     /// Where each record stands.
     record_places: Vec<Loc>,
@@ -45,6 +47,7 @@ impl Run<'_> {
                     start: None,
                     blocks: Vec::new(),
                     places: Vec::new(),
+                    rapid: None,
                     records: Vec::new(),
                     record_places: Vec::new(),
                     begin: self.here.origin.loc,
@@ -84,6 +87,9 @@ impl Run<'_> {
             Path::Arc(Arc { shape: ArcShape::Center { center, ccw, .. }, .. }) => Some((*center, *ccw)),
             _ => None,
         };
+        if matches!(path, Path::Rapid) && stored.rapid.is_none() {
+            stored.rapid = Some(stored.blocks.len());
+        }
         stored.blocks.push(Block { end: to, arc, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.here.origin.loc);
     }
@@ -144,7 +150,14 @@ impl Run<'_> {
             }
         };
         let start = stored.start.unwrap_or(made.start);
-        if let Err(difference) = compare(start, &stored.blocks, &made, TOLERANCE) {
+        let compared = compare(start, &stored.blocks, &made, TOLERANCE);
+        if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
+            let place = stored.places.get(i).copied().unwrap_or(stored.begin);
+            let message =
+                format!("element {} runs at rapid traverse, which no record of the contour editor says", i + 1);
+            self.report(Diagnostic::new(codes::S8026, place, message).help("program G1 in the first element"));
+        }
+        if let Err(difference) = compared {
             let (at, what) = match difference {
                 Difference::Start => (None, "the start point".to_owned()),
                 Difference::Count => (None, "the number of elements".to_owned()),

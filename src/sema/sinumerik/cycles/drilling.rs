@@ -389,7 +389,14 @@ impl Run<'_> {
         };
         let lead = match args.or_zero(9) {
             0.0 => Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()),
-            1.0 | 11.0 => None,
+            1.0 => {
+                if args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0 {
+                    let message = "CYCLE840: the tap needs a compensating chuck on the target; without an encoder F and S \
+                                   make the thread, and the pitch of the call is not used";
+                    self.note_once(codes::S8025, args.span_of(9), message.to_owned());
+                }
+                None
+            }
             _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
         };
         Ok(Method::Tap(Tap {
