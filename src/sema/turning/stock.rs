@@ -1,9 +1,9 @@
-//! Where the tool stands, seen from the bar of the section BLANK.
+//! Where the tool stands, seen from the bar or the casting of the section BLANK.
 //!
 //! What a program cut before is not subtracted from the blank: a cycle that cuts from the tool on begins outside of all of it.
 
 use crate::diag::codes;
-use crate::geo::{Element, Point2};
+use crate::geo::{Element, Point2, distance};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::turning::Towards;
 
@@ -13,10 +13,36 @@ use super::{Outcome, Run};
 /// What arithmetic loses in a position, mm.
 const SLACK: f64 = 1e-6;
 
+/// The lower and the upper corner of a frame around a contour; arcs count as their circles.
+fn frame(contour: &[Element]) -> (Point2, Point2) {
+    let mut low = Point2::new(f64::INFINITY, f64::INFINITY);
+    let mut high = -low;
+    let mut take = |p: Point2, around: f64| {
+        low = Point2::new(low.x.min(p.x - around), low.y.min(p.y - around));
+        high = Point2::new(high.x.max(p.x + around), high.y.max(p.y + around));
+    };
+    for element in contour {
+        take(element.from(), 0.0);
+        take(element.to(), 0.0);
+        if let Element::Arc { from, center, .. } = *element {
+            take(center, distance(from, center));
+        }
+    }
+    (low, high)
+}
+
 impl Run<'_> {
-    /// Roughing begins at the tool: it stands outside of the bar along the infeed and along the cut.
+    /// Roughing begins at the tool: it stands outside of the blank along the infeed and along the cut.
     pub(super) fn check_stock(&self, contour: &[Element], at: Point2, into: Towards, number: u16) -> Outcome {
-        let Some(Blank::Bar { radius, length, right, bore }) = self.geometry.blank else { return Ok(()) };
+        let (radius, length, right, bore) = match self.geometry.blank {
+            Some(Blank::Bar { radius, length, right, bore }) => (radius, length, right, bore),
+            Some(Blank::Casting { oversize, bore }) => {
+                let (low, high) = frame(contour);
+                let inner = if bore { (low.y - oversize).max(0.0) } else { 0.0 };
+                (high.y + oversize, high.x - low.x + 2.0 * oversize, high.x + oversize, inner)
+            }
+            None => return Ok(()),
+        };
         let along = |p: Point2| if into.is_radial() { p.x } else { p.y };
         let ends = contour.iter().flat_map(|element| [along(element.from()), along(element.to())]);
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
