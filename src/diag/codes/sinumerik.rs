@@ -351,6 +351,14 @@ S8033 Warning "siemens-mcall-trigger" "block without a move under a modal drilli
 "Under MCALL of a drilling cycle some controls drill behind a bare G0, G1, F or S as well, at the place where the tool stands. It is read here \
 as a block that drills nothing. Put such blocks in front of MCALL."
 
+S8034 Warning "siemens-thread-spindle" "thread without a turning spindle"
+"G33 follows the turning of the spindle. No block before starts it, so that the machine would wait for a spindle that stands. \
+A subprogram may have its spindle started by its caller; then all is well."
+
+S8035 Note "siemens-argument-unused" "argument that this form of the cycle does not use"
+"The cycle has forms that use different arguments. The one named has a value and no meaning for the form of the call, so it changes \
+nothing. Check whether the form or the place of the argument is meant otherwise."
+
 S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
 jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \

@@ -343,7 +343,10 @@ impl Run<'_> {
                 Some(feed) => feed,
                 None => return self.feed_missing(),
             },
-            FeedWord::Value(f) if f > 0.0 => self.feed_of(f),
+            FeedWord::Value(f) if f > 0.0 => {
+                self.large_per_revolution(self.loc(w.feed_span), f);
+                self.feed_of(f)
+            }
             FeedWord::PerRevolution(f) if f > 0.0 => Feed::PerRevolution(f),
             FeedWord::Value(f) | FeedWord::PerRevolution(f) => return self.feed_not_positive(w.feed_span, f),
             FeedWord::Max | FeedWord::Auto => {

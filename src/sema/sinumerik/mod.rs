@@ -370,6 +370,9 @@ impl<'a> Run<'a> {
         if block.stmt == Stmt::Empty || self.iso && !self.iso_ends(block) {
             return;
         }
+        if self.stored.is_some() {
+            self.note_stored_block();
+        }
         // What went wrong was reported; the next block may show more.
         let _ = self.statement(block, text);
     }

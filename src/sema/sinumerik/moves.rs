@@ -2,7 +2,7 @@
 //!
 //! Source: reference sections 2.1, 4.8 and 5.6.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
@@ -172,6 +172,11 @@ impl Run<'_> {
     /// G33
     pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
         self.master_is_main(span, "the lead of a thread")?;
+        if self.st.turn.is_none() && self.job.diags.first_time(codes::S8034) {
+            let found =
+                Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
+            self.report(found.help("program M3 or M4 with a speed in front of the thread"));
+        }
         let end = self.targets(w)?;
         if let Some(start) = w.take(Address::Sf)
             && start.value != 0.0

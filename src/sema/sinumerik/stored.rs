@@ -32,6 +32,9 @@ pub(super) struct Stored {
     /// Where each record stands.
     record_places: Vec<Loc>,
     begin: Loc,
+    /// Lengths across the part are diameters: what holds in front of the block of the start point, which the
+    /// editor wrote; words that were added there or behind it do not change what the records mean.
+    diameter: bool,
 }
 
 impl Run<'_> {
@@ -51,6 +54,7 @@ impl Run<'_> {
                     records: Vec::new(),
                     record_places: Vec::new(),
                     begin: self.here.origin.loc,
+                    diameter: false,
                 }));
                 Ok(())
             }
@@ -66,6 +70,14 @@ impl Run<'_> {
                 Ok(())
             }
             None => Ok(()),
+        }
+    }
+
+    /// A block of a stored contour begins.
+    pub(super) fn note_stored_block(&mut self) {
+        let diameter = self.st.diameter_mode() != Diameter::Off;
+        if let Some(stored) = self.stored.as_mut().filter(|stored| stored.start.is_none()) {
+            stored.diameter = diameter;
         }
     }
 
@@ -109,7 +121,7 @@ impl Run<'_> {
         if self.errors.get() > 0 {
             return Ok(());
         }
-        let diameter = self.st.diameter_mode() != Diameter::Off;
+        let diameter = if stored.start.is_some() { stored.diameter } else { self.st.diameter_mode() != Diameter::Off };
         let [first, second, _] = self.st.roles();
         let here = (first.letter() as u8, second.letter() as u8);
         let named = stored.records.iter().find_map(|record| match record {
@@ -142,10 +154,10 @@ impl Run<'_> {
         }
         let made = match solve(&stored.records, diameter, &self.job.settings.undercut) {
             Ok(made) => made,
-            Err(_) => {
-                let found =
-                    Diagnostic::new(codes::S8027, stored.begin, "the records of this contour cannot be checked");
-                self.report(found);
+            Err(why) => {
+                let (place, what, _) = self.unsolved(&why, stored);
+                let message = format!("the records of this contour cannot be checked: {what}");
+                self.report(Diagnostic::new(codes::S8027, place, message));
                 return Ok(());
             }
         };
@@ -179,6 +191,14 @@ impl Run<'_> {
 
     /// The records make no contour.
     fn no_contour(&mut self, why: &Unsolved, stored: &Stored) -> Outcome {
+        let (place, what, help) = self.unsolved(why, stored);
+        let message = format!("the contour has no blocks, and its records do not make it: {what}");
+        self.report(Diagnostic::new(codes::S9019, place, message).help(help));
+        Err(Reported)
+    }
+
+    /// Where the records stop making sense, why, and what mends it.
+    fn unsolved(&self, why: &Unsolved, stored: &Stored) -> (Loc, String, String) {
         let place = why.record().and_then(|at| stored.record_places.get(at)).copied().unwrap_or(stored.begin);
         let again = "open the contour in the editor of the control and accept it again".to_owned();
         let (what, help) = match why {
@@ -189,9 +209,7 @@ impl Run<'_> {
             Unsolved::Contradiction(_) => ("the values of this one contradict each other".to_owned(), again),
             Unsolved::Undercut(_, why) => self.no_undercut(why),
         };
-        let message = format!("the contour has no blocks, and its records do not make it: {what}");
-        self.report(Diagnostic::new(codes::S9019, place, message).help(help));
-        Err(Reported)
+        (place, what, help)
     }
 
     fn no_undercut(&self, why: &NoUndercut) -> (String, String) {

@@ -71,7 +71,8 @@ impl Run<'_> {
         self.in_turning_plane(args)?;
         let (places, points, leads) = match args.name.as_str() {
             "CYCLE97" => {
-                let lead = self.pitch(args, 2, 1, 0)?.abs();
+                self.no_sign(args, &[1, 2])?;
+                let lead = self.pitch(args, 2, 1, 0)?;
                 (CYCLE97, self.line(args, [3, 5], [4, 6])?, vec![lead])
             }
             "CYCLE98" => {
@@ -79,9 +80,10 @@ impl Run<'_> {
                 for place in [1, 3, 5, 7] {
                     points.push(self.point(args, place, place + 1)?);
                 }
+                self.no_sign(args, &[17, 18, 19])?;
                 let mut leads = Vec::new();
                 for place in [17, 18, 19] {
-                    leads.push(self.needed_length(args, place, "the pitch")?.abs());
+                    leads.push(self.needed_length(args, place, "the pitch")?);
                 }
                 for (place, what) in [
                     (23, "the first infeed `_MID`"),
@@ -108,6 +110,17 @@ impl Run<'_> {
             }
         };
         self.thread(args, &places, &points, &leads)
+    }
+
+    /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
+    fn no_sign(&self, args: &Arguments, places: &[usize]) -> Outcome {
+        match places.iter().find(|place| args.or_zero(**place) < 0.0) {
+            Some(place) => {
+                let help = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
+                self.cycle_fault(args, args.span_of(*place), 61001, "the pitch is below 0", help)
+            }
+            None => Ok(()),
+        }
     }
 
     fn point(&self, args: &Arguments, z: usize, diameter: usize) -> Outcome<Point2> {

@@ -2,7 +2,7 @@
 //!
 //! Source: reference sections 4.1, 5.1 and 5.7.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::undercut::Surface;
@@ -19,6 +19,21 @@ const CLEARANCE: f64 = 1.0;
 const NAMES: [&str; 22] = [
     "_SPD", "_SPL", "_FORM", "_LAGE", "_SDIS", "_FFP", "_VARI", "_EPD", "_EPL", "_R1", "_R2", "_STA", "_VRT", "_MID",
     "_FAL", "_FALX", "_FALZ", "_PITI", "_PTAB", "_PTABA", "_DMODE", "_AMODE",
+];
+
+/// Places of CYCLE940 that only some forms use, and the forms (reference, table in 5.1).
+const OF_FORMS: [(usize, &str); 11] = [
+    (7, "ABCDT"),
+    (8, "EFT"),
+    (9, "EFT"),
+    (10, "T"),
+    (11, "T"),
+    (12, "ABCDT"),
+    (14, "ABCDT"),
+    (15, "ABCDT"),
+    (16, "ABCDT"),
+    (17, "ABCDT"),
+    (18, "ABCDEF"),
 ];
 
 /// The form: one letter.
@@ -78,6 +93,13 @@ impl Run<'_> {
             return self.not_built(args, 21, "a plane other than the active one (`_DMODE`)");
         }
         let form = args.text(3).unwrap_or_default();
+        let known = OF_FORMS.iter().any(|(_, forms)| forms.contains(form.as_str()));
+        for (place, forms) in OF_FORMS {
+            if args.or_zero(place) != 0.0 && known && !form.is_empty() && !forms.contains(form.as_str()) {
+                let message = format!("CYCLE940: form {form} does not use `{}`", NAMES[place - 1]);
+                self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
+            }
+        }
         let internal = args.or_zero(4) >= 2.0;
         if matches!(form.as_str(), "A" | "B") && internal || matches!(form.as_str(), "C" | "D") && !internal {
             let help = "forms A and B are external, C and D internal";
