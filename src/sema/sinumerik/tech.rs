@@ -190,6 +190,9 @@ impl Run<'_> {
     /// What acts behind the motion.
     pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
         for m in &w.m {
+            if matches!(m.number, 0..=2 | 17 | 30) {
+                self.tapping_ends();
+            }
             match m.number {
                 0 | 1 => {
                     self.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
