@@ -4,7 +4,10 @@
 
 mod captured;
 mod cli;
+mod cli_config;
 mod cli_files;
+mod cli_findings;
+mod cli_run;
 mod common;
 mod cycle_parameters;
 mod diagnostics;
