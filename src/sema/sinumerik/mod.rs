@@ -143,6 +143,8 @@ struct Run<'a> {
     warned_global: FxHashSet<Symbol>,
     given_parameters: Vec<(Symbol, bool)>,
     modal: Option<Modal>,
+    /// Where the modal call stands.
+    modal_site: Loc,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
     /// The first line of a pair was refused.
@@ -212,6 +214,7 @@ impl<'a> Run<'a> {
             warned_global: FxHashSet::default(),
             given_parameters: Vec::new(),
             modal: None,
+            modal_site: Loc::default(),
             modal_cycle: None,
             pending: None,
             pair_lost: false,
