@@ -10,6 +10,7 @@ mod cli_findings;
 mod cli_run;
 mod common;
 mod cycle_parameters;
+mod damage;
 mod diagnostics;
 mod golden;
 mod hostile;
