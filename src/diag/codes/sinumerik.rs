@@ -359,14 +359,26 @@ S8035 Note "siemens-argument-unused" "argument that this form of the cycle does 
 "The cycle has forms that use different arguments. The one named has a value and no meaning for the form of the call, so it changes \
 nothing. Check whether the form or the place of the argument is meant otherwise."
 
-S8036 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
-"G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
-any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
+S8036 Warning "siemens-label-twice" "label that stands twice"
+"A jump goes to the nearest label in the direction of its search, so that a label that stands twice leads to different places from \
+different blocks, and a block inserted later changes the way. Some controls refuse such a program when it is translated. Rename one of them."
+
+S8037 Note "siemens-callpath" "search path of the control is not used"
+"CALLPATH adds a folder of the control in which called programs are looked for. partc looks beside the program that calls and in the \
+folders of `[include] roots`. If a program lies in the folder that CALLPATH names, list the folder there."
+
+S8038 Warning "siemens-mcall-open" "modal call that is never ended"
+"MCALL with a program or a cycle calls it behind each block that moves, up to an MCALL without a name. The program ends before: \
+every move behind the last hole, the retraction to the tool change included, has drilled again."
 
 S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
 jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \
 with the code that the text names says why."
+
+S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
+"G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
+any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
 
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."

@@ -388,7 +388,13 @@ impl Run<'_> {
         self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
     }
 
+    /// Where the modal call stands that is still on.
+    pub(super) fn open_modal_call(&self) -> Option<Loc> {
+        (self.modal.is_some() || self.modal_cycle.is_some()).then_some(self.modal_site)
+    }
+
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
+        self.modal_site = self.loc(block.span);
         let word = self.symbols.name(name).to_owned();
         if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
             return result;

@@ -147,6 +147,8 @@ struct Run<'a> {
     given_parameters: Vec<(Symbol, bool)>,
     externs: Vec<externs::Extern>,
     modal: Option<Modal>,
+    /// Where the modal call stands.
+    modal_site: Loc,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
     /// The first line of a pair was refused.
@@ -222,6 +224,7 @@ impl<'a> Run<'a> {
             given_parameters: Vec::new(),
             externs: Vec::new(),
             modal: None,
+            modal_site: Loc::default(),
             modal_cycle: None,
             pending: None,
             pair_lost: false,

@@ -227,7 +227,14 @@ impl Run<'_> {
                 }
                 Ok(())
             }
-            Procedure::CallPath => Ok(()),
+            Procedure::CallPath => {
+                self.note_once(
+                    codes::S8037,
+                    call.span,
+                    "CALLPATH is left out: programs are looked for beside their caller and in the include roots",
+                );
+                Ok(())
+            }
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::TransformationOff if formulas.is_empty() => Ok(()),

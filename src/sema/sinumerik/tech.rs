@@ -14,6 +14,8 @@ use super::{Outcome, Run};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
+/// S words of a block (reference 1.2).
+const MOST_S: usize = 3;
 
 impl Run<'_> {
     // F, S, T, D.
@@ -112,6 +114,10 @@ impl Run<'_> {
                 "a block has at most five M functions",
                 "divide the block",
             );
+        }
+        if let Some(fourth) = w.s.get(MOST_S) {
+            let message = "a block has at most three S words";
+            return self.fail_help(codes::S2007, 12010, fourth.span, message, "divide the block");
         }
         for m in &w.m {
             self.early_function(*m)?;

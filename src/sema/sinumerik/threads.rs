@@ -153,7 +153,7 @@ impl Run<'_> {
         if let Some(before) = self.st.turn.take() {
             let m = if before == Turn::Clockwise { "M3" } else { "M4" };
             let message = format!("the spindle stands behind {word}: the {m} in front of it does not count any more");
-            self.note_once(codes::S8036, span, message);
+            self.note_once(codes::S8041, span, message);
         }
         self.st.spindle_angle = None;
         if self.tapping.replace(turn) != Some(turn) {
