@@ -233,6 +233,7 @@ impl Reader {
                 }
             }
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
+            "md20150" => control.siemens.feed_per_revolution = Some(text(node) == "g95"),
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),
         }

@@ -212,6 +212,7 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path",
             )
             .or(r#""refuse""#),
+            key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94"),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",

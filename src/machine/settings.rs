@@ -244,6 +244,8 @@ pub struct Siemens {
     pub tool_change_by_t: Option<bool>,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
+    /// Feed at the start of a program is per revolution (MD 20150).
+    pub feed_per_revolution: Option<bool>,
     /// A chamfer or rounding that does not fit is made as large as it fits.
     pub shorten_corners: bool,
 }
@@ -256,6 +258,7 @@ impl Default for Siemens {
             circle_error_factor: 0.001,
             tool_change_by_t: None,
             main_variables_visible: false,
+            feed_per_revolution: None,
             shorten_corners: false,
         }
     }

@@ -380,6 +380,10 @@ S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
 "G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
 any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
 
+S8042 Warning "siemens-feed-kind" "kind of feed that no block names"
+"What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
+An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
