@@ -384,6 +384,11 @@ S8042 Warning "siemens-feed-kind" "kind of feed that no block names"
 "What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
 An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
 
+S8043 Note "siemens-compensation-shape" "shape of the compensated path is the target's"
+"KONT, KONTT, KONTC, G451, G461 and G462 say how the control leads the tool to a compensated contour, away from it and round its corners. \
+With `[output] compensation = \"control\"` the target computes that path by its own rules: watch the entry, the exit and sharp outside \
+corners in its simulation."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 

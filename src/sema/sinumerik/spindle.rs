@@ -72,7 +72,10 @@ impl Run<'_> {
         }
         // Once is enough.
         (self.st.constant_cut, self.st.speed_kept) = (false, false);
-        self.unknown_speed(Span::default(), "this block cuts at the speed that the spindle happens to have kept since G96")
+        self.unknown_speed(
+            Span::default(),
+            "this block cuts at the speed that the spindle happens to have kept since G96",
+        )
     }
 
     fn unknown_speed(&self, span: Span, message: &str) -> Outcome {
