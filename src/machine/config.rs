@@ -71,9 +71,12 @@ impl Reader {
                     s.machine.limits.insert(axis(name, node)?, range(node)?);
                 }
             }
-            ("machine", "reference_point" | "fixed_point") => {
-                let points =
-                    if name == "fixed_point" { &mut s.machine.fixed_point } else { &mut s.machine.reference_point };
+            ("machine", "reference_point" | "fixed_point" | "swivel_retract") => {
+                let points = match name {
+                    "fixed_point" => &mut s.machine.fixed_point,
+                    "swivel_retract" => &mut s.machine.swivel_retract,
+                    _ => &mut s.machine.reference_point,
+                };
                 for (name, node) in table_of(node) {
                     points.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
                 }

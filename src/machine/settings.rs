@@ -47,6 +47,8 @@ pub struct Machine {
     pub reference_point: BTreeMap<Axis, f64>,
     /// Machine coordinates of the fixed point, by axis (G75).
     pub fixed_point: BTreeMap<Axis, f64>,
+    /// Where CYCLE800 retracts to, in machine coordinates.
+    pub swivel_retract: BTreeMap<Axis, f64>,
 }
 
 impl Default for Machine {
@@ -60,6 +62,7 @@ impl Default for Machine {
             kinematics: "3axis".to_owned(),
             reference_point: BTreeMap::new(),
             fixed_point: BTreeMap::new(),
+            swivel_retract: BTreeMap::new(),
         }
     }
 }

@@ -389,6 +389,10 @@ S8043 Note "siemens-compensation-shape" "shape of the compensated path is the ta
 With `[output] compensation = \"control\"` the target computes that path by its own rules: watch the entry, the exit and sharp outside \
 corners in its simulation."
 
+S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
+"C=DC(30) takes the shortest way to 30 degrees. No block before says where the axis stands, so the position is printed as it is, and the \
+target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
