@@ -306,9 +306,9 @@ impl Run<'_> {
             return;
         };
         if frame != self.st.ctx.frame {
+            self.st.heading = self.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
             let tool = self.st.ctx.frame.apply(&self.st.pos);
             self.st.pos = frame.unapply(&tool);
-            self.st.heading = super::tangent::Heading::Later;
             self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });
         }
     }
