@@ -130,7 +130,10 @@ impl Run<'_> {
 
     /// LIMS= counts under G97, and no more under G94 and G95.
     fn feed_kind_limits_speed(&mut self, code: Code, span: Span) {
-        let (Some(before), false) = (self.st.turns, self.st.constant_cut) else { return };
+        let (Some(before), Some(speed), false) = (self.st.turns, self.st.speed, self.st.constant_cut) else { return };
+        if self.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
+            return;
+        }
         self.limit_changed(span);
         if let Some(now) = self.st.turns.filter(|now| *now > before) {
             let code = super::vocabulary::word(code);
