@@ -4,7 +4,8 @@
 
 use crate::diag::codes;
 use crate::geo::arc::{
-    Closing, TangentArc, center_by_opening, center_by_radius, centered_between, closing, tangent_arc, tangent_at, through,
+    Closing, TangentArc, center_by_opening, center_by_radius, centered_between, closing, tangent_arc, tangent_at,
+    through,
 };
 use crate::geo::{Plane, Point2, Vec2, length};
 use crate::ir::Pos;
@@ -68,7 +69,8 @@ impl Run<'_> {
         let known = self.tangential_arc(plane, start, to, turns)?;
         let frame_changed = matches!(self.st.heading, Heading::Behind { .. });
         if let Heading::Behind { turned: true, .. } = self.st.heading {
-            let message = "the frame has turned since the block in front of CT, and the direction of CT is turned with it";
+            let message =
+                "the frame has turned since the block in front of CT, and the direction of CT is turned with it";
             self.note_once(codes::S8042, Span::default(), message);
         }
         match known {
