@@ -296,13 +296,14 @@ S8017 Note "siemens-files" "file access is left out"
 "WRITE, DELETE and others work on files of the control. They have no effect on the path."
 
 S8018 Warning "siemens-two-depths" "two depths for one hole"
-"DP and DPR give different depths. The cycle takes DPR. Leave one of them out. Look at the word that is marked, and at the value behind it."
+"DP and DPR, or FDEP and FDPR, give different depths. The cycle takes the relative one. Leave one of them out."
 
 S8019 Warning "siemens-starts" "thread with several starts"
 "The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it."
 
 S8020 Note "siemens-thread-variant" "digits of a thread cycle"
-"What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Roughing and finishing are always both done."
+"What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
+those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
 
 S8021 Note "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
@@ -358,6 +359,10 @@ A subprogram may have its spindle started by its caller; then all is well."
 S8035 Note "siemens-argument-unused" "argument that this form of the cycle does not use"
 "The cycle has forms that use different arguments. The one named has a value and no meaning for the form of the call, so it changes \
 nothing. Check whether the form or the place of the argument is meant otherwise."
+
+S8036 Warning "siemens-count-rounded" "number of holes is rounded"
+"The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
+look at the formula that makes it."
 
 S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \

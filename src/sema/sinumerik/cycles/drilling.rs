@@ -120,6 +120,9 @@ impl Run<'_> {
         if gmode != 0 && args.digit(gmode, 1) != 0 {
             return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (`_GMODE`)");
         }
+        if gmode != 0 && args.or_zero(gmode) != 0.0 {
+            return self.not_built(args, gmode, "this reading of the geometry (`_GMODE`)");
+        }
         if dmode != 0
             && let plane = args.digit(dmode, 0)
             && plane != 0
@@ -132,6 +135,10 @@ impl Run<'_> {
         }
         if amode != 0 && args.digit(amode, 1) > 1 {
             return self.not_built(args, amode, "this unit of the dwell (`_AMODE`)");
+        }
+        // 1 is the reading that was seen in stored calls, 0 the one of old calls. CYCLE83 names its own.
+        if amode != 0 && args.name != "CYCLE83" && (2..10).any(|place| args.digit(amode, place) > 1) {
+            return self.not_built(args, amode, "another reading of an argument (`_AMODE`)");
         }
         Ok(axis)
     }
@@ -192,6 +199,11 @@ impl Run<'_> {
         if args.name == "CYCLE82" && args.or_zero(10) != 0.0 {
             return self.not_built(args, 10, "predrilling and through-drilling (`_VARI`)");
         }
+        for (place, name) in [(11, "S_ZA"), (12, "S_FA"), (13, "S_ZD"), (14, "S_FD")] {
+            if args.name == "CYCLE82" && args.or_zero(place) != 0.0 {
+                self.unused(args, place, name, "without predrilling or through-drilling in `_VARI`");
+            }
+        }
         let dwell = self.dwell_of(args, 6)?;
         Ok(if args.name == "CYCLE89" { Method::Ream { dwell, back: feed } } else { Method::Drill { dwell } })
     }
@@ -211,7 +223,19 @@ impl Run<'_> {
         Ok(self.feed_of(value))
     }
 
+    /// The relative first depth counts where both are given; an absolute one of 0 is taken as none then.
+    fn two_first_depths(&self, args: &Arguments, levels: &Levels) {
+        let (Some(absolute), Some(relative)) = (self.length_of(args, 6), self.length_of(args, 7)) else { return };
+        let way = (levels.reference - absolute) * levels.outward();
+        if relative != 0.0 && absolute != 0.0 && (way - relative.abs()).abs() > 1e-9 {
+            let message = "CYCLE83: FDEP and FDPR give different first depths; FDPR counts";
+            let found = crate::diag::Diagnostic::new(codes::S8018, self.loc(args.span_of(6)), message);
+            self.report(found.help("leave one of them out"));
+        }
+    }
+
     fn peck(&self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
+        self.two_first_depths(args, levels);
         let Some(first) = Peck::first_step(levels, self.length_of(args, 6), self.length_of(args, 7)) else {
             return self.cycle_fault(
                 args,
@@ -334,6 +358,9 @@ impl Run<'_> {
                 "the spindle has no speed",
                 "give SST (argument 11) or program S",
             );
+        }
+        if args.or_zero(10) < 0.0 {
+            return self.not_built(args, 10, "the start angle of the machine data (a negative POSS)");
         }
         let after = self.after(args, 7)?;
         Ok(Method::Tap(Tap {
