@@ -231,6 +231,9 @@ fn cut(
                 format!("the block {which} the {name} moves an axis outside the working plane"),
             );
         }
+        if matches!(step.mv.path, Path::Thread { .. }) {
+            return refuse(codes::G3007, format!("the block {which} the {name} is a thread, whose end is its run-out"));
+        }
     }
     let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
         return refuse(codes::G3007, format!("the start of the element before the {name} is not known"));

@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::{Value, json};
 
-use super::cli::{Folder, HOLE, PART, WARNED, WRONG, caller, set};
+use super::cli_run::{Folder, HOLE, PART, WARNED, WRONG, caller, set};
 
 // What is written over what.
 

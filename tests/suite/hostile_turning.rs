@@ -3,7 +3,8 @@
 use partc::machine::Settings;
 
 use super::common::{Compiled, settings};
-use super::hostile::{Dice, damage, limited, run_as, victims_of};
+use super::damage::{Dice, KINDS, damage};
+use super::hostile::{limited, run_as, victims_of};
 
 const DIALECT: &str = "heidenhain-turning";
 
@@ -29,7 +30,7 @@ fn damaged_turning_programs() {
         for round in 0..130 {
             let mut damaged = bytes.clone();
             for _ in 0..1 + dice.roll(3) {
-                damage(&mut damaged, round % 9, &mut dice);
+                damage(&mut damaged, round % KINDS, &mut dice);
             }
             run_as(DIALECT, &name, &damaged, &settings);
         }

@@ -4,9 +4,13 @@
 
 mod captured;
 mod cli;
+mod cli_config;
 mod cli_files;
+mod cli_findings;
+mod cli_run;
 mod common;
 mod cycle_parameters;
+mod damage;
 mod diagnostics;
 mod golden;
 mod hostile;

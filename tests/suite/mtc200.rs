@@ -9,6 +9,7 @@ use partc::text::files::NoFiles;
 use partc::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{Compiled, cases, compile_bytes, settings};
+use super::damage::{Dice, KINDS, damage};
 
 /// What one small program may take, even unoptimized.
 const SOON: Duration = Duration::from_secs(20);
@@ -53,18 +54,6 @@ fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
     all.into_iter().step_by(step).take(count).map(read).collect()
 }
 
-/// Numbers that look random and are the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self, sides: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % sides.max(1) as u64) as usize
-    }
-}
-
 #[test]
 fn every_prefix_of_twenty_programs() {
     let settings = limited();
@@ -80,43 +69,12 @@ fn damaged_programs() {
     let settings = limited();
     let mut dice = Dice(0x5eed_0200);
     for (name, bytes) in victims(40) {
-        for _ in 0..250 {
+        for round in 0..250 {
             let mut damaged = bytes.clone();
             for _ in 0..1 + dice.roll(3) {
-                damage(&mut damaged, &mut dice);
+                damage(&mut damaged, round % KINDS, &mut dice);
             }
             run(&name, &damaged, &settings);
-        }
-    }
-}
-
-fn damage(bytes: &mut Vec<u8>, dice: &mut Dice) {
-    if bytes.is_empty() {
-        return;
-    }
-    let at = dice.roll(bytes.len());
-    match dice.roll(6) {
-        0 => bytes[at] ^= 1 << dice.roll(8),
-        1 => bytes[at] = *b"\0\x1a\r\n;\"().,+-*/%#!$=@9XFRIM[]\xff\xc3".get(dice.roll(31)).unwrap_or(&b' '),
-        2 => {
-            bytes.remove(at);
-        }
-        3 => {
-            let byte = bytes[dice.roll(bytes.len())];
-            bytes.insert(at, byte);
-        }
-        4 => {
-            let mut lines: Vec<Vec<u8>> = bytes.split(|b| *b == b'\n').map(<[u8]>::to_vec).collect();
-            let (from, to) = (dice.roll(lines.len()), dice.roll(lines.len()));
-            let line = lines[from].clone();
-            lines.insert(to, line);
-            *bytes = lines.join(&b'\n');
-        }
-        _ => {
-            let mut words: Vec<Vec<u8>> = bytes.split(|b| *b == b' ').map(<[u8]>::to_vec).collect();
-            let (a, b) = (dice.roll(words.len()), dice.roll(words.len()));
-            words.swap(a, b);
-            *bytes = words.join(&b' ');
         }
     }
 }

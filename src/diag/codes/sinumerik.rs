@@ -87,7 +87,7 @@ S2014 Error "siemens-mixed-assignment" "assignment beside other words"
 "A block with an assignment like R1=5 holds assignments only; the control shows alarm 12080. Give it a block of its own."
 
 S2015 Error "siemens-definition-late" "definition behind executed blocks"
-"DEF and PROC stand at the top of a program, in front of the first block that does something. The control shows alarm 14500."
+"DEF and PROC stand at the top of a program, in front of the first block that does something, and PROC in front of DEF. The control shows alarm 14500 or 14520."
 
 S2016 Error "siemens-name-taken" "name is used already, or no address"
 "The name is an axis, a word of the language or a variable that exists (alarm 12170), or the letter is no address of this machine (alarm \
@@ -107,7 +107,7 @@ S2020 Error "siemens-ret-in-main" "RET in the main program"
 "RET returns to a calling program; the main program has none. The control shows alarm 14091. A main program ends by M30 or M2."
 
 S2021 Error "siemens-arguments" "arguments do not fit the parameters"
-"Number or types of the arguments differ from those of PROC or of the function: alarms 12300 to 12360, 14020, 14021, 14510. VAR needs a \
+"Number or types of the arguments differ from those of PROC or of the function: alarms 12300 to 12360, 12480, 14020, 14021, 14510; those of EXTERN from those of PROC: alarm 14530. VAR needs a \
 variable of exactly the same type."
 
 S2025 Warning "siemens-r-unset" "R parameter is read before it is set"
@@ -129,7 +129,7 @@ S2029 Error "siemens-range" "value lies outside its type"
 "INT holds whole numbers up to 2147483647, CHAR 0 to 255. The control shows alarm 12160, 12560 or 14096."
 
 S2030 Error "siemens-text-length" "text is too long"
-"A text is longer than the variable takes, or longer than 200 characters: alarm 12210 or 14099. Macros have at most 256 characters."
+"A text is longer than the variable takes, or longer than 200 characters: alarm 12210 or 14099. A constant 'H41' in a text is one character (alarms 12220, 12230). Macros have at most 256 characters."
 
 S2031 Error "siemens-axis-needed" "an axis is needed"
 "In this place stands the name of an axis, or a variable of type AXIS that names one: alarm 12040."
@@ -320,7 +320,7 @@ S8024 Note "siemens-nose" "nose radius is not compensated"
 programmed point of the tool follows the undercut."
 
 S8025 Note "siemens-tap" "tapping with a tension-compression chuck"
-"The target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
+"CYCLE84, CYCLE840, G331 and G332: the target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
 target has rigid tapping of its own, replace the two moves by it."
 
 S8026 Warning "siemens-contour-differs" "blocks and records of a stored contour differ"
@@ -360,20 +360,36 @@ S8035 Note "siemens-argument-unused" "argument that this form of the cycle does 
 "The cycle has forms that use different arguments. The one named has a value and no meaning for the form of the call, so it changes \
 nothing. Check whether the form or the place of the argument is meant otherwise."
 
-S8036 Warning "siemens-count-rounded" "number of holes is rounded"
-"The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
-look at the formula that makes it."
+S8036 Warning "siemens-label-twice" "label that stands twice"
+"A jump goes to the nearest label in the direction of its search, so that a label that stands twice leads to different places from \
+different blocks, and a block inserted later changes the way. Some controls refuse such a program when it is translated. Rename one of them."
+
+S8037 Note "siemens-callpath" "search path of the control is not used"
+"CALLPATH adds a folder of the control in which called programs are looked for. partc looks beside the program that calls and in the \
+folders of `[include] roots`. If a program lies in the folder that CALLPATH names, list the folder there."
+
+S8038 Warning "siemens-mcall-open" "modal call that is never ended"
+"MCALL with a program or a cycle calls it behind each block that moves, up to an MCALL without a name. The program ends before: \
+every move behind the last hole, the retraction to the tool change included, has drilled again."
 
 S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
 jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \
 with the code that the text names says why."
 
+S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
+"G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
+any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
+
+S8050 Warning "siemens-count-rounded" "number of holes is rounded"
+"The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
+look at the formula that makes it."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
 S9002 Error "siemens-interpolation" "interpolation that plain G-code cannot say"
-"Splines, polynomials, involutes, threads of changing lead and rigid tapping have no word in plain G-code. Have the CAM system put out lines and arcs."
+"Splines, polynomials, involutes, threads of changing lead and taps that a frame turns have no word in plain G-code. Have the CAM system put out lines and arcs."
 
 S9003 Error "siemens-iso" "ISO dialect"
 "G291 and ISOCALL switch to ISO dialect, which is another language with other rules. Translate that part, or compile it by itself."

@@ -28,6 +28,8 @@ pub(super) struct Level {
     pub arguments: Option<Vec<Argument>>,
     /// Something was executed, so DEF is too late.
     pub executed: bool,
+    /// The definition part has begun, so PROC is too late.
+    pub declares: bool,
 }
 
 #[derive(Debug)]
@@ -81,7 +83,15 @@ pub(super) struct Modal {
 
 impl Level {
     pub fn main(unit: usize) -> Level {
-        Level { kind: LevelKind::Main, unit, call: CallPath::MAIN, counting: None, arguments: None, executed: false }
+        Level {
+            kind: LevelKind::Main,
+            unit,
+            call: CallPath::MAIN,
+            counting: None,
+            arguments: None,
+            executed: false,
+            declares: false,
+        }
     }
 }
 
@@ -99,7 +109,7 @@ impl Run<'_> {
         let back = self.place();
         let executed = true;
         let kind = LevelKind::Section { from, stop, left: times - 1, back };
-        self.levels.push(Level { kind, unit, call, counting: None, arguments: None, executed });
+        self.levels.push(Level { kind, unit, call, counting: None, arguments: None, executed, declares: true });
         self.budget.jump(self.here.origin.loc);
         self.resume(from)
     }
@@ -235,7 +245,7 @@ impl Run<'_> {
         };
         let executed = part.is_some();
         let arguments = (!arguments.is_empty()).then_some(arguments);
-        self.levels.push(Level { kind, unit, call, counting: None, arguments, executed });
+        self.levels.push(Level { kind, unit, call, counting: None, arguments, executed, declares: executed });
         self.vars.enter();
         self.budget.jump(site);
         let cursor = &mut self.programs.files[file].cursor;
@@ -284,6 +294,7 @@ impl Run<'_> {
             self.vars.enter();
             let level = self.level();
             level.executed = false;
+            level.declares = false;
             level.arguments = None;
             let file = self.programs.units[unit].file;
             let _ = self.programs.files[file].cursor.seek(self.job.sources, start);
@@ -377,7 +388,13 @@ impl Run<'_> {
         self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
     }
 
+    /// Where the modal call stands that is still on.
+    pub(super) fn open_modal_call(&self) -> Option<Loc> {
+        (self.modal.is_some() || self.modal_cycle.is_some()).then_some(self.modal_site)
+    }
+
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
+        self.modal_site = self.loc(block.span);
         let word = self.symbols.name(name).to_owned();
         if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
             return result;
@@ -392,6 +409,9 @@ impl Run<'_> {
     /// Behind a block that moved: the modal program, unless it is the one that moved.
     pub(super) fn call_modal(&mut self) -> Outcome {
         let inside = self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { modal: true, .. }));
+        if self.modal_cycle.is_some() {
+            self.tapping_ends();
+        }
         if self.modal_cycle.is_some() && !inside {
             return self.drill_modal();
         }
@@ -411,6 +431,7 @@ impl Run<'_> {
 
     /// Kinds of programs that end without M17 or M30 are worth a word.
     pub(super) fn end_of_program_text(&mut self) {
+        self.tapping_ends();
         self.refuse_arguments();
         if self.in_main() {
             let unit = &self.programs.units[self.unit()];

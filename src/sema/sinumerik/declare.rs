@@ -51,6 +51,7 @@ impl Run<'_> {
                 "move it to the top of the program",
             );
         }
+        self.program_level().declares |= !global;
         let length = match length {
             Some(formula) => {
                 let n = self.number(formula, block, text)?;

@@ -2,6 +2,7 @@
 //!
 //! Source: reference section 5.2. Comparisons bind weakest; REAL values are equal within 1e-12 of their size.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
@@ -19,6 +20,55 @@ use super::{Outcome, Reported, Run};
 const EQUAL: f64 = 1e-12;
 /// Longest text that a formula makes.
 const MOST_JOINED: usize = 800;
+
+/// Alarms of constants in texts.
+const BINARY_TOO_LARGE: u32 = 12220;
+const HEX_TOO_LARGE: u32 = 12230;
+
+/// A text with its constants as bytes; the place of one that is too large, and the alarm.
+fn resolved_text(text: &[u8]) -> Result<Cow<'_, [u8]>, (usize, u32)> {
+    if !text.contains(&b'\'') {
+        return Ok(Cow::Borrowed(text));
+    }
+    let mut made = Vec::with_capacity(text.len());
+    let mut at = 0;
+    while let Some(&byte) = text.get(at) {
+        match byte_constant(&text[at..]) {
+            Some((Some(value), len)) => {
+                made.push(value);
+                at += len;
+            }
+            Some((None, _)) => {
+                let binary = text.get(at + 1).is_some_and(|b| b.eq_ignore_ascii_case(&b'B'));
+                return Err((at, if binary { BINARY_TOO_LARGE } else { HEX_TOO_LARGE }));
+            }
+            None => {
+                made.push(byte);
+                at += 1;
+            }
+        }
+    }
+    Ok(Cow::Owned(made))
+}
+
+/// `'H41'` or `'B1000001'` at the start of `text`: its byte, `None` for one that is too large, and its length.
+fn byte_constant(text: &[u8]) -> Option<(Option<u8>, usize)> {
+    let [b'\'', kind, rest @ ..] = text else { return None };
+    let radix = match kind.to_ascii_uppercase() {
+        b'H' => 16,
+        b'B' => 2,
+        _ => return None,
+    };
+    let len = rest.iter().take_while(|b| char::from(**b).is_digit(radix)).count();
+    if len == 0 || rest.get(len) != Some(&b'\'') {
+        return None;
+    }
+    let value = rest[..len].iter().try_fold(0u8, |value, b| {
+        let digit = char::from(*b).to_digit(radix)?;
+        value.checked_mul(radix as u8)?.checked_add(digit as u8)
+    });
+    Some((value, len + 3))
+}
 
 impl Run<'_> {
     /// The value of a formula.
@@ -71,6 +121,19 @@ impl Run<'_> {
         }
     }
 
+    /// A text in quotes. Bytes stand in it as `'H41'` or `'B1000001'`, too.
+    fn text_value(&self, span: Span, text: &[u8]) -> Outcome<Val> {
+        match resolved_text(span.of(text)) {
+            Ok(bytes) => Ok(Val::text(&bytes)),
+            Err((at, alarm)) => {
+                let what = if alarm == BINARY_TOO_LARGE { "binary" } else { "hexadecimal" };
+                let span = Span::at(span.start + at as u32, 1);
+                let message = format!("the {what} constant in the text is larger than one character");
+                self.fail_help(codes::S2030, alarm, span, message, "a character has 8 bits: 'H00' to 'HFF'")
+            }
+        }
+    }
+
     fn operation(&mut self, op: &Op, stack: &mut Vec<Val>, whole_span: Span, text: &[u8]) -> Outcome {
         let value = match *op {
             Op::Real(v) if v.is_finite() => Val::Real(v),
@@ -78,7 +141,7 @@ impl Run<'_> {
             Op::Int(n) => int_or_real(n),
             Op::Bool(b) => Val::Bool(b),
             Op::Char(c) => Val::Char(c),
-            Op::Text(span) => Val::text(span.of(text)),
+            Op::Text(span) => self.text_value(span, text)?,
             Op::Missing => Val::Missing,
             Op::Name(name, span) => self.name_value(name, span)?,
             Op::R(n, span) => self.r_value(n, span)?,

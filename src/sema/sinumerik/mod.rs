@@ -12,6 +12,7 @@ mod contour;
 mod cycles;
 mod declare;
 mod eval;
+mod externs;
 mod feed;
 mod flow;
 mod frames;
@@ -36,6 +37,7 @@ mod stored_difference;
 mod system;
 mod tangent;
 mod tech;
+mod threads;
 mod tools;
 mod value;
 mod vars;
@@ -50,6 +52,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::contour::Sink;
+use crate::ir::function::Turn;
 use crate::machine::Axis;
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
@@ -143,7 +146,10 @@ struct Run<'a> {
     warned_r: FxHashSet<u32>,
     warned_global: FxHashSet<Symbol>,
     given_parameters: Vec<(Symbol, bool)>,
+    externs: Vec<externs::Extern>,
     modal: Option<Modal>,
+    /// Where the modal call stands.
+    modal_site: Loc,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
     /// The first line of a pair was refused.
@@ -156,6 +162,11 @@ struct Run<'a> {
     stored: Option<Box<stored::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,
+    /// The same of the last tap, with its sign.
+    tap_lead: Option<(Axis, f64)>,
+    /// The spindle turns for a tap, in this sense.
+    tapping: Option<Turn>,
+    thread_chain: Option<threads::ThreadChain>,
     axis_feed: BTreeMap<Axis, f64>,
     compensation_starts: bool,
     /// G41 or G42 of the block, until its D is known.
@@ -212,7 +223,9 @@ impl<'a> Run<'a> {
             warned_r: FxHashSet::default(),
             warned_global: FxHashSet::default(),
             given_parameters: Vec::new(),
+            externs: Vec::new(),
             modal: None,
+            modal_site: Loc::default(),
             modal_cycle: None,
             pending: None,
             pair_lost: false,
@@ -220,6 +233,9 @@ impl<'a> Run<'a> {
             capture: None,
             stored: None,
             lead: None,
+            tap_lead: None,
+            tapping: None,
+            thread_chain: None,
             axis_feed: BTreeMap::new(),
             compensation_starts: false,
             cutter_open: None,
@@ -405,8 +421,12 @@ impl<'a> Run<'a> {
             }
             Stmt::Def { kind, length, global } => return self.def_block(kind, length, global, block, text),
             Stmt::Proc(_) => return self.proc_block(block, text),
-            Stmt::Extern(_) | Stmt::Redef(_) => return Ok(()),
-            Stmt::Define(span) => return self.define_macro(span.of(text), span),
+            Stmt::Extern(name) => return self.extern_block(name, block),
+            Stmt::Redef(_) => return Ok(()),
+            Stmt::Define(span) => {
+                self.program_level().declares = true;
+                return self.define_macro(span.of(text), span);
+            }
             _ => {}
         }
         self.begins_executing();

@@ -10,6 +10,7 @@ use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
 use super::state::Diameter;
+use super::threads::is_tapping;
 use super::vocabulary::{Address, Code};
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Reported, Run};
@@ -79,6 +80,9 @@ impl Run<'_> {
 
     /// The words of a block that holds no call.
     pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
+        if self.tapping.is_some() || self.thread_chain.is_some() {
+            self.beside_threads(w);
+        }
         let triggers =
             self.modal_cycle.is_some() && (w.code_of(1).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
         if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() {
@@ -95,6 +99,9 @@ impl Run<'_> {
             if let Some((code, span)) = w.code_of(4).filter(|(code, _)| *code != Code::FIFOCTRL) {
                 return self.buffer_code(code, span, w);
             }
+        }
+        if is_tapping(self.st.groups[1]) && !w.axes.is_empty() {
+            self.only_tapping(w)?;
         }
         self.technology(w)?;
         self.early_functions(w)?;
@@ -166,6 +173,7 @@ impl Run<'_> {
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
         let moves = !w.axes.is_empty() || polar || arc || w.get(Address::Ang).is_some();
         if !w.positioning.is_empty() {
+            self.thread_chain = None;
             self.positioning(w)?;
         }
         if let Some(angle) = w.get(Address::Ang)
@@ -175,7 +183,7 @@ impl Run<'_> {
             self.pending = None;
             return self.fail_help(codes::S2070, 10792, angle.span, "ANG= is for straight lines only", help);
         }
-        if !moves && interpolation == Code::G33 {
+        if !moves && matches!(interpolation, Code::G33 | Code::G331 | Code::G332) {
             let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
             if let Some(lead) = lead {
                 let help = "program the end point of the thread with it";
@@ -188,6 +196,9 @@ impl Run<'_> {
             }
             return Ok(false);
         }
+        if interpolation != Code::G33 {
+            self.thread_chain = None;
+        }
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
@@ -197,6 +208,9 @@ impl Run<'_> {
         };
         self.check_offsets(w)?;
         self.check_start_of_compensation(interpolation, in_plane, block.span)?;
+        if interpolation == Code::G33 {
+            self.no_corner_at_thread(w, block.span)?;
+        }
         let corner = self.corner_words(w)?;
         if !matches!(interpolation, Code::G0 | Code::G1) {
             self.only_lines_in_a_pair(block.span)?;
@@ -207,6 +221,10 @@ impl Run<'_> {
             Code::CIP => self.via_block(w)?,
             Code::CT => self.tangent_block(w)?,
             Code::G33 => self.thread_block(w, block.span)?,
+            Code::G331 | Code::G332 => {
+                self.tap_block(w, interpolation, block.span)?;
+                return Ok(true);
+            }
             _ => return self.check_interpolation(interpolation, block.span).and(Err(Reported)),
         }
         // The first line of a pair sends its corner when its end is known.
@@ -241,9 +259,9 @@ impl Run<'_> {
 
     pub(super) fn check_interpolation(&self, code: Code, span: Span) -> Outcome {
         let what = match code {
-            Code::G0 | Code::G1 | Code::G2 | Code::G3 | Code::CIP | Code::CT | Code::G33 => return Ok(()),
+            Code::G0 | Code::G1 | Code::G2 | Code::G3 | Code::CIP | Code::CT => return Ok(()),
+            Code::G33 | Code::G331 | Code::G332 => return Ok(()),
             Code::G34 | Code::G35 => "a thread of changing lead",
-            Code::G331 | Code::G332 => "rigid tapping",
             Code { index: 6..=9, .. } => "a spline or polynomial",
             Code { index: 18 | 19, .. } => "an involute",
             Code { index: 20 | 21, .. } => "a thread on an arc",

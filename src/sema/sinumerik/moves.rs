@@ -1,11 +1,11 @@
-//! Moves as they go out: in the frame, in machine coordinates, of single axes, along threads.
+//! Moves as they go out: in the frame, in machine coordinates, of single axes.
 //!
 //! Source: reference sections 2.1, 4.8 and 5.6.
 
-use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
+use crate::diag::codes;
+use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, AxisSet};
+
 use crate::text::Span;
 
 use super::vocabulary::{Address, Code};
@@ -166,65 +166,6 @@ impl Run<'_> {
             end.set(axis, value);
             self.send(&end, Path::Line, Some(Feed::PerMinute(feed * unit)));
         }
-        Ok(())
-    }
-
-    /// G33
-    pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
-        self.master_is_main(span, "the lead of a thread")?;
-        if self.st.turn.is_none() && self.job.diags.first_time(codes::S8034) {
-            let found =
-                Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
-            self.report(found.help("program M3 or M4 with a speed in front of the thread"));
-        }
-        let end = self.targets(w)?;
-        if let Some(start) = w.take(Address::Sf)
-            && start.value != 0.0
-        {
-            return self.fail_help(
-                codes::S9012,
-                0,
-                start.span,
-                "a start angle of the thread cannot be printed",
-                "shift the start point along the thread instead: lead · angle / 360",
-            );
-        }
-        let [first, second, third] = self.st.geometry_axes;
-        for (address, axis) in [(Address::I, first), (Address::J, second), (Address::K, third)] {
-            if let Some(lead) = w.take(address) {
-                if lead.value == 0.0 {
-                    return self.fail(codes::S2081, 16720, lead.span, "the lead of the thread is 0");
-                }
-                self.lead = Some((axis, lead.value.abs() * self.st.length_unit()));
-                if !w.axes.contains(axis) {
-                    let message = format!("the lead counts along {}, which the block does not move", axis.letter());
-                    return self.fail(codes::S2081, 16730, lead.span, message);
-                }
-            }
-        }
-        let Some((axis, lead)) = self.lead else {
-            return self.fail_help(codes::S2081, 16720, span, "the thread has no lead", "program K along Z, I along X");
-        };
-        for axis in w.axes.iter().filter(|axis| axis.is_main()) {
-            if self.st.pos.get(axis).is_none() {
-                return self.unknown_axis(axis, span);
-            }
-        }
-        let way = |axis: Axis| match (end.get(axis), self.st.pos.get(axis)) {
-            (Some(to), Some(from)) => (to - from).abs(),
-            _ => 0.0,
-        };
-        if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + 1e-9) {
-            let message = format!("the lead is given along {}, but {} moves further", axis.letter(), longer.letter());
-            return self.fail_help(
-                codes::S2081,
-                16730,
-                span,
-                message,
-                "give the lead along the axis that moves further",
-            );
-        }
-        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
         Ok(())
     }
 }

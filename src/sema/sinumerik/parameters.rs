@@ -84,12 +84,20 @@ impl Run<'_> {
         if level.executed {
             return self.fail(codes::S2015, 14500, block.span, "PROC stands behind executed blocks");
         }
+        if std::mem::replace(&mut level.declares, true) {
+            let help = "write PROC as the first block of the program, in front of DEF and EXTERN";
+            // Its parameters are defined all the same: what reads them is right.
+            let _: Outcome =
+                self.fail_help(codes::S2015, 14520, block.span, "PROC stands inside the definition part", help);
+        }
+        let level = self.program_level();
         let arguments = level.arguments.take().unwrap_or_default();
         let in_main = matches!(level.kind, LevelKind::Main);
         let save = block.words.iter().any(|word| match word.target {
             crate::parser::sinumerik::ast::Target::Name(name) => self.symbols.name(name) == "SAVE",
             _ => false,
         });
+        self.check_extern(block);
         if save {
             let state = self.save();
             if let LevelKind::Program { saved, .. } = &mut self.program_level().kind {

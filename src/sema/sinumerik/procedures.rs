@@ -16,6 +16,7 @@ use super::{Outcome, Run};
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
     pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
+        self.tapping_ends();
         let passes = w.passes.take();
         if let Some((name, span)) = w.l.take() {
             if block.words.len() > 1 + usize::from(passes.is_some()) {
@@ -28,7 +29,11 @@ impl Run<'_> {
             w.passes = passes;
             let alone = matches!(
                 procedure,
-                Procedure::ExecString | Procedure::Return | Procedure::SetAlarm | Procedure::Refused(_)
+                Procedure::ExecString
+                    | Procedure::Return
+                    | Procedure::SetAlarm
+                    | Procedure::SetMaster
+                    | Procedure::Refused(_)
             );
             if alone && (self.has_other_words(w) || w.passes.is_some()) {
                 return self.call_not_alone(call.span);
@@ -42,8 +47,9 @@ impl Run<'_> {
         }
         self.begins_executing();
         if self.has_other_words(w) {
-            // Modal words beside the name of a program: an unknown word most often.
-            return self.unknown_word(call);
+            // Words beside the name of a program; of an unknown word most often.
+            let name = self.symbols.name(call.name).to_owned();
+            return if self.own_program(&name) { self.call_not_alone(call.span) } else { self.unknown_word(call) };
         }
         let name = self.symbols.name(call.name).to_owned();
         self.call_program(&name, call.span, Some(call), passes, block, text)
@@ -217,7 +223,14 @@ impl Run<'_> {
                 }
                 Ok(())
             }
-            Procedure::CallPath => Ok(()),
+            Procedure::CallPath => {
+                self.note_once(
+                    codes::S8037,
+                    call.span,
+                    "CALLPATH is left out: programs are looked for beside their caller and in the include roots",
+                );
+                Ok(())
+            }
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::TransformationOff if formulas.is_empty() => Ok(()),

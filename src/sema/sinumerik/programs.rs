@@ -196,7 +196,11 @@ impl Programs {
                 span: Span::at(place.at, after.at.saturating_sub(place.at + 1)),
             };
             if let Some(label) = mark.label {
-                made.labels.entry(label).or_default().push(Mark { place, after });
+                let marks = made.labels.entry(label).or_default();
+                if let Some(first) = marks.first() {
+                    push_once(job, label_again(symbols.name(label), loc, first));
+                }
+                marks.push(Mark { place, after });
             }
             if let Some(number) = mark.number {
                 made.numbers.entry(number).or_default().push(Mark { place, after });
@@ -340,6 +344,15 @@ fn push_once(job: &Job<'_>, found: Diagnostic) {
     if !job.diags.knows(&found) {
         job.diags.push(found);
     }
+}
+
+/// A label that stands a second time: a jump takes the nearest one in its direction.
+fn label_again(name: &str, loc: Loc, first: &Mark) -> Diagnostic {
+    let message = format!("the label `{name}` stands twice in this program (alarm 12450)");
+    let place = Span::at(first.place.at, first.after.at.saturating_sub(first.place.at + 1));
+    Diagnostic::new(codes::S8036, loc, message)
+        .also(Loc { line: first.place.line, span: place, ..loc }, "here for the first time")
+        .help("rename one of them; a jump goes to the nearest one in its direction")
 }
 
 /// The nearest mark in the direction of the search; a block finds itself backwards.

@@ -80,6 +80,10 @@ impl Run<'_> {
                 Diagnostic::new(codes::S2082, self.here.origin.loc, "the program ends with radius compensation on");
             self.report(found.help("program G40 with a straight move before the end"));
         }
+        if let Some(open) = self.open_modal_call() {
+            let found = Diagnostic::new(codes::S8038, self.here.origin.loc, "the program ends with a modal call on");
+            self.report(found.also(open, "MCALL stands here").help("write MCALL in a block of its own before the end"));
+        }
         let _ = self.programs.list_rest(&self.job);
         let others: Vec<&str> = self
             .programs

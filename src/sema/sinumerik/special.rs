@@ -20,6 +20,9 @@ impl Run<'_> {
     /// A code of group 2.
     pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let mut moved = false;
+        if code != Code::G4 {
+            self.thread_chain = None;
+        }
         match code {
             Code::G4 => {
                 if let Some(m) = w.m.first() {

@@ -14,6 +14,8 @@ use super::{Outcome, Run};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
+/// S words of a block (reference 1.2).
+const MOST_S: usize = 3;
 
 impl Run<'_> {
     // F, S, T, D.
@@ -113,6 +115,10 @@ impl Run<'_> {
                 "divide the block",
             );
         }
+        if let Some(fourth) = w.s.get(MOST_S) {
+            let message = "a block has at most three S words";
+            return self.fail_help(codes::S2007, 12010, fourth.span, message, "divide the block");
+        }
         for m in &w.m {
             self.early_function(*m)?;
         }
@@ -190,6 +196,9 @@ impl Run<'_> {
     /// What acts behind the motion.
     pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
         for m in &w.m {
+            if matches!(m.number, 0..=2 | 17 | 30) {
+                self.tapping_ends();
+            }
             match m.number {
                 0 | 1 => {
                     self.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });

@@ -275,6 +275,7 @@ impl Run<'_> {
     fn send_cycle(&mut self, cycle: Cycle) {
         let end = cycle.leaves(&self.st.pos);
         self.st.heading = super::tangent::Heading::Later;
+        self.thread_chain = None;
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         self.moved_to(&end);
     }

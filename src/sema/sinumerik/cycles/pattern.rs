@@ -76,7 +76,7 @@ impl Run<'_> {
         let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
         if given != f64::from(count) {
             let message = format!("{}: argument {place} is {given}, and the cycle counts {count}", args.name);
-            let found = Diagnostic::new(codes::S8036, self.loc(args.span_of(place)), message);
+            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(place)), message);
             self.report(found.help("write a whole number"));
         }
         count

@@ -1,0 +1,95 @@
+//! EXTERN: what a program says of the parameters of another one, held against its PROC.
+//!
+//! Source: reference sections 5.6, 7.1 and 7.2.
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::sinumerik::ast::{Block, TypeName, Variable};
+use crate::parser::symbols::Symbol;
+use crate::text::Loc;
+
+use super::calls::LevelKind;
+use super::value::type_name;
+use super::{Outcome, Reported, Run};
+
+/// A parameter as far as EXTERN tells it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Parameter {
+    kind: TypeName,
+    by_reference: bool,
+    /// Directions of an array.
+    directions: u32,
+}
+
+/// An EXTERN line.
+#[derive(Debug)]
+pub(super) struct Extern {
+    /// The program in which it stands.
+    unit: usize,
+    name: Symbol,
+    parameters: Vec<Parameter>,
+    loc: Loc,
+    /// It was reported.
+    told: bool,
+}
+
+impl Parameter {
+    fn of(variable: &Variable) -> Parameter {
+        let directions = if variable.open { 1 } else { variable.sizes.count };
+        Parameter { kind: variable.kind, by_reference: variable.by_reference, directions }
+    }
+
+    fn shown(self) -> String {
+        let var = if self.by_reference { "VAR " } else { "" };
+        let array = match self.directions {
+            0 => String::new(),
+            n => format!("[{}]", ",".repeat(n as usize - 1)),
+        };
+        format!("{var}{}{array}", type_name(self.kind))
+    }
+}
+
+/// What differs first between an EXTERN line and PROC.
+fn difference(said: &[Parameter], is: &[Parameter]) -> Option<String> {
+    if said.len() != is.len() {
+        return Some(format!("it names {} parameters, PROC has {}", said.len(), is.len()));
+    }
+    let at = said.iter().zip(is).position(|(said, is)| said != is)?;
+    Some(format!("parameter {} is {} here and {} in PROC", at + 1, said[at].shown(), is[at].shown()))
+}
+
+impl Run<'_> {
+    pub(super) fn extern_block(&mut self, name: Symbol, block: &Block) -> Outcome {
+        self.program_level().declares = true;
+        let (unit, loc) = (self.unit(), self.loc(block.span));
+        let parameters: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
+        let Some(first) = self.externs.iter().find(|known| known.unit == unit && known.name == name) else {
+            self.externs.push(Extern { unit, name, parameters, loc, told: false });
+            return Ok(());
+        };
+        if first.parameters == parameters {
+            return Ok(());
+        }
+        let message =
+            format!("{} is declared a second time with other parameters (alarm 12480)", self.symbols.name(name));
+        let found = Diagnostic::new(codes::S2021, loc, message).also(first.loc, "the first declaration");
+        self.report(found.help("delete one of the two lines"));
+        Err(Reported)
+    }
+
+    /// Holds the EXTERN line of the calling program against the PROC that runs now.
+    pub(super) fn check_extern(&mut self, block: &Block) {
+        let at = self.levels.iter().rposition(|level| matches!(level.kind, LevelKind::Program { .. }));
+        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.levels.get(at)) else { return };
+        let name = self.programs.units[self.unit()].name.as_str();
+        let symbols = &self.symbols;
+        let known = self.externs.iter_mut().find(|known| known.unit == caller.unit && symbols.name(known.name) == name);
+        let Some(known) = known.filter(|known| !known.told) else { return };
+        let is: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
+        let Some(what) = difference(&known.parameters, &is) else { return };
+        known.told = true;
+        let message = format!("EXTERN does not fit the program {name}: {what} (alarm 14530)");
+        let found = Diagnostic::new(codes::S2021, known.loc, message);
+        let found = found.also(self.loc(block.span), "its PROC").help("write the types of PROC into the EXTERN line");
+        self.report(found);
+    }
+}

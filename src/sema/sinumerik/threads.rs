@@ -1,0 +1,296 @@
+//! Moves in step with the spindle: threads (G33) and rigid tapping (G331, G332).
+//!
+//! Source: reference sections 0, 2.1, 7.2 and 7.3.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::ir::contour::{Path, Thread};
+use crate::ir::function::{Spindle, Turn};
+use crate::machine::{Axis, AxisSet};
+use crate::text::{Loc, Span};
+
+use super::vocabulary::{Address, Code};
+use super::words::{MWord, Words};
+use super::{Outcome, Reported, Run};
+
+/// Farthest that an axis may stand off its programmed place and still not move, in mm.
+const STILL: f64 = 1e-9;
+
+/// A thread block that another one may follow on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ThreadChain {
+    last: Loc,
+    /// What interrupts the chain from here on, and the alarm of a thread that follows all the same.
+    broken: Option<(Loc, u32)>,
+}
+
+/// Auxiliary function in a chain of threads, and standstill between two of them.
+const AUXILIARY: u32 = 10600;
+const STANDSTILL: u32 = 10601;
+
+/// Rigid tapping: in, or out again.
+pub(super) const fn is_tapping(index: u8) -> bool {
+    index == Code::G331.index || index == Code::G332.index
+}
+
+impl Run<'_> {
+    /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
+    #[cold]
+    pub(super) fn beside_threads(&mut self, w: &Words) {
+        if self.tapping.is_some() && !self.goes_on_tapping(w) {
+            self.tapping_ends();
+        }
+        if self.thread_chain.is_some() {
+            let broken = breaks_chain(w).map(|(span, alarm)| (self.loc(span), alarm));
+            if let Some(chain) = &mut self.thread_chain {
+                chain.broken = chain.broken.or(broken);
+            }
+        }
+    }
+
+    fn goes_on_tapping(&self, w: &Words) -> bool {
+        let index = w.code_of(1).map_or(self.st.groups[1], |(code, _)| code.index);
+        is_tapping(index) && !w.axes.is_empty() && [2, 3, 4, 9].iter().all(|group| w.code_of(*group).is_none())
+    }
+
+    /// The spindle stands while no block taps.
+    pub(super) fn tapping_ends(&mut self) {
+        if self.tapping.take().is_some() {
+            self.send_spindle(self.st.master, Spindle::Stop);
+        }
+    }
+
+    /// G33
+    pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
+        self.master_is_main(span, "the lead of a thread")?;
+        if self.st.turn.is_none() && self.job.diags.first_time(codes::S8034) {
+            let found =
+                Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
+            self.report(found.help("program M3 or M4 with a speed in front of the thread"));
+        }
+        self.chain_is_whole(span)?;
+        let end = self.targets(w)?;
+        if let Some(start) = w.take(Address::Sf)
+            && start.value != 0.0
+        {
+            return self.fail_help(
+                codes::S9012,
+                0,
+                start.span,
+                "a start angle of the thread cannot be printed",
+                "shift the start point along the thread instead: lead · angle / 360",
+            );
+        }
+        if let Some(given) = self.lead_words(w)? {
+            if given.lead < 0.0 {
+                let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
+                return self.fail_help(codes::S2081, 0, given.span, "the lead of the thread is negative", help);
+            }
+            self.lead = Some((given.axis, given.lead));
+        }
+        let Some((axis, lead)) = self.lead else {
+            return self.fail_help(codes::S2081, 16720, span, "the thread has no lead", "program K along Z, I along X");
+        };
+        self.starts_are_known(w, span)?;
+        let way = |axis: Axis| match (end.get(axis), self.st.pos.get(axis)) {
+            (Some(to), Some(from)) => (to - from).abs(),
+            _ => 0.0,
+        };
+        if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + STILL) {
+            let message = format!("the lead is given along {}, but {} moves further", axis.letter(), longer.letter());
+            return self.fail_help(
+                codes::S2081,
+                16730,
+                span,
+                message,
+                "give the lead along the axis that moves further",
+            );
+        }
+        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
+        let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
+        self.thread_chain = Some(ThreadChain { last: self.here.origin.loc, broken });
+        Ok(())
+    }
+
+    /// Whether a control cuts corners off threads is not documented.
+    pub(super) fn no_corner_at_thread(&self, w: &Words, span: Span) -> Outcome {
+        let corner = [Address::Rnd, Address::Chf, Address::Chr].iter().find_map(|address| w.get(*address));
+        if corner.is_none() && self.st.rndm == 0.0 {
+            return Ok(());
+        }
+        let span = corner.map_or(span, |given| given.span);
+        let help = "program the transition as elements of its own, and RNDM=0 in front of the thread";
+        self.fail_help(codes::S2071, 0, span, "a thread has no corner to chamfer or round", help)
+    }
+
+    /// G331 and G332: along one axis, the spindle turning with it.
+    pub(super) fn tap_block(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
+        self.master_is_main(span, "rigid tapping")?;
+        self.tapping_speed(span)?;
+        let end = self.targets(w)?;
+        if let Some(given) = self.lead_words(w)? {
+            self.tap_lead = Some((given.axis, given.lead));
+        }
+        let Some((axis, lead)) = self.tap_lead else {
+            let help = "program K along Z: positive for a right-hand thread, negative for a left-hand one";
+            return self.fail_help(codes::S2081, 16720, span, "the tapped thread has no lead", help);
+        };
+        self.starts_are_known(w, span)?;
+        self.taps_along(axis, &end, w, span)?;
+        let forward = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
+        let back = if lead > 0.0 { Turn::CounterClockwise } else { Turn::Clockwise };
+        let turn = if code == Code::G331 { forward } else { back };
+        if !self.is_capturing() {
+            self.turn_with_the_tap(turn, code, span);
+        }
+        self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }), None);
+        Ok(())
+    }
+
+    fn turn_with_the_tap(&mut self, turn: Turn, code: Code, span: Span) {
+        let word = super::vocabulary::word(code);
+        self.note_once(codes::S8025, span, format!("{word}: the tap needs a compensating chuck on the target"));
+        if let Some(before) = self.st.turn.take() {
+            let m = if before == Turn::Clockwise { "M3" } else { "M4" };
+            let message = format!("the spindle stands behind {word}: the {m} in front of it does not count any more");
+            self.note_once(codes::S8041, span, message);
+        }
+        self.st.spindle_angle = None;
+        if self.tapping.replace(turn) != Some(turn) {
+            self.send_spindle(self.st.master, Spindle::Start(turn));
+        }
+    }
+
+    /// Words that cannot stand in a block that taps.
+    pub(super) fn only_tapping(&self, w: &Words) -> Outcome {
+        let master = |m: &&MWord| m.spindle.is_none_or(|n| n == self.st.master);
+        if let Some(m) = w.m.iter().filter(master).find(|m| matches!(m.number, 3..=5 | 19 | 70)) {
+            let message = format!("M{} stands in a block that taps", m.number);
+            let help =
+                "leave it out: the sign of the lead turns the spindle, which stands in front of and behind the tap";
+            return self.fail_help(codes::S2045, 0, m.span, message, help);
+        }
+        if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
+            let help = "give SPOS= a block of its own in front of G331";
+            return self.fail_help(codes::S2045, 0, given.span, "SPOS= stands in a block that taps", help);
+        }
+        if let Some(s) = w.s.iter().find(|s| s.value < 0.0) {
+            let help = "the sign of the lead turns the spindle; program S without a sign";
+            return self.fail_help(codes::S2045, 16763, s.span, format!("the speed S{} is negative", s.value), help);
+        }
+        match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
+            Some(given) => self.does_not_fit(given.span),
+            None => Ok(()),
+        }
+    }
+
+    fn tapping_speed(&self, span: Span) -> Outcome {
+        if matches!(self.st.groups[15], 4 | 7) || self.st.constant_cut {
+            return self.fail_help(
+                codes::S2045,
+                0,
+                span,
+                "rigid tapping under a constant cutting speed (G96): the speed of the spindle is not fixed",
+                "program G97 with S in turns per minute in front of it",
+            );
+        }
+        let help = "program S in this block or before";
+        match self.st.speed {
+            Some(speed) if speed > 0.0 => Ok(()),
+            Some(_) => self.fail_help(codes::S2045, 16763, span, "the speed of rigid tapping is 0", help),
+            None => self.fail_help(codes::S2045, 16760, span, "rigid tapping has no speed S", help),
+        }
+    }
+
+    /// The tap follows one axis, which the frame leaves as it is.
+    fn taps_along(&self, axis: Axis, end: &Pos, w: &Words, span: Span) -> Outcome {
+        let moves = |other: &Axis| match (end.get(*other), self.st.pos.get(*other)) {
+            (Some(to), Some(from)) => (to - from).abs() > STILL,
+            (to, _) => to.is_some(),
+        };
+        if let Some(other) = w.axes.iter().filter(|other| *other != axis).find(moves) {
+            let given = w.axis(other).map(|given| given.span).unwrap_or_default();
+            let message = format!("{} moves beside the tapping axis {}", other.letter(), axis.letter());
+            let help = "position the tool over the hole in a block in front of G331";
+            return self.fail_help(codes::S2081, 0, given, message, help);
+        }
+        if !moves(&axis) {
+            let message = format!("{} does not move, so nothing is tapped", axis.letter());
+            return self.fail_help(codes::S2081, 16740, span, message, "program the depth of the hole");
+        }
+        let column = self.st.ctx.frame.linear().column(axis.index());
+        if (0..3).any(|row| column[row] != f64::from(u8::from(row == axis.index()))) {
+            let message = format!("the frame turns, mirrors or scales {}, along which the block taps", axis.letter());
+            let help = "end the frame in front of G331, and program the hole in plain coordinates";
+            return self.fail_help(codes::S9002, 0, span, message, help);
+        }
+        Ok(())
+    }
+
+    /// I, J and K.
+    fn lead_words(&mut self, w: &mut Words) -> Outcome<Option<Lead>> {
+        let mut found = None;
+        let axes = self.st.geometry_axes;
+        for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
+            let Some(lead) = w.take(address) else { continue };
+            if lead.value == 0.0 {
+                return self.fail(codes::S2081, 16720, lead.span, "the lead of the thread is 0");
+            }
+            if !w.axes.contains(axis) {
+                let message = format!("the lead counts along {}, which the block does not move", axis.letter());
+                return self.fail(codes::S2081, 16730, lead.span, message);
+            }
+            found = Some(Lead { axis, lead: lead.value * self.st.length_unit(), span: lead.span });
+        }
+        Ok(found)
+    }
+
+    fn starts_are_known(&self, w: &Words, span: Span) -> Outcome {
+        match w.axes.iter().find(|axis| axis.is_main() && self.st.pos.get(*axis).is_none()) {
+            Some(axis) => self.unknown_axis(axis, span),
+            None => Ok(()),
+        }
+    }
+
+    /// A thread follows on another one without a stop and without auxiliary functions in between.
+    fn chain_is_whole(&mut self, span: Span) -> Outcome {
+        let Some(ThreadChain { last, broken: Some((place, alarm)) }) = self.thread_chain.take() else { return Ok(()) };
+        let (message, help) = if alarm == AUXILIARY {
+            (
+                "an auxiliary function stands in a chain of threads",
+                "program M, S, T and H words in front of the first thread or behind the last",
+            )
+        } else {
+            (
+                "the axes stand between two threads of a chain, which spoils the thread",
+                "leave the stop out, or retract and start the second thread anew",
+            )
+        };
+        let found = Diagnostic::new(codes::S2081, place, format!("{message} (alarm {alarm})"));
+        self.report(found.also(last, "the thread before").also(self.loc(span), "the thread behind").help(help));
+        Err(Reported)
+    }
+}
+
+/// A lead word: mm per turn with its sign, and the axis along which it counts.
+struct Lead {
+    axis: Axis,
+    lead: f64,
+    span: Span,
+}
+
+/// A word that does not belong between two threads, and the alarm for it.
+fn breaks_chain(w: &Words) -> Option<(Span, u32)> {
+    let dwell = w.code_of(2).filter(|(code, _)| *code == Code::G4).map(|(_, span)| span);
+    if let Some(span) = dwell.or(standstill_behind(w)) {
+        return Some((span, STANDSTILL));
+    }
+    let auxiliary = w.m.first().map(|m| m.span).or(w.s.first().map(|s| s.span)).or(w.h);
+    auxiliary.or(w.get(Address::T).map(|t| t.span)).map(|span| (span, AUXILIARY))
+}
+
+/// M0, M1 and G9: the axes stand at the end of the block.
+fn standstill_behind(w: &Words) -> Option<Span> {
+    let stop = w.m.iter().find(|m| matches!(m.number, 0 | 1)).map(|m| m.span);
+    stop.or(w.code_of(11).map(|(_, span)| span))
+}
