@@ -248,6 +248,7 @@ impl Run<'_> {
 
     /// Something that cannot stand between the two lines of a pair.
     pub(super) fn pending_must_be_done(&mut self, span: Span) -> Outcome {
+        self.stored_must_be_done()?;
         let Some(pending) = self.pending.take() else { return Ok(()) };
         self.pair_lost = true;
         let found =

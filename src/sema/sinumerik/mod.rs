@@ -33,6 +33,7 @@ mod special;
 mod spindle;
 mod state;
 mod stored;
+mod stored_difference;
 mod system;
 mod tangent;
 mod tech;
