@@ -237,6 +237,7 @@ impl Reader {
             }
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
             "md20150" => control.siemens.feed_per_revolution = Some(text(node) == "g95"),
+            "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),
         }

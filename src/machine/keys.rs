@@ -214,6 +214,12 @@ pub const SECTIONS: &[Section] = &[
             )
             .or(r#""refuse""#),
             key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94"),
+            key(
+                "arc_chamfers",
+                Kind::Choice(&["refuse", "bisector"]),
+                "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
+            )
+            .or(r#""refuse""#),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",

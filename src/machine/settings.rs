@@ -251,6 +251,8 @@ pub struct Siemens {
     pub feed_per_revolution: Option<bool>,
     /// A chamfer or rounding that does not fit is made as large as it fits.
     pub shorten_corners: bool,
+    /// A chamfer beside an arc stands across the bisector of the corner.
+    pub arc_chamfers: bool,
 }
 
 impl Default for Siemens {
@@ -263,6 +265,7 @@ impl Default for Siemens {
             main_variables_visible: false,
             feed_per_revolution: None,
             shorten_corners: false,
+            arc_chamfers: false,
         }
     }
 }

@@ -12,7 +12,7 @@ use partc::ir::{Function, Origin, motion};
 use partc::machine::{Axis, Settings};
 use partc::text::{Memory, Opened};
 
-use super::common::{Beside, settings};
+use super::common::{Beside, compile_bytes, settings};
 
 /// Half a unit of the last place of the reference, and what a diameter makes of it.
 const NEAR: f64 = 6e-5;
@@ -371,4 +371,35 @@ fn numbers_in_the_heads_of_cases_are_met() {
     }
     assert!(bad.is_empty(), "not as worked out:\n{bad}");
     assert!(count >= 300, "{count} cases with numbers");
+}
+
+/// What a case says it is refused for: `; refused: CODE text`, where the text is part of the finding.
+fn refused(text: &str) -> Option<(&str, &str)> {
+    let line = text.lines().find_map(|line| line.strip_prefix("; refused: "))?;
+    Some(line.trim_end().split_once(' ').unwrap_or((line.trim_end(), "")))
+}
+
+#[test]
+fn refusals_in_the_heads_of_cases_are_met() {
+    let mut bad = String::new();
+    let mut count = 0;
+    for path in super::common::cases("sinumerik") {
+        let text = String::from_utf8_lossy(&std::fs::read(&path).expect("a case")).into_owned();
+        let Some((code, part)) = refused(&text) else { continue };
+        count += 1;
+        let settings = std::fs::read_to_string(path.with_extension("toml"))
+            .map_or_else(|_| Settings::default(), |text| settings(&text));
+        let folder = path.parent().expect("a folder").to_path_buf();
+        let compiled = compile_bytes("PART.MPF", text.clone().into_bytes(), "sinumerik", &settings, &Beside(folder));
+        let said = |found: &partc::diag::Diagnostic| {
+            found.code.id == code && (found.message.contains(part) || found.help.iter().any(|help| help.contains(part)))
+        };
+        if !compiled.findings.iter().any(said) {
+            let said: Vec<_> =
+                compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+            let _ = writeln!(bad, "{}: {code} {part}: {said:?}", path.display());
+        }
+    }
+    assert!(bad.is_empty(), "not refused as said:\n{bad}");
+    assert!(count >= 200, "{count} refused cases");
 }

@@ -296,13 +296,14 @@ S8017 Note "siemens-files" "file access is left out"
 "WRITE, DELETE and others work on files of the control. They have no effect on the path."
 
 S8018 Warning "siemens-two-depths" "two depths for one hole"
-"DP and DPR give different depths. The cycle takes DPR. Leave one of them out. Look at the word that is marked, and at the value behind it."
+"DP and DPR, or FDEP and FDPR, give different depths. The cycle takes the relative one. Leave one of them out."
 
 S8019 Warning "siemens-starts" "thread with several starts"
 "The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it."
 
 S8020 Note "siemens-thread-variant" "digits of a thread cycle"
-"What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Roughing and finishing are always both done."
+"What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
+those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
 
 S8021 Note "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
@@ -380,9 +381,9 @@ S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
 "G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
 any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
 
-S8042 Warning "siemens-feed-kind" "kind of feed that no block names"
-"What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
-An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
+S8042 Note "siemens-tangent-frame" "direction of CT is turned with the frame"
+"CT goes on in the direction of the last block that travelled. A frame that turns, mirrors or scales between the two is applied to that \
+direction, too, so that the path has a corner there. Program CT in front of the change of the frame if it shall go on smoothly."
 
 S8043 Note "siemens-compensation-shape" "shape of the compensated path is the target's"
 "KONT, KONTT, KONTC, G451, G461 and G462 say how the control leads the tool to a compensated contour, away from it and round its corners. \
@@ -392,6 +393,14 @@ corners in its simulation."
 S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
 "C=DC(30) takes the shortest way to 30 degrees. No block before says where the axis stands, so the position is printed as it is, and the \
 target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+
+S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
+"What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
+An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
+
+S8050 Warning "siemens-count-rounded" "number of holes is rounded"
+"The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
+look at the formula that makes it."
 
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."

@@ -74,8 +74,10 @@ pub struct Peck {
 pub enum Degression {
     /// By this amount each, down to the amount itself; over 0.
     Amount(f64),
-    /// By this factor each, over 0 to 1, but none below `least`.
+    /// By this factor each, over 0 to 1, but none below `least`. A last step that ends just at the bottom is halved.
     Factor { factor: f64, least: f64 },
+    /// All steps alike; the last two are halves of the rest where the last would be shorter than `least`.
+    Even { least: f64 },
 }
 
 /// What happens between two steps.
@@ -138,12 +140,21 @@ pub struct Tap {
     pub speed_out: Option<f64>,
     /// Angle of the spindle before.
     pub orient: Option<f64>,
-    /// Tapping in steps of at most this, out to the start plane after each.
-    pub step: Option<f64>,
+    /// Tapping in steps.
+    pub step: Option<TapStep>,
     /// State of the spindle afterwards.
     pub after: Spindle,
     /// Speed afterwards, where a speed was given.
     pub speed_after: Option<f64>,
+}
+
+/// Steps of a tap, all alike but for the last two.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TapStep {
+    /// Depth of a step, over 0.
+    pub way: f64,
+    /// Back by this after each, 0 or more, to break the chip; `None`: out to the start plane.
+    pub back: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -299,7 +310,7 @@ impl DeepHole {
 }
 
 impl Degression {
-    /// All steps alike.
+    /// All steps alike, as the cycle makes them from a factor of 1.
     pub fn constant(step: f64) -> Degression {
         Degression::Factor { factor: 1.0, least: step }
     }
@@ -329,7 +340,7 @@ impl Drilling {
                 (seconds(tap.dwell), DrillingFault::Dwell),
                 (tap.lead.is_none_or(positive), DrillingFault::Lead),
                 (speed(tap.speed_in) && speed(tap.speed_out) && speed(tap.speed_after), DrillingFault::Speed),
-                (tap.step.is_none_or(positive), DrillingFault::Peck),
+                (tap.step.is_none_or(|step| positive(step.way) && step.back.is_none_or(seconds)), DrillingFault::Peck),
             ],
             Method::Deep(deep) => &[
                 (seconds(deep.dwell) && seconds(deep.dwell_out), DrillingFault::Dwell),
@@ -354,6 +365,7 @@ fn good(degression: Degression) -> bool {
     match degression {
         Degression::Amount(amount) => amount > 0.0 && amount.is_finite(),
         Degression::Factor { factor, least } => factor > 0.0 && factor <= 1.0 && least >= 0.0 && least.is_finite(),
+        Degression::Even { least } => least >= 0.0 && least.is_finite(),
     }
 }
 

@@ -40,7 +40,7 @@ pub fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn F
         Method::Deep(deep) => deep_steps(levels, deep).map_err(fault)?,
         Method::Peck(peck) => depths(levels, peck.first, peck.degression).map_err(fault)?,
         Method::Tap(Tap { step: Some(step), .. }) => {
-            depths(levels, step.min(levels.way()), Degression::constant(*step)).map_err(fault)?
+            depths(levels, step.way.min(levels.way()), Degression::Even { least: step.way }).map_err(fault)?
         }
         _ => vec![levels.depth],
     };
@@ -103,14 +103,17 @@ pub fn depths(levels: &Levels, first: f64, degression: Degression) -> Result<Vec
             Degression::Factor { factor, least } => {
                 step = (step * factor).max(least);
                 let next = done + step;
-                if next >= total {
+                if next > total + NOTHING {
                     total
-                } else if total - next < least {
+                } else if (total - next).max(0.0) < least {
                     done + rest / 2.0
                 } else {
                     next
                 }
             }
+            Degression::Even { .. } if done + step >= total => total,
+            Degression::Even { least } if total - (done + step) < least => done + rest / 2.0,
+            Degression::Even { .. } => done + step,
             Degression::Amount(amount) => {
                 step = (step - amount).max(amount);
                 let whole = rest - step >= amount;
@@ -269,7 +272,7 @@ impl Hole<'_> {
         if let Some(angle) = tap.orient {
             self.spindle(Spindle::Orient(angle));
         }
-        for depth in depths {
+        for (at, depth) in (1..).zip(depths) {
             self.turn(tap.turn, tap.speed_in);
             self.tap_to(*depth, tap);
             if !tap.dwell_reversed {
@@ -279,7 +282,12 @@ impl Hole<'_> {
             if tap.dwell_reversed {
                 self.dwell(tap.dwell);
             }
-            self.tap_to(self.levels.start_plane(), tap);
+            let back = tap.step.and_then(|step| step.back).filter(|_| at < depths.len());
+            let start = self.levels.start_plane();
+            // Never further out than the start plane.
+            let out = self.levels.outward();
+            let back = back.map(|way| *depth + way.min((start - *depth) * out) * out);
+            self.tap_to(back.unwrap_or(start), tap);
         }
         if let Some(speed) = tap.speed_after {
             self.spindle(Spindle::Speed(speed));

@@ -68,7 +68,7 @@ pub struct Keys {
     pub dst: Option<f64>,
     /// Which of several solutions was chosen: for the end, for the centre.
     pub dia: (u32, u32),
-    /// A key that this reader does not know.
+    /// A key that this reader does not know or that stands twice, or a value that is no number.
     pub unknown: bool,
 }
 
@@ -114,6 +114,12 @@ pub fn read(text: &[u8]) -> Option<Record> {
     }
     let keys: Vec<(&str, &str)> = parts.map(|part| part.split_once(':').unwrap_or((part, ""))).collect();
     let value = |name: &str| keys.iter().find(|(key, _)| *key == name).and_then(|(_, v)| number(v));
+    // Transitions have few keys: one more would change the corner.
+    let only = |known: &[&str]| {
+        let mut seen = keys.iter().map(|(key, _)| *key).filter(|key| *key != DISPLAY);
+        seen.all(|key| known.contains(&key) && keys.iter().filter(|(other, _)| *other == key).count() == 1)
+    };
+    let unknown = || Record::Unknown(fields.trim().to_owned());
     Some(match code {
         "S" => Record::Start(read_keys(&keys)),
         "LL" => Record::Line(Heading::Left, read_keys(&keys)),
@@ -123,12 +129,27 @@ pub fn read(text: &[u8]) -> Option<Record> {
         "LA" => Record::Line(Heading::Any, read_keys(&keys)),
         "ACW" => Record::Arc { ccw: false, keys: read_keys(&keys) },
         "ACCW" => Record::Arc { ccw: true, keys: read_keys(&keys) },
-        "R" => value("RROUND").map_or(Record::Unknown(code.to_owned()), Record::Rounding),
-        "F" => value("LFASE").map_or(Record::Unknown(code.to_owned()), Record::Chamfer),
-        "AB" => undercut(value).map_or(Record::Unknown(code.to_owned()), Record::Undercut),
+        "R" if only(&["RROUND"]) => value("RROUND").map_or_else(unknown, Record::Rounding),
+        "F" if only(&["LFASE"]) => value("LFASE").map_or_else(unknown, Record::Chamfer),
+        "AB" => match undercut(&keys) {
+            Some((undercut, known)) if known.is_empty() || only(known) => Record::Undercut(undercut),
+            _ => unknown(),
+        },
+        "R" | "F" => unknown(),
         _ => Record::Unknown(code.to_owned()),
     })
 }
+
+/// Is it a line that was meant as a record, though it is none that can be read? `text` is without its semicolon.
+pub fn is_spoiled(text: &[u8]) -> bool {
+    let text = text.trim_ascii();
+    let code = text.split(|b| matches!(b, b',' | b';')).next().unwrap_or_default().trim_ascii();
+    let marked = code.first().is_some_and(u8::is_ascii_alphanumeric) && text.windows(4).any(|mark| mark == b"*HD*");
+    marked || CODES.iter().any(|known| code.eq_ignore_ascii_case(known)) && text.contains(&b',')
+}
+
+/// Codes of records.
+const CODES: [&[u8]; 12] = [b"CON", b"S", b"LL", b"LR", b"LU", b"LD", b"LA", b"ACW", b"ACCW", b"R", b"F", b"AB"];
 
 /// Fields between commas that do not stand in brackets.
 fn split(fields: &str) -> impl Iterator<Item = &str> {
@@ -155,39 +176,59 @@ fn number(text: &str) -> Option<f64> {
 
 fn read_keys(list: &[(&str, &str)]) -> Keys {
     let mut keys = Keys::default();
+    let mut chosen = None;
     for (name, value) in list {
-        let value = *value;
-        match *name {
-            "EX" => keys.ex = number(value),
-            "EY" => keys.ey = number(value),
-            "DEX" => keys.dex = number(value),
-            "DEY" => keys.dey = number(value),
-            "CX" => keys.cx = number(value),
-            "CY" => keys.cy = number(value),
-            "RAD" => keys.rad = number(value),
-            "ASE" => keys.ase = number(value),
-            "AT" => keys.at = number(value),
-            "AA" => keys.aa = number(value),
-            "DST" => keys.dst = number(value),
+        let place = match *name {
+            "EX" => &mut keys.ex,
+            "EY" => &mut keys.ey,
+            "DEX" => &mut keys.dex,
+            "DEY" => &mut keys.dey,
+            "CX" => &mut keys.cx,
+            "CY" => &mut keys.cy,
+            "RAD" => &mut keys.rad,
+            "ASE" => &mut keys.ase,
+            "AT" => &mut keys.at,
+            "AA" => &mut keys.aa,
+            "DST" => &mut keys.dst,
             "DIA" => {
-                let whole = |text: &str| text.trim().parse().unwrap_or(0);
-                keys.dia = value.split_once('/').map_or((whole(value), 0), |(a, b)| (whole(a), whole(b)));
+                let choice = choice(value);
+                keys.unknown |= chosen.is_some() || choice.is_none();
+                chosen = choice;
+                continue;
             }
-            // How the dialog was shown.
-            "ATT" => {}
-            _ => keys.unknown = true,
-        }
+            DISPLAY => continue,
+            _ => {
+                keys.unknown = true;
+                continue;
+            }
+        };
+        keys.unknown |= place.is_some();
+        *place = number(value);
+        keys.unknown |= place.is_none();
     }
+    keys.dia = chosen.unwrap_or_default();
     keys
 }
 
-fn undercut(value: impl Fn(&str) -> Option<f64>) -> Option<Undercut> {
-    let index = || value("IDX").filter(|i| *i >= 0.0 && *i < 1000.0).map(|i| i as u32);
-    match value("FRM").unwrap_or(0.0) {
-        0.0 => Some(Undercut::E(index()?)),
-        1.0 => Some(Undercut::F(index()?)),
-        2.0 => Some(Undercut::Thread { pitch: value("P"), entry: value("ALFA") }),
-        3.0 => Some(Undercut::Free),
+/// How the dialog was shown.
+const DISPLAY: &str = "ATT";
+
+/// The stored choices: of the end, and of the centre.
+fn choice(text: &str) -> Option<(u32, u32)> {
+    let (end, center) = text.split_once('/').unwrap_or((text, "0"));
+    Some((end.trim().parse().ok()?, center.trim().parse().ok()?))
+}
+
+/// The undercut and the keys it may have; no keys where they are not known.
+fn undercut(keys: &[(&str, &str)]) -> Option<(Undercut, &'static [&'static str])> {
+    let written = |name: &str| keys.iter().find(|(key, _)| *key == name).map(|(_, v)| number(v));
+    let value = |name: &str| written(name).flatten();
+    let index = || value("IDX").filter(|i| (0.0..1000.0).contains(i) && i.fract() == 0.0).map(|i| i as u32);
+    match written("FRM").unwrap_or(Some(0.0))? {
+        0.0 => Some((Undercut::E(index()?), &["FRM", "IDX"])),
+        1.0 => Some((Undercut::F(index()?), &["FRM", "IDX"])),
+        2.0 => Some((Undercut::Thread { pitch: value("P"), entry: value("ALFA") }, &["FRM", "P", "ALFA"])),
+        3.0 => Some((Undercut::Free, &[])),
         _ => None,
     }
 }
@@ -221,6 +262,41 @@ mod tests {
         assert_eq!(line(";AB,FRM:3,X:1"), Some(Record::Undercut(Undercut::Free)));
         assert_eq!(line(";POL,EX:1"), Some(Record::Unknown("POL".to_owned())));
         assert!(matches!(line(";LA,L:5"), Some(Record::Line(_, Keys { unknown: true, .. }))));
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_not_left_out() {
+        for text in
+            ["LL,EX:3x", "LL,EX:", "LL,EX:1,5", "LL,EX:1,EX:1", "LU,EY:nan", "ACW,DIA:a/b", "ACW,DIA:7/0,DIA:7/0"]
+        {
+            let keys = match line(&format!(";{text}")) {
+                Some(Record::Line(_, keys) | Record::Arc { keys, .. }) => keys,
+                other => panic!("{text}: {other:?}"),
+            };
+            assert!(keys.unknown, "{text}");
+        }
+        for text in [
+            "R,RROUND:2,FRC:.1",
+            "F,LFASE:1,LFASE:2",
+            "R,RROUND:x",
+            "AB,IDX:4.5",
+            "AB,IDX:4,P:2",
+            "AB,FRM:7",
+            "AB,FRM:,IDX:4",
+        ] {
+            assert!(matches!(line(&format!(";{text}")), Some(Record::Unknown(_))), "{text}");
+        }
+        assert_eq!(line(";R,RROUND:1e-1,ATT:APP(ALLPARA)"), Some(Record::Rounding(0.1)));
+    }
+
+    #[test]
+    fn spoiled_records_are_told_from_comments() {
+        for text in ["LL,EX:5", "ll,EX:5;*GP*;*RO*;*HD*", "LL,EX:\u{e9};*GP*;*HD*", "XY;*HD*", "3;*GP*;*HD*"] {
+            assert!(is_spoiled(text.as_bytes()), "{text}");
+        }
+        for text in ["", "rough it, then finish", "F", "*GP*;*RO*;*HD*", "#SM Z:2", "LL is the first line"] {
+            assert!(!is_spoiled(text.as_bytes()), "{text}");
+        }
     }
 
     #[test]

@@ -5,6 +5,13 @@ use crate::parser::sinumerik::records::{Heading, Keys, Record};
 
 use super::Unsolved;
 
+/// Stored values are rounded to three places, mm.
+const ROUNDED: f64 = 0.005;
+/// What rounded angles and points make of an arc, mm.
+const AIMED: f64 = 0.05;
+/// Stored choices that were seen in programs, with their meaning.
+const SEEN: [u32; 5] = [7, 207, 210, 14, 15];
+
 /// An element as it is typed, with the transition behind it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Typed {
@@ -81,12 +88,20 @@ impl Solver {
                 Record::Line(_, keys) | Record::Arc { keys, .. } if unknown(keys) => return Err(Unsolved::Unknown(i)),
                 Record::Line(heading, keys) => self.push(i, Kind::Line(*heading), keys),
                 Record::Arc { ccw, keys } => self.push(i, Kind::Arc { ccw: *ccw }, keys),
+                Record::Rounding(size) | Record::Chamfer(size) if *size < 0.0 => {
+                    return Err(Unsolved::Contradiction(i));
+                }
                 Record::Rounding(_) | Record::Chamfer(_) | Record::Undercut(_) => {
-                    match (self.elements.last_mut(), &mut begin) {
-                        (Some(element), _) => element.transition = Some(i),
-                        (None, Some(begin)) => begin.transition = Some(i),
+                    let transition = match (self.elements.last_mut(), &mut begin) {
+                        (Some(element), _) => &mut element.transition,
+                        (None, Some(begin)) => &mut begin.transition,
                         (None, None) => return Err(Unsolved::NoStart),
+                    };
+                    // A corner has one.
+                    if transition.is_some() {
+                        return Err(Unsolved::Contradiction(i));
                     }
+                    *transition = Some(i);
                 }
             }
         }
@@ -182,7 +197,7 @@ impl Solver {
                     };
                     return if along > 0.0 { Ok(at + u * along) } else { Err(Unsolved::Contradiction(typed.record)) };
                 }
-                let center = self.center_from_end(&next).ok_or(open)?;
+                let center = self.center_from_end(&next, None)?;
                 let hits = intersect::line_circle(at, u, center, radius, 1e-3);
                 let [first, second] = hits.ok_or(Unsolved::Contradiction(typed.record))?;
                 let ahead = |p: &Point2| (p - at).dot(&u) > SAME_POINT;
@@ -224,19 +239,47 @@ impl Solver {
         }
     }
 
-    /// Centre of an arc from its end alone.
-    fn center_from_end(&self, typed: &Typed) -> Option<Point2> {
-        let Keys { ex, ey, cx, cy, rad, dia, .. } = typed.keys;
+    /// Centre of an arc from its end, its radius and one coordinate of the centre; `at` is its start, if known.
+    fn center_from_end(&mut self, typed: &Typed, at: Option<Point2>) -> Result<Point2, Unsolved> {
+        let open = Unsolved::Open(typed.record);
+        let Keys { ex, ey, cx, cy, rad, .. } = typed.keys;
         if let (Some(x), Some(y)) = (cx, cy) {
-            return Some(Point2::new(x, y));
+            return Ok(Point2::new(x, y));
         }
-        let (end, radius) = (Point2::new(ex?, ey?), rad?);
-        let pick = |off: f64| if dia.1 >= 200 { -off } else { off };
-        match (cx, cy) {
-            (Some(x), None) => Some(Point2::new(x, end.y + pick(leg(radius, end.x - x)?))),
-            (None, Some(y)) => Some(Point2::new(end.x + pick(leg(radius, end.y - y)?), y)),
-            _ => None,
+        let (Some(x), Some(y), Some(radius)) = (ex, ey, rad) else { return Err(open) };
+        let made = |off: f64| match (cx, cy) {
+            (Some(cx), _) => Point2::new(cx, y + off),
+            (_, cy) => Point2::new(x + off, cy.unwrap_or(y)),
+        };
+        let across = match (cx, cy) {
+            (Some(cx), _) => x - cx,
+            (_, Some(cy)) => y - cy,
+            _ => return Err(open),
+        };
+        let off = leg(radius, across).ok_or(Unsolved::Contradiction(typed.record))?;
+        // The start leaves one of the two, as a rule.
+        let fits = |off: f64| at.is_some_and(|at| (distance(at, made(off)) - radius).abs() < ROUNDED);
+        match (fits(off), fits(-off)) {
+            (true, false) => Ok(made(off)),
+            (false, true) => Ok(made(-off)),
+            _ => self.choice(typed, typed.keys.dia.1, 14, off).map(made),
         }
+    }
+
+    /// Which of two solutions, `off` or `-off`, is stored under `class`; alternatives never seen are noted.
+    fn choice(&mut self, typed: &Typed, stored: u32, class: u32, off: f64) -> Result<f64, Unsolved> {
+        if off.abs() <= 1e-3 {
+            return Ok(off);
+        }
+        let second = match stored {
+            _ if stored == class => false,
+            _ if stored == class + 200 => true,
+            _ => return Err(Unsolved::Open(typed.record)),
+        };
+        if !SEEN.contains(&stored) {
+            self.chosen.push(typed.record);
+        }
+        Ok(if second { -off } else { off })
     }
 
     fn arc(
@@ -261,11 +304,35 @@ impl Solver {
             Some(end) => end,
             None => self.arc_end(&typed, ccw, at, center, (x, y), next)?,
         };
-        // Stored values are rounded to three places.
-        if (distance(to, center) - radius).abs() > 0.005 {
+        if (distance(to, center) - radius).abs() > ROUNDED || self.says_too_much(&typed, ccw, at, to, center, tangent) {
             return Err(Unsolved::Contradiction(typed.record));
         }
         Ok(Solved { typed, from: at, to, arc: Some((center, ccw)) })
+    }
+
+    /// Does a key that was not needed for the arc say something else than the arc?
+    fn says_too_much(
+        &self,
+        typed: &Typed,
+        ccw: bool,
+        at: Point2,
+        to: Point2,
+        center: Point2,
+        tangent: Option<Vec2>,
+    ) -> bool {
+        let Keys { rad, ase, aa, .. } = typed.keys;
+        let radius = distance(at, center);
+        // How far an angle that is off moves a point of the arc.
+        let aside = |u: Vec2, p: Point2| {
+            let along = arc::tangent_at(p, center, ccw).unwrap_or(u);
+            radius * cross(u, along).abs().max(1.0 - u.dot(&along))
+        };
+        let turn = arc::sweep(at, to, center, ccw).abs();
+        let whole = distance(at, to) <= SAME_POINT;
+        rad.is_some_and(|rad| (rad - radius).abs() > ROUNDED)
+            || ase.is_some_and(|angle| aside(Deg(angle).unit(), to) > AIMED)
+            || tangent.is_some_and(|u| aside(u, at) > AIMED)
+            || aa.is_some_and(|angle| !whole && radius * (Deg(angle).radians() - turn).abs() > AIMED)
     }
 
     fn center(
@@ -291,9 +358,11 @@ impl Solver {
                 _ => Err(contradiction),
             };
         }
-        let pick = |off: f64| if dia.1 >= 200 { -off } else { off };
         match (end, rad, cx, cy) {
-            (Some(_), Some(_), ..) if cx.is_some() || cy.is_some() => self.center_from_end(typed).ok_or(contradiction),
+            (Some(end), Some(_), ..) if cx.is_some() || cy.is_some() => {
+                let keys = Keys { ex: Some(end.x), ey: Some(end.y), ..typed.keys };
+                self.center_from_end(&Typed { keys, ..*typed }, Some(at))
+            }
             // Start, end and one coordinate of the centre: on the perpendicular bisector.
             (Some(end), None, Some(_), None) | (Some(end), None, None, Some(_)) => {
                 let (middle, w) = (at + (end - at) / 2.0, left(end - at));
@@ -310,10 +379,12 @@ impl Solver {
                 arc::center_by_radius(at, end, r.abs(), ccw, SAME_POINT, 1e-3).ok_or(contradiction)
             }
             (None, Some(r), Some(x), None) => {
-                leg(r, at.x - x).map(|off| Point2::new(x, at.y + pick(off))).ok_or(contradiction)
+                let off = leg(r, at.x - x).ok_or(contradiction)?;
+                self.choice(typed, dia.1, 15, off).map(|off| Point2::new(x, at.y + off))
             }
             (None, Some(r), None, Some(y)) => {
-                leg(r, at.y - y).map(|off| Point2::new(at.x + pick(off), y)).ok_or(contradiction)
+                let off = leg(r, at.y - y).ok_or(contradiction)?;
+                self.choice(typed, dia.1, 15, off).map(|off| Point2::new(at.x + off, y))
             }
             _ => Err(Unsolved::Open(typed.record)),
         }
@@ -339,13 +410,14 @@ impl Solver {
             return Ok(leaving(Deg(angle).unit()));
         }
         let contradiction = Unsolved::Contradiction(typed.record);
-        let pick = |off: f64| if keys.dia.0 >= 200 { -off } else { off };
         match known {
             (Some(x), None) => {
-                leg(radius, x - center.x).map(|off| Point2::new(x, center.y + pick(off))).ok_or(contradiction)
+                let off = leg(radius, x - center.x).ok_or(contradiction)?;
+                self.choice(typed, keys.dia.0, 7, off).map(|off| Point2::new(x, center.y + off))
             }
             (None, Some(y)) => {
-                leg(radius, y - center.y).map(|off| Point2::new(center.x + pick(off), y)).ok_or(contradiction)
+                let off = leg(radius, y - center.y).ok_or(contradiction)?;
+                self.choice(typed, keys.dia.0, 10, off).map(|off| Point2::new(center.x + off, y))
             }
             _ => {
                 // The next element goes on in its direction.

@@ -24,7 +24,7 @@ impl Run<'_> {
             return;
         }
         let message = "no block says what F counts: it is taken in mm per minute (G94)";
-        let found = Diagnostic::new(codes::S8042, self.loc(Span::default()), message);
+        let found = Diagnostic::new(codes::S8045, self.loc(Span::default()), message);
         self.report(found.help("program G94 or G95, or set `[control] md20150 = \"g95\"`"));
     }
 

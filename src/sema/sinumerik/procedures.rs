@@ -169,10 +169,8 @@ impl Run<'_> {
             Procedure::Message => self.message(&formulas, block, text),
             Procedure::SetAlarm => {
                 let mut shown = String::new();
-                if let Some(formula) = formulas.first()
-                    && let Ok(number) = self.number(*formula, block, text)
-                    && !(60_000.0..70_000.0).contains(&number)
-                {
+                let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
+                if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
                     self.ended.set(true);
                     let message = format!("SETAL({number}) is no alarm of a program");
                     return self.fail_help(
@@ -190,13 +188,11 @@ impl Run<'_> {
                     }
                 }
                 self.ended.set(true);
-                self.fail_help(
-                    codes::S2027,
-                    0,
-                    call.span,
-                    format!("the program raises alarm{shown}"),
-                    "it found its own data wrong: look at the conditions in front of SETAL",
-                )
+                let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
+                    Some((cause, help)) => (format!(": {cause}"), help),
+                    None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),
+                };
+                self.fail_help(codes::S2027, 0, call.span, format!("the program raises alarm{shown}{cause}"), help)
             }
             Procedure::SetMaster => {
                 let n = match formulas.first() {

@@ -8,7 +8,7 @@ use crate::ir::function::Spindle;
 use crate::text::Span;
 
 use super::state::{MAIN_SPINDLE, SpindleState};
-use super::vocabulary::Address;
+use super::vocabulary::{Address, Code};
 use super::words::{Given, Mode, SWord, Words};
 use super::{Outcome, Run};
 
@@ -53,6 +53,11 @@ impl Run<'_> {
             } else if !constant {
                 self.st.speed_kept = self.st.constant_cut;
             }
+        }
+        if let Some((code, span)) = w.code_of(15)
+            && !given
+        {
+            self.feed_kind_limits_speed(code, span);
         }
         for at in 0..w.s.len() {
             self.speed(w.s[at], constant)?;
@@ -149,6 +154,21 @@ impl Run<'_> {
                 limit
             }
             _ => speed,
+        }
+    }
+
+    /// LIMS= counts under G97, and no more under G94 and G95.
+    fn feed_kind_limits_speed(&mut self, code: Code, span: Span) {
+        let (Some(before), Some(speed), false) = (self.st.turns, self.st.speed, self.st.constant_cut) else { return };
+        if self.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
+            return;
+        }
+        self.limit_changed(span);
+        if let Some(now) = self.st.turns.filter(|now| *now > before) {
+            let code = super::vocabulary::word(code);
+            let message = format!("LIMS= does not count under {code}: the spindle goes from {before} to {now} turns");
+            let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
+            self.report(found.help("program S with it, or limit the speed by G26 S"));
         }
     }
 

@@ -7,17 +7,18 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Arc, ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
 use crate::ir::{Feed, Pos};
-use crate::parser::sinumerik::records::{Record, read};
-use crate::sema::records::{Block, CornerWord, Difference, NoUndercut, Unsolved, compare, outline, solve};
+use crate::parser::sinumerik::records::{Record, is_spoiled, read};
+use crate::sema::records::{Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, compare, outline, solve};
 use crate::text::{Loc, Span};
 
 use super::state::Diameter;
+use super::stored_difference::Told;
 use super::{Outcome, Reported, Run};
 
 /// How far blocks and records may differ, in mm.
 const TOLERANCE: f64 = 0.001;
-/// Most blocks and records of a contour.
-const MOST: usize = 2000;
+/// Most blocks of a contour that are compared: an undercut is one record and four of them.
+const MOST_BLOCKS: usize = 4 * MOST_RECORDS;
 
 /// A stored contour while its blocks run.
 #[derive(Debug)]
@@ -37,6 +38,12 @@ pub(super) struct Stored {
     diameter: bool,
 }
 
+impl Stored {
+    fn has_elements(&self) -> bool {
+        self.records.iter().any(|record| matches!(record, Record::Line(..) | Record::Arc { .. } | Record::Unknown(_)))
+    }
+}
+
 impl Run<'_> {
     /// A comment line: perhaps a record. `text` is without its semicolon.
     pub(super) fn stored_record(&mut self, text: &[u8]) -> Outcome {
@@ -44,8 +51,13 @@ impl Run<'_> {
             return Ok(());
         }
         let line = [b";", text].concat();
-        match read(&line) {
+        let record = read(&line).or_else(|| {
+            let spoiled = self.stored.is_some() && is_spoiled(text);
+            spoiled.then(|| Record::Unknown(String::from_utf8_lossy(text).trim().to_owned()))
+        });
+        match record {
             Some(Record::Begin) => {
+                let result = self.stored_without_end();
                 self.stored = Some(Box::new(Stored {
                     start: None,
                     blocks: Vec::new(),
@@ -56,14 +68,15 @@ impl Run<'_> {
                     begin: self.here.origin.loc,
                     diameter: false,
                 }));
-                Ok(())
+                result
             }
             Some(Record::End) => match self.stored.take() {
                 Some(stored) => self.check_stored(&stored),
                 None => Ok(()),
             },
             Some(record) => {
-                if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() < MOST) {
+                // One more than can be solved is enough to know that there are too many.
+                if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
                     stored.records.push(record);
                     stored.record_places.push(self.here.origin.loc);
                 }
@@ -71,6 +84,38 @@ impl Run<'_> {
             }
             None => Ok(()),
         }
+    }
+
+    /// A stored contour whose last line never came: without blocks its elements would be left out.
+    fn stored_without_end(&mut self) -> Outcome {
+        let Some(stored) = self.stored.take() else { return Ok(()) };
+        if !stored.has_elements() {
+            return Ok(());
+        }
+        let what = "the contour definition has no line with its end (`;#End contour definition end`)";
+        if !stored.blocks.is_empty() {
+            self.report(Diagnostic::new(
+                codes::S8027,
+                stored.begin,
+                format!("the records of this contour cannot be checked: {what}"),
+            ));
+            return Ok(());
+        }
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        let message = format!("the contour has no blocks, and its records are not complete: {what}");
+        self.report(
+            Diagnostic::new(codes::S9019, stored.begin, message)
+                .help("open the contour in the editor of the control and accept it again"),
+        );
+        Err(Reported)
+    }
+
+    /// Something that cannot stand behind the records of a stored contour that has no end.
+    pub(super) fn stored_must_be_done(&mut self) -> Outcome {
+        if self.stored.as_ref().is_some_and(|stored| stored.has_elements()) {
+            return self.stored_without_end();
+        }
+        Ok(())
     }
 
     /// A block of a stored contour begins.
@@ -86,13 +131,15 @@ impl Run<'_> {
         let plane = self.st.plane();
         let mut all = self.st.pos;
         all.update(end);
+        // Blocks stand in front of the records.
+        let _ = self.stored_must_be_done();
         let Some(stored) = self.stored.as_mut() else { return };
         let Some(to) = all.in_plane(plane) else { return };
         if stored.start.is_none() {
             stored.start = Some(to);
             return;
         }
-        if stored.blocks.len() >= MOST {
+        if stored.blocks.len() > MOST_BLOCKS {
             return;
         }
         let arc = match path {
@@ -155,12 +202,16 @@ impl Run<'_> {
         let made = match solve(&stored.records, diameter, &self.job.settings.undercut) {
             Ok(made) => made,
             Err(why) => {
-                let (place, what, _) = self.unsolved(&why, stored);
-                let message = format!("the records of this contour cannot be checked: {what}");
-                self.report(Diagnostic::new(codes::S8027, place, message));
+                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, diameter) {
+                    self.unchecked(&why, stored);
+                }
                 return Ok(());
             }
         };
+        if stored.blocks.len() > MOST_BLOCKS {
+            self.unchecked(&Unsolved::TooLong, stored);
+            return Ok(());
+        }
         let start = stored.start.unwrap_or(made.start);
         let compared = compare(start, &stored.blocks, &made, TOLERANCE);
         if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
@@ -170,16 +221,14 @@ impl Run<'_> {
             self.report(Diagnostic::new(codes::S8026, place, message).help("program G1 in the first element"));
         }
         if let Err(difference) = compared {
-            let (at, what) = match difference {
-                Difference::Start => (None, "the start point".to_owned()),
-                Difference::Count => (None, "the number of elements".to_owned()),
-                Difference::End(i) => (Some(i), format!("the end of element {}", i + 1)),
-                Difference::Arc(i) => (Some(i), format!("the arc of element {}", i + 1)),
-                Difference::Corner(i) => (Some(i), format!("the corner behind element {}", i + 1)),
-            };
+            let told = Told { axes: here, diameter, start, blocks: &stored.blocks, made: &made };
+            let (at, message) = told.difference(difference);
             let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
-            let message = format!("{what} differs from the records of the contour editor");
-            let found = Diagnostic::new(codes::S8026, place, message);
+            let record = told.record(difference).and_then(|at| stored.record_places.get(at));
+            let mut found = Diagnostic::new(codes::S8026, place, message);
+            if let Some(record) = record {
+                found = found.also(*record, "what was typed");
+            }
             self.report(
                 found.help(
                     "the blocks are compiled; if they were changed by hand, accept the contour in the editor again",
@@ -187,6 +236,29 @@ impl Run<'_> {
             );
         }
         Ok(())
+    }
+
+    /// Do the blocks agree with the records that are known? What is left over is no element then, as the pole is none.
+    fn agrees_without_unknown(&self, stored: &Stored, diameter: bool) -> bool {
+        let known: Vec<Record> = stored
+            .records
+            .iter()
+            .map(|record| match record {
+                Record::Unknown(_) => Record::Header { axes: None },
+                known => known.clone(),
+            })
+            .collect();
+        let made: Option<Contour> = solve(&known, diameter, &self.job.settings.undercut).ok();
+        made.is_some_and(|made| {
+            let start = stored.start.unwrap_or(made.start);
+            stored.rapid.is_none() && compare(start, &stored.blocks, &made, TOLERANCE).is_ok()
+        })
+    }
+
+    fn unchecked(&self, why: &Unsolved, stored: &Stored) {
+        let (place, what, _) = self.unsolved(why, stored);
+        let message = format!("the records of this contour cannot be checked: {what}");
+        self.report(Diagnostic::new(codes::S8027, place, message));
     }
 
     /// The records make no contour.
@@ -204,7 +276,15 @@ impl Run<'_> {
         let (what, help) = match why {
             Unsolved::NoStart => ("they have no start point".to_owned(), again),
             Unsolved::TooLong => ("there are too many of them".to_owned(), again),
-            Unsolved::Unknown(_) => ("this one is of a kind that is not known".to_owned(), again),
+            Unsolved::Unknown(at) => match stored.records.get(*at) {
+                Some(Record::Unknown(text)) => (
+                    format!("`{text}` is not known as a record"),
+                    "accept the contour in the editor again, or write it as blocks; how poles and polar elements are \
+                     stored is not published"
+                        .to_owned(),
+                ),
+                _ => ("a key or a value of this one is not known, or stands twice".to_owned(), again),
+            },
             Unsolved::Open(_) => ("this one does not determine its element".to_owned(), again),
             Unsolved::Contradiction(_) => ("the values of this one contradict each other".to_owned(), again),
             Unsolved::Undercut(_, why) => self.no_undercut(why),
@@ -301,7 +381,14 @@ impl Run<'_> {
                 _ => continue,
             };
             self.stand_at(stored, block.corner_record);
-            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false, large: self.large_corner() }));
+            self.send_corner(Some(Corner {
+                shape,
+                feed: None,
+                early: true,
+                modal: false,
+                large: self.large_corner(),
+                at_arc: self.arc_chamfer(),
+            }));
         }
         self.here.origin = here;
         Ok(())

@@ -154,7 +154,7 @@ impl Run<'_> {
             None => first / 10.0,
         };
         let degression = if less == 0.0 {
-            Degression::Factor { factor: 1.0, least: least.min(first) }
+            Degression::Even { least: least.min(first) }
         } else if (less - least).abs() <= 1e-9 {
             Degression::Amount(less)
         } else {

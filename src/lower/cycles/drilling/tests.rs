@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::ir::cycle::drilling::Resolved;
+use crate::ir::cycle::drilling::{Resolved, TapStep};
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -82,6 +82,11 @@ fn other_series_of_the_reference() {
         ]
     );
     assert_eq!(series(10.0, 30.0, Degression::constant(30.0)), ["-10"]);
+    // What is left behind the last step is nothing, which is less than a step: the cycle halves it.
+    assert_eq!(series(90.0, 30.0, Degression::constant(30.0)), ["-30", "-60", "-75", "-90"]);
+    assert_eq!(series(0.3, 0.1, Degression::constant(0.1)).last().map(String::as_str), Some("-0.3"));
+    assert_eq!(series(90.0, 30.0, Degression::Even { least: 30.0 }), ["-30", "-60", "-90"]);
+    assert_eq!(series(100.0, 30.0, Degression::Even { least: 30.0 }), ["-30", "-60", "-80", "-100"]);
 }
 
 #[test]
@@ -140,7 +145,8 @@ fn tapping_turns_back_on_the_way_out() {
         words(&hole(at, Method::Tap(tap))),
         ["G0 Z2", "M19 R0", "S200", "M3", "G33 K1.25 Z-20", "S400", "M4", "G33 K1.25 Z2", "S1000", "M5", "G0 Z50"]
     );
-    let steps = Tap { step: Some(12.0), speed_in: None, speed_out: None, orient: None, speed_after: None, ..tap };
+    let by = |way, back| Some(TapStep { way, back });
+    let steps = Tap { step: by(12.0, None), speed_in: None, speed_out: None, orient: None, speed_after: None, ..tap };
     assert_eq!(
         words(&hole(at, Method::Tap(steps))),
         [
@@ -157,6 +163,13 @@ fn tapping_turns_back_on_the_way_out() {
             "G0 Z50"
         ]
     );
+    // Exactly two steps, and the chip broken between them.
+    let words_of = |tap: Tap| words(&hole(at, Method::Tap(tap)));
+    let broken = words_of(Tap { step: by(10.0, Some(1.5)), ..steps });
+    let expected = ["M3", "G33 K1.25 Z-10", "M4", "G33 K1.25 Z-8.5", "M3", "G33 K1.25 Z-20", "M4", "G33 K1.25 Z2"];
+    assert_eq!(broken[1..9], expected);
+    let far = words_of(Tap { step: by(10.0, Some(99.0)), ..steps });
+    assert_eq!(far[1..5], ["M3", "G33 K1.25 Z-10", "M4", "G33 K1.25 Z2"]);
     let chuck =
         Tap { lead: None, turn: Turn::CounterClockwise, step: None, after: Spindle::Start(Turn::Clockwise), ..steps };
     assert_eq!(

@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::Drilling;
-use crate::ir::cycle::drilling::{Bore, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap};
+use crate::ir::cycle::drilling::{Bore, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
 use crate::ir::function::{Spindle, Turn};
 use crate::machine::Axis;
 use crate::machine::undercut::coarse_pitch;
@@ -63,7 +63,7 @@ impl Run<'_> {
         let method = match args.name.as_str() {
             "CYCLE81" | "CYCLE82" | "CYCLE89" => self.plain_hole(args, feed)?,
             "CYCLE83" => self.peck(args, &levels)?,
-            "CYCLE84" => self.rigid_tap(args)?,
+            "CYCLE84" => self.rigid_tap(args, &levels)?,
             "CYCLE840" => self.tap_with_chuck(args)?,
             "CYCLE85" => Method::Ream { dwell: self.dwell_of(args, 6)?, back: self.own_feed(args, 8)? },
             "CYCLE86" => self.bore(args)?,
@@ -120,6 +120,9 @@ impl Run<'_> {
         if gmode != 0 && args.digit(gmode, 1) != 0 {
             return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (`_GMODE`)");
         }
+        if gmode != 0 && args.or_zero(gmode) != 0.0 {
+            return self.not_built(args, gmode, "this reading of the geometry (`_GMODE`)");
+        }
         if dmode != 0
             && let plane = args.digit(dmode, 0)
             && plane != 0
@@ -132,6 +135,10 @@ impl Run<'_> {
         }
         if amode != 0 && args.digit(amode, 1) > 1 {
             return self.not_built(args, amode, "this unit of the dwell (`_AMODE`)");
+        }
+        // 1 is the reading that was seen in stored calls, 0 the one of old calls. CYCLE83 names its own.
+        if amode != 0 && args.name != "CYCLE83" && (2..10).any(|place| args.digit(amode, place) > 1) {
+            return self.not_built(args, amode, "another reading of an argument (`_AMODE`)");
         }
         Ok(axis)
     }
@@ -192,6 +199,11 @@ impl Run<'_> {
         if args.name == "CYCLE82" && args.or_zero(10) != 0.0 {
             return self.not_built(args, 10, "predrilling and through-drilling (`_VARI`)");
         }
+        for (place, name) in [(11, "S_ZA"), (12, "S_FA"), (13, "S_ZD"), (14, "S_FD")] {
+            if args.name == "CYCLE82" && args.or_zero(place) != 0.0 {
+                self.unused(args, place, name, "without predrilling or through-drilling in `_VARI`");
+            }
+        }
         let dwell = self.dwell_of(args, 6)?;
         Ok(if args.name == "CYCLE89" { Method::Ream { dwell, back: feed } } else { Method::Drill { dwell } })
     }
@@ -211,7 +223,19 @@ impl Run<'_> {
         Ok(self.feed_of(value))
     }
 
+    /// The relative first depth counts where both are given; an absolute one of 0 is taken as none then.
+    fn two_first_depths(&self, args: &Arguments, levels: &Levels) {
+        let (Some(absolute), Some(relative)) = (self.length_of(args, 6), self.length_of(args, 7)) else { return };
+        let way = (levels.reference - absolute) * levels.outward();
+        if relative != 0.0 && absolute != 0.0 && (way - relative.abs()).abs() > 1e-9 {
+            let message = "CYCLE83: FDEP and FDPR give different first depths; FDPR counts";
+            let found = crate::diag::Diagnostic::new(codes::S8018, self.loc(args.span_of(6)), message);
+            self.report(found.help("leave one of them out"));
+        }
+    }
+
     fn peck(&self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
+        self.two_first_depths(args, levels);
         let Some(first) = Peck::first_step(levels, self.length_of(args, 6), self.length_of(args, 7)) else {
             return self.cycle_fault(
                 args,
@@ -313,14 +337,38 @@ impl Run<'_> {
         }
     }
 
-    fn rigid_tap(&mut self, args: &Arguments) -> Outcome<Method> {
+    /// The depth of a step of a tap: `_DAM` without its sign.
+    fn tap_step(&self, args: &Arguments, levels: &Levels) -> Outcome<f64> {
+        let step = self.needed_length(args, 17, "the depth of a step `_DAM`")?.abs();
+        if step == 0.0 {
+            let help = "give `_DAM`, or `_VARI` 0 for one step";
+            return self.cycle_fault(args, args.span_of(17), 61808, "the depth of a step `_DAM` is 0", help);
+        }
+        if step > levels.way() {
+            let message = "the first step `_DAM` is deeper than the hole";
+            return self.cycle_fault(args, args.span_of(17), 61809, message, "give `_VARI` 0 for one step");
+        }
+        Ok(step)
+    }
+
+    fn rigid_tap(&mut self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
         self.master_is_main(args.span, "tapping")?;
         let lead = self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?;
         let step = match args.or_zero(16) {
             0.0 => None,
-            2.0 => Some(self.needed_length(args, 17, "the depth of a step")?),
-            _ => return self.not_built(args, 16, "chip breaking while tapping (`_VARI`)"),
+            1.0 => {
+                let back = self.length_of(args, 18).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                Some(TapStep { way: self.tap_step(args, levels)?, back: Some(back) })
+            }
+            2.0 => Some(TapStep { way: self.tap_step(args, levels)?, back: None }),
+            _ => {
+                let help = "0 taps in one go, 1 breaks the chip, 2 removes it";
+                return self.cycle_fault(args, args.span_of(16), 61002, "`_VARI` is 0, 1 or 2", help);
+            }
         };
+        if args.or_zero(16) != 1.0 && args.or_zero(18) != 0.0 {
+            self.unused(args, 18, "_VRT", "without chip breaking in `_VARI`");
+        }
         if args.or_zero(15) != 0.0 {
             self.note_once(codes::S8002, args.span_of(15), "words that only shape speed and accuracy are left out");
         }
@@ -334,6 +382,9 @@ impl Run<'_> {
                 "the spindle has no speed",
                 "give SST (argument 11) or program S",
             );
+        }
+        if args.or_zero(10) < 0.0 {
+            return self.not_built(args, 10, "the start angle of the machine data (a negative POSS)");
         }
         let after = self.after(args, 7)?;
         Ok(Method::Tap(Tap {

@@ -2,6 +2,7 @@
 //!
 //! Source: `reference/sinumerik-contours-undercuts-cycles` sections 5 and 6.
 
+mod alarms;
 mod contours;
 mod drilling;
 mod pattern;
@@ -9,7 +10,7 @@ mod signatures;
 mod thread;
 mod undercut;
 
-use crate::diag::{Code, codes};
+use crate::diag::{Code, Diagnostic, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::{Feed, Pos, Side};
@@ -22,6 +23,7 @@ use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
 
+pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
 
 /// A drilling cycle that runs behind every positioning block.
@@ -70,6 +72,26 @@ impl Arguments {
     fn digit(&self, place: usize, position: u32) -> i32 {
         let value = self.number(place).and_then(whole).unwrap_or(0);
         value.unsigned_abs().checked_div(10u32.saturating_pow(position)).map_or(0, |v| (v % 10) as i32)
+    }
+}
+
+/// Places whose digits each mean something.
+fn codes_of(name: &str) -> &'static [usize] {
+    match name {
+        "CYCLE81" | "CYCLE89" => &[7, 8, 9],
+        "CYCLE82" => &[7, 8, 9, 10],
+        "CYCLE83" => &[18, 19, 20],
+        "CYCLE84" => &[16, 22, 23, 24],
+        "CYCLE840" => &[18, 19, 20],
+        "CYCLE85" => &[9, 10, 11],
+        "CYCLE86" => &[12, 13, 14],
+        "CYCLE940" => &[7, 21, 22],
+        "CYCLE98" => &[30, 31],
+        "CYCLE99" => &[14, 28, 29],
+        "HOLES1" | "HOLES2" => &[7, 11],
+        "CYCLE801" => &[8, 14],
+        "CYCLE802" => &[1, 2, 21, 23],
+        _ => &[],
     }
 }
 
@@ -131,6 +153,12 @@ impl Run<'_> {
             return self.fail(codes::S2021, 12340, at, message);
         }
         let args = Arguments { name: name.to_owned(), span, list };
+        self.check_values(&args)?;
+        Ok(args)
+    }
+
+    fn check_values(&self, args: &Arguments) -> Outcome {
+        let name = args.name.as_str();
         for (place, (value, at)) in (1..).zip(&args.list) {
             if *value != Val::Missing && value.number().is_none() && !takes_text(name, place) {
                 let message = format!("argument {place} of {name} has to be a number");
@@ -139,8 +167,16 @@ impl Run<'_> {
             if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
                 return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
             }
+            if let Some(coded) = value.number()
+                && codes_of(name).contains(&place)
+                && (coded < 0.0 || coded.fract() != 0.0)
+            {
+                let message = format!("argument {place} is a code of digits, which {coded} is not");
+                let help = "give a whole number from 0 on, or leave it out";
+                return self.cycle_fault(args, *at, 0, &message, help);
+            }
         }
-        Ok(args)
+        Ok(())
     }
 
     fn run_cycle(&mut self, args: &Arguments) -> Outcome {
@@ -278,6 +314,12 @@ impl Run<'_> {
             format!("{}: {what} is not supported", args.name),
             "use the plain variant of the cycle, or plain moves",
         )
+    }
+
+    /// An argument that the call gives and the cycle does not use.
+    fn unused(&self, args: &Arguments, place: usize, name: &str, why: &str) {
+        let message = format!("{}: `{name}` is not used {why}", args.name);
+        self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
     }
 
     /// A number that has to be there.

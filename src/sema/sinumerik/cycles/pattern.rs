@@ -2,6 +2,7 @@
 //!
 //! Source: reference section 6.4.
 
+use crate::diag::{Diagnostic, codes};
 use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
@@ -26,6 +27,7 @@ impl Run<'_> {
             );
         }
         self.pattern_modes(args)?;
+        self.no_signs(args)?;
         let positions = self.positions(args)?;
         if self.modal_cycle.is_none() {
             return self.not_built(args, 1, "a pattern with a modal program of one's own");
@@ -67,10 +69,39 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// A number of holes: an INT of the cycle, so a REAL is rounded.
+    fn holes(&self, args: &Arguments, place: usize) -> u32 {
+        let given = args.or_zero(place);
+        // No pattern has so many; it is refused there.
+        let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
+        if given != f64::from(count) {
+            let message = format!("{}: argument {place} is {given}, and the cycle counts {count}", args.name);
+            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(place)), message);
+            self.report(found.help("write a whole number"));
+        }
+        count
+    }
+
+    /// Distances and numbers stand without a sign; standard cycles V06.02.09 take the magnitude of one, others are not
+    /// known.
+    fn no_signs(&self, args: &Arguments) -> Outcome {
+        let places: &[usize] = match args.name.as_str() {
+            "HOLES1" => &[4, 5, 6],
+            "HOLES2" => &[3, 6],
+            "CYCLE801" => &[4, 5, 6, 7],
+            _ => &[],
+        };
+        let Some(place) = places.iter().find(|place| args.or_zero(**place) < 0.0) else { return Ok(()) };
+        let message = format!("argument {place} is {}, and has no sign in the manuals", args.or_zero(*place));
+        let help =
+            "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
+        self.cycle_fault(args, args.span_of(*place), 61019, &message, help)
+    }
+
     fn positions(&self, args: &Arguments) -> Outcome<Vec<Point2>> {
         let unit = self.st.length_unit();
         let length = |place: usize| args.or_zero(place) * unit;
-        let count = |place: usize| args.number(place).and_then(whole).and_then(|n| u32::try_from(n).ok()).unwrap_or(0);
+        let count = |place: usize| self.holes(args, place);
         let made = match args.name.as_str() {
             "HOLES1" => Row {
                 reference: Point2::new(length(1), length(2)),
@@ -116,9 +147,11 @@ impl Run<'_> {
             Ok(positions) => Ok(positions),
             Err(fault) => {
                 let (alarm, what) = match fault {
+                    Fault::None if args.name == "CYCLE801" => (62105, "the pattern has no column or no row"),
                     Fault::None => (61103, "the pattern has no hole"),
                     Fault::Overlap => (61106, "the holes go round more than once"),
-                    _ => (0, "the data of the pattern make no positions"),
+                    Fault::TooMany => (0, "the pattern has more than 100000 holes"),
+                    Fault::Value => (0, "the data of the pattern make no positions"),
                 };
                 self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes")
             }

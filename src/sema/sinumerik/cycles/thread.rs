@@ -73,6 +73,7 @@ impl Run<'_> {
             "CYCLE97" => {
                 self.no_sign(args, &[1, 2])?;
                 let lead = self.pitch(args, 2, 1, 0)?;
+                self.needed(args, 6, "the diameter at the end DM2")?;
                 (CYCLE97, self.line(args, [3, 5], [4, 6])?, vec![lead])
             }
             "CYCLE98" => {
@@ -109,7 +110,29 @@ impl Run<'_> {
                 (CYCLE99, self.line(args, [1, 2], [3, 4])?, vec![lead])
             }
         };
+        self.no_face_thread(args, &points)?;
         self.thread(args, &places, &points, &leads)
+    }
+
+    /// Over 45 degrees the control cuts a face thread: its pitch counts along X.
+    fn no_face_thread(&self, args: &Arguments, points: &[Point2]) -> Outcome {
+        let steep = |pair: &[Point2]| match pair {
+            [from, to] => Some(*to - *from).filter(|way| way.y.abs() > way.x.abs() + 1e-3),
+            _ => None,
+        };
+        let Some((at, way)) = points.windows(2).enumerate().find_map(|(at, pair)| Some((at, steep(pair)?))) else {
+            return Ok(());
+        };
+        let angle = libm::atan2(way.y.abs(), way.x.abs()).to_degrees();
+        let part = if points.len() > 2 { format!("part {} of the thread", at + 1) } else { "the thread".to_owned() };
+        let message = format!(
+            "{}: {part} leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
+             the control feeds in, and how run-in and lift-off count, is not published",
+            args.name
+        );
+        let help =
+            "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
+        self.fail_help(codes::S9015, 0, args.span, message, help)
     }
 
     /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
@@ -140,6 +163,7 @@ impl Run<'_> {
     fn thread(&mut self, args: &Arguments, places: &Places, points: &[Point2], leads: &[f64]) -> Outcome {
         self.master_is_main(args.span, "the lead of a thread")?;
         let variant = if args.name == "CYCLE99" {
+            self.variant_digits(args, places)?;
             f64::from(args.digit(places.variant, 0))
         } else {
             args.or_zero(places.variant)
@@ -156,6 +180,7 @@ impl Run<'_> {
         };
         let depth = self.needed_length(args, places.depth, "the thread depth TDEP")?.abs();
         let finish = self.length_of(args, places.finish).unwrap_or(0.0).abs();
+        self.needed(args, places.passes, "the number of roughing passes NRC")?;
         let passes = self.whole_of(args, places.passes, 1)?;
         let idle = self.whole_of(args, places.idle, 0)?;
         let starts = self.whole_of(args, places.starts, 0)?.max(1);
@@ -166,6 +191,12 @@ impl Run<'_> {
                 format!("CYCLE99 cuts {starts} starts"),
             );
             self.report(found.help("the editor may leave a number here though one start is meant: set it to 1 then"));
+        }
+        let start_angle = args.or_zero(places.start_angle);
+        if !(0.0..360.0).contains(&start_angle) {
+            let message = format!("the start angle NSP is {start_angle}");
+            let help = "give 0 to below 360 degrees";
+            return self.cycle_fault(args, args.span_of(places.start_angle), 0, &message, help);
         }
         let angle = args.or_zero(places.angle);
         let flank = if angle == 0.0 {
@@ -200,7 +231,7 @@ impl Run<'_> {
             run_out: self.length_of(args, places.run_out).unwrap_or(0.0).abs(),
             fixed_end: true,
             starts,
-            start_angle: Deg(args.or_zero(places.start_angle)),
+            start_angle: Deg(start_angle),
             retract: 0.0,
             park,
         };
@@ -228,6 +259,30 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Digits of `_VARI` in CYCLE99: 1310101 was seen in stored calls, and plain units are those of CYCLE97. Other
+    /// digits choose alternating flanks, finishing alone or an order of the starts, and which is which is not confirmed.
+    fn variant_digits(&self, args: &Arguments, places: &Places) -> Outcome {
+        const SEEN: [i32; 9] = [0, 1, 0, 1, 3, 1, 0, 0, 0];
+        let at = places.variant;
+        let strange = (1..10).find(|place| {
+            let digit = args.digit(at, *place);
+            digit != 0 && SEEN.get(*place as usize - 1).copied().unwrap_or(0) != digit
+        });
+        if let Some(place) = strange {
+            let what = format!(
+                "the digit {} at place {} from the right of `_VARI`, whose meaning is not confirmed,",
+                args.digit(at, place),
+                place + 1
+            );
+            return self.not_built(args, at, &what);
+        }
+        if args.digit(at, 2) == 1 && args.or_zero(places.angle) < 0.0 {
+            let what = "an infeed along one flank (`_VARI`) with the negative angle of an alternating one";
+            return self.not_built(args, places.angle, what);
+        }
+        Ok(())
+    }
+
     /// The lift-off plane: clear of the thread and of its extensions.
     fn lift_off(&self, args: &Arguments, thread: &Thread, internal: bool) -> f64 {
         let given = match args.name.as_str() {
@@ -235,7 +290,7 @@ impl Run<'_> {
             "CYCLE99" => self.length_of(args, 16),
             _ => self.length_of(args, 22),
         };
-        let lift = given.filter(|way| *way > 0.0).unwrap_or(LIFT);
+        let lift = given.filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
         let (Some(first), Some(last)) = (thread.parts.first(), thread.parts.last()) else { return thread.start.y };
         let before_last = thread.parts.iter().rev().nth(1).map_or(thread.start, |part| part.end);
         let ends = [
@@ -297,7 +352,7 @@ impl Run<'_> {
         self.note_once(
             codes::S8020,
             args.span_of(14),
-            "the units of `_VARI` are read as in CYCLE97 (1 and 3 external, 2 and 4 internal); its other digits choose roughing and sides and are not looked at",
+            "the units of `_VARI` are read as in CYCLE97 (1 and 3 external, 2 and 4 internal), and its other digits as roughing and finishing in one call",
         );
         Ok(())
     }

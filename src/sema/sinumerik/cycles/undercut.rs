@@ -92,6 +92,13 @@ impl Run<'_> {
         if plane != 0 && plane != i32::from(self.st.groups[6]) {
             return self.not_built(args, 21, "a plane other than the active one (`_DMODE`)");
         }
+        // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
+        if (0..10).any(|place| args.digit(22, place) > i32::from(place < 4)) {
+            return self.not_built(args, 22, "another reading of an argument (`_AMODE`)");
+        }
+        if (1..10).any(|place| args.digit(7, place) > i32::from(place < 2)) {
+            return self.not_built(args, 7, "this kind of machining (`_VARI`)");
+        }
         let form = args.text(3).unwrap_or_default();
         let known = OF_FORMS.iter().any(|(_, forms)| forms.contains(form.as_str()));
         for (place, forms) in OF_FORMS {
@@ -179,13 +186,14 @@ impl Run<'_> {
             given if (1.0..=4.0).contains(&given) && given.fract() == 0.0 => Some(given as u8),
             _ => Some(0),
         };
-        let Some(position) = position else {
+        let by_tool = args.or_zero(4) == 0.0;
+        let Some(position) = position.filter(|position| !by_tool || (1..=4).contains(position)) else {
             return self.cycle_fault(
                 args,
                 args.span,
                 61608,
-                "the position of the undercut is not known",
-                "give 1 to 4 as the last argument, or `orientation` of the tool in [tools]",
+                "the edge of the tool does not lie in a corner, so the position of the undercut is not known",
+                "give 1 to 4 as the last argument, or `orientation` 1 to 4 of the tool in [tools]",
             );
         };
         Ok(Classic {

@@ -1,0 +1,121 @@
+//! What to say where the blocks of a stored contour and its records differ: both values, and how far they lie apart.
+
+use crate::geo::{Point2, distance};
+use crate::sema::records::{Block, Contour, CornerWord, Difference};
+
+/// The two halves of a contour, and how their numbers are written.
+#[derive(Debug)]
+pub(super) struct Told<'a> {
+    /// Letters of abscissa and ordinate.
+    pub axes: (u8, u8),
+    /// Ordinates are written as diameters.
+    pub diameter: bool,
+    pub start: Point2,
+    pub blocks: &'a [Block],
+    pub made: &'a Contour,
+}
+
+impl Told<'_> {
+    /// The block it is about, and the message.
+    pub fn difference(&self, difference: Difference) -> (Option<usize>, String) {
+        match difference {
+            Difference::Start => (None, self.start()),
+            Difference::Count => (None, self.count()),
+            Difference::End(i) => (Some(i), self.end(i)),
+            Difference::Arc(i) => (Some(i), self.arc(i)),
+            Difference::Corner(i) => (Some(i), self.corner(i)),
+        }
+    }
+
+    /// The record it is about.
+    pub fn record(&self, difference: Difference) -> Option<usize> {
+        match difference {
+            Difference::Start => Some(self.made.start_record),
+            Difference::Count => None,
+            Difference::End(i) | Difference::Arc(i) => self.made.blocks.get(i).map(|block| block.record),
+            Difference::Corner(i) => self
+                .made
+                .blocks
+                .get(i)
+                .map(|block| if block.corner.is_some() { block.corner_record } else { block.record }),
+        }
+    }
+
+    fn start(&self) -> String {
+        let (there, here) = (self.start, self.made.start);
+        format!(
+            "the contour starts at {}, by the records of the contour editor at {}: {} mm apart",
+            self.point(there),
+            self.point(here),
+            number(distance(there, here))
+        )
+    }
+
+    fn count(&self) -> String {
+        let (there, here) = (self.blocks.len(), self.made.blocks.len());
+        format!("the contour has {there} elements, but the records of the contour editor make {here}")
+    }
+
+    fn end(&self, i: usize) -> String {
+        let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
+        format!(
+            "element {} ends at {}, by the records of the contour editor at {}: {} mm apart",
+            i + 1,
+            self.point(there.end),
+            self.point(here.end),
+            number(distance(there.end, here.end))
+        )
+    }
+
+    fn arc(&self, i: usize) -> String {
+        let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
+        let apart = match (there.arc, here.arc) {
+            (Some((a, ccw)), Some((b, sense))) if ccw == sense => format!(": {} mm apart", number(distance(a, b))),
+            _ => String::new(),
+        };
+        format!(
+            "element {} is {}, by the records of the contour editor {}{apart}",
+            i + 1,
+            self.shape(there.arc),
+            self.shape(here.arc)
+        )
+    }
+
+    fn corner(&self, i: usize) -> String {
+        let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
+        format!(
+            "the corner behind element {} has {}, by the records of the contour editor {}",
+            i + 1,
+            word(there.corner),
+            word(here.corner)
+        )
+    }
+
+    fn shape(&self, arc: Option<(Point2, bool)>) -> String {
+        match arc {
+            None => "a straight line".to_owned(),
+            Some((center, ccw)) => format!("G{} about {}", if ccw { 3 } else { 2 }, self.point(center)),
+        }
+    }
+
+    fn point(&self, p: Point2) -> String {
+        let scale = if self.diameter { 2.0 } else { 1.0 };
+        format!("{}{} {}{}", self.axes.0 as char, number(p.x), self.axes.1 as char, number(scale * p.y))
+    }
+}
+
+fn word(corner: Option<CornerWord>) -> String {
+    match corner {
+        None => "no transition".to_owned(),
+        Some(CornerWord::Radius(radius)) => format!("RND={}", number(radius)),
+        Some(CornerWord::Chamfer(leg)) => format!("CHR={}", number(leg)),
+        Some(CornerWord::Undercut(_)) => "an undercut".to_owned(),
+    }
+}
+
+/// Four places, without zeros at the end: what is compared has three.
+fn number(value: f64) -> String {
+    let text = format!("{value:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
