@@ -438,6 +438,10 @@ impl Run<'_> {
                 }
             },
         };
+        if let Some(place) = [10, 11].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+            let help = "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
+            return self.cycle_fault(args, args.span_of(place), 61001, "the pitch is below 0", help);
+        }
         let lead = match args.or_zero(9) {
             0.0 => Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()),
             1.0 => {
