@@ -425,6 +425,10 @@ impl Run<'_> {
         let turn = match args.or_zero(7) {
             3.0 => Turn::CounterClockwise,
             4.0 => Turn::Clockwise,
+            given if given != 0.0 => {
+                let help = "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
+                return self.cycle_fault(args, args.span_of(7), 61102, "SDR is 0, 3 or 4", help);
+            }
             _ => match self.st.turn {
                 Some(turn) => turn,
                 None => {
@@ -439,7 +443,8 @@ impl Run<'_> {
             },
         };
         if let Some(place) = [10, 11].into_iter().find(|place| args.or_zero(*place) < 0.0) {
-            let help = "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
+            let help =
+                "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
             return self.cycle_fault(args, args.span_of(place), 61001, "the pitch is below 0", help);
         }
         let lead = match args.or_zero(9) {

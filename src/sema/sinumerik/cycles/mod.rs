@@ -110,6 +110,18 @@ fn takes_text(name: &str, place: usize) -> bool {
     }
 }
 
+/// Names of threads and tables, and texts of the editor beside a number.
+fn only_text(name: &str, place: usize) -> bool {
+    match name {
+        "CYCLE84" => (19..=21).contains(&place),
+        "CYCLE840" => (15..=17).contains(&place),
+        "CYCLE940" => matches!(place, 19 | 20),
+        "CYCLE98" => (27..=29).contains(&place),
+        "CYCLE99" => (25..=27).contains(&place),
+        _ => false,
+    }
+}
+
 impl Run<'_> {
     /// Runs a machining cycle; `None` for a name that is none, or that is not built.
     pub(super) fn machining_cycle(
@@ -163,6 +175,11 @@ impl Run<'_> {
             if *value != Val::Missing && value.number().is_none() && !takes_text(name, place) {
                 let message = format!("argument {place} of {name} has to be a number");
                 return self.fail_help(codes::S2090, 12150, *at, message, "a number in quotation marks is a text");
+            }
+            // A number among the texts is a sign of a comma too many or too few.
+            if only_text(name, place) && value.number().is_some_and(|v| v != 0.0) {
+                let message = format!("argument {place} of {name} has to be a text");
+                return self.fail_help(codes::S2090, 12150, *at, message, "arguments are counted by their commas");
             }
             if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
                 return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
