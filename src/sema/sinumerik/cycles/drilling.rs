@@ -459,6 +459,8 @@ impl Run<'_> {
             }
             _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
         };
+        // With an automatic reversal the spindle turns on as before, and SDAC may be left out.
+        let as_before = args.or_zero(7) == 0.0 && args.or_zero(8) == 0.0;
         Ok(Method::Tap(Tap {
             lead,
             turn,
@@ -468,7 +470,7 @@ impl Run<'_> {
             speed_out: None,
             orient: None,
             step: None,
-            after: self.after(args, 8)?,
+            after: if as_before { Spindle::Start(turn) } else { self.after(args, 8)? },
             speed_after: None,
         }))
     }
