@@ -95,12 +95,16 @@ pub fn largest(before: &Element, after: &Element, size: Size, tol: f64) -> f64 {
     if let Some(back) = cut_off(before, after, size) {
         return (before.length().min(after.length()) / back).min(1.0);
     }
-    let Size::Radius(radius) = size else { return 0.0 };
+    let made = |part: f64| match size {
+        Size::Radius(radius) => rounding(before, after, radius * part, tol),
+        Size::Side(side) => chamfer_at_arc(before, after, Size::Side(side * part), tol),
+        Size::Length(length) => chamfer_at_arc(before, after, Size::Length(length * part), tol),
+    };
     let (mut fits, mut large) = (0.0, 1.0);
     // Each step halves what is not known.
     for _ in 0..50 {
         let middle = 0.5 * (fits + large);
-        if rounding(before, after, radius * middle, tol).is_ok() { fits = middle } else { large = middle }
+        if made(middle).is_ok() { fits = middle } else { large = middle }
     }
     fits
 }
@@ -113,6 +117,99 @@ pub fn chamfer_of_length(before: &Element, after: &Element, length: f64, tol: f6
     let (u, w) = directions(before, after)?;
     // The chamfer is the base of a triangle with two equal sides along -u and w.
     chamfer(before, after, length / (u + w).norm(), tol)
+}
+
+/// Chamfers a corner beside an arc: at a right angle to the bisector of the corner, its ends on both elements.
+/// `Size::Side` means the chamfer that would cut so much off the two tangents of the corner.
+///
+/// # Errors
+/// See [`NoCut`].
+pub fn chamfer_at_arc(before: &Element, after: &Element, size: Size, tol: f64) -> Result<Cut, NoCut> {
+    let (u, w) = directions(before, after)?;
+    let along = u + w;
+    let length = match size {
+        Size::Side(side) => side * along.norm(),
+        Size::Length(length) => length,
+        Size::Radius(_) => return Err(NoCut::Degenerate),
+    };
+    let frame = AtCorner { corner: before.to(), along: along / along.norm(), inward: (w - u) / (w - u).norm() };
+    let (Some(a), Some(b)) = (frame.track(before, u), frame.track(after, w)) else { return Err(NoCut::Degenerate) };
+    let width = |depth: f64| b.at(depth) - a.at(depth);
+    // Beyond the least depth of the two an arc turns back; between lines the chamfer grows for ever.
+    let deepest = a.deepest.min(b.deepest).min(before.length() + after.length());
+    if width(deepest) < length {
+        return Err(NoCut::TooLarge);
+    }
+    let (mut less, mut more) = (0.0, deepest);
+    // Each step halves what is not known.
+    for _ in 0..100 {
+        let middle = 0.5 * (less + more);
+        if width(middle) < length { less = middle } else { more = middle }
+    }
+    let depth = 0.5 * (less + more);
+    let (leave, join) = (frame.point(depth, a.at(depth)), frame.point(depth, b.at(depth)));
+    let lost = before.length() - before.way_to(leave);
+    let used = after.way_to(join);
+    let fits = |part: f64, whole: f64| (-tol..=whole + tol).contains(&part);
+    if !fits(lost, before.length()) || !fits(used, after.length()) {
+        return Err(NoCut::TooLarge);
+    }
+    Ok(Cut { leave, join, arc: None })
+}
+
+/// Coordinates at a corner: into it along the bisector, and across from the element before to the one after.
+struct AtCorner {
+    corner: Point2,
+    along: Vec2,
+    inward: Vec2,
+}
+
+/// Where an element lies across the corner, by the depth in it.
+struct Track {
+    /// Across per depth of a line, or centre and radius of an arc, with the side of the centre it runs on.
+    curve: Run,
+    /// Largest depth up to which it leads away from the corner.
+    deepest: f64,
+}
+
+enum Run {
+    Line(f64),
+    Arc { depth: f64, across: f64, radius: f64 },
+}
+
+impl AtCorner {
+    fn point(&self, depth: f64, across: f64) -> Point2 {
+        self.corner + self.inward * depth + self.along * across
+    }
+
+    /// `dir` is the direction of travel at the corner.
+    fn track(&self, element: &Element, dir: Vec2) -> Option<Track> {
+        let (deep, across) = (dir.dot(&self.inward), dir.dot(&self.along));
+        match *element {
+            Element::Line { .. } => {
+                (deep != 0.0).then_some(Track { curve: Run::Line(across / deep), deepest: f64::INFINITY })
+            }
+            Element::Arc { center, .. } => {
+                let to = center - self.corner;
+                let (depth, across) = (to.dot(&self.inward), to.dot(&self.along));
+                let radius = to.norm();
+                let deepest = if depth > 0.0 { depth } else { radius + depth };
+                (across != 0.0).then_some(Track { curve: Run::Arc { depth, across, radius }, deepest })
+            }
+        }
+    }
+}
+
+impl Track {
+    fn at(&self, depth: f64) -> f64 {
+        match self.curve {
+            Run::Line(slope) => slope * depth,
+            Run::Arc { depth: center, across, radius } => {
+                let off = (radius * radius - (depth - center) * (depth - center)).max(0.0).sqrt();
+                across - off.copysign(across)
+            }
+        }
+    }
 }
 
 fn directions(before: &Element, after: &Element) -> Result<(Vec2, Vec2), NoCut> {
@@ -212,7 +309,78 @@ mod tests {
         assert_eq!(rounding(&a, &line((10.0, 0.0), (10.0, 0.0)), 4.0, 1e-9), Err(NoCut::Degenerate));
     }
 
+    /// Distance of `p` from the curve of `element`.
+    fn off(element: &Element, p: Point2) -> f64 {
+        foot(element, p).map_or(f64::INFINITY, |at| distance(at, p))
+    }
+
+    #[test]
+    fn chamfers_at_arcs() {
+        // A quarter circle about (0,10) from (0,0) to (10,10), then a line to -X: the corner is square.
+        let center = Point2::new(0.0, 10.0);
+        let quarter = core::f64::consts::FRAC_PI_2;
+        let (from, to) = (Point2::origin(), Point2::new(10.0, 10.0));
+        let arc = Element::Arc { from, to, center, sweep: quarter };
+        let after = line((10.0, 10.0), (-10.0, 10.0));
+        // The chamfer runs along (-1,1): its ends are (x, 10 - d) on the circle and (x - d, 10), d = length / sqrt(2).
+        let cut = chamfer_at_arc(&arc, &after, Size::Length(2.0), 1e-9).unwrap();
+        let d = core::f64::consts::SQRT_2;
+        let x = (100.0 - d * d).sqrt();
+        assert!(distance(cut.leave, Point2::new(x, 10.0 - d)) < 1e-9, "{cut:?}");
+        assert!(distance(cut.join, Point2::new(x - d, 10.0)) < 1e-9, "{cut:?}");
+        // 1 mm off each tangent of a square corner makes sqrt(2).
+        let side = chamfer_at_arc(&arc, &after, Size::Side(1.0), 1e-9).unwrap();
+        assert!((distance(side.leave, side.join) - d).abs() < 1e-9);
+        assert_eq!(chamfer_at_arc(&arc, &after, Size::Length(20.0), 1e-9), Err(NoCut::TooLarge));
+        assert_eq!(
+            chamfer_at_arc(&arc, &line((10.0, 10.0), (10.0, 20.0)), Size::Length(1.0), 1e-9),
+            Err(NoCut::Straight)
+        );
+        // Between two lines it is the chamfer of before.
+        let (a, b) = (line((0.0, 0.0), (60.0, 0.0)), line((60.0, 0.0), (90.0, 40.0)));
+        let (lines, arcs) =
+            (chamfer(&a, &b, 6.0, 1e-9).unwrap(), chamfer_at_arc(&a, &b, Size::Side(6.0), 1e-9).unwrap());
+        assert!(distance(lines.leave, arcs.leave) < 1e-9 && distance(lines.join, arcs.join) < 1e-9);
+    }
+
     proptest! {
+        #[test]
+        fn a_chamfer_at_an_arc_lies_across_the_bisector(
+            radius in 3.0f64..40.0, ccw in any::<bool>(), turn in 15.0f64..165.0, left_turn in any::<bool>(),
+            length in 0.05f64..3.0, second in 0u8..3, backwards in any::<bool>()
+        ) {
+            let sweep = if ccw { 1.2 } else { -1.2 };
+            let center = Point2::new(0.0, if ccw { radius } else { -radius });
+            let to = center + crate::geo::turned(Point2::origin() - center, sweep);
+            let mut before = Element::Arc { from: Point2::origin(), to, center, sweep };
+            let u = before.end_direction().unwrap();
+            let w = crate::geo::turned(u, if left_turn { 1.0 } else { -1.0 } * turn.to_radians());
+            let mut after = if second == 0 {
+                Element::Line { from: to, to: to + w * 30.0 }
+            } else {
+                let sweep = if second == 1 { 1.1 } else { -1.1 };
+                let center = to + left(w) * (radius * 0.7).copysign(sweep);
+                Element::Arc { from: to, to: center + crate::geo::turned(to - center, sweep), center, sweep }
+            };
+            if backwards {
+                let turned = |element: &Element| match *element {
+                    Element::Line { from, to } => Element::Line { from: to, to: from },
+                    Element::Arc { from, to, center, sweep } => Element::Arc { from: to, to: from, center, sweep: -sweep },
+                };
+                (before, after) = (turned(&after), turned(&before));
+            }
+            let (u, w) = (before.end_direction().unwrap(), after.start_direction().unwrap());
+            if let Ok(cut) = chamfer_at_arc(&before, &after, Size::Length(length), 1e-9) {
+                let chord = cut.join - cut.leave;
+                prop_assert!((chord.norm() - length).abs() < 1e-8, "{cut:?}");
+                prop_assert!(chord.dot(&(w - u)).abs() < 1e-8 && chord.dot(&(u + w)) > 0.0, "{cut:?}");
+                prop_assert!(off(&before, cut.leave) < 1e-8 && off(&after, cut.join) < 1e-8, "{cut:?}");
+                prop_assert!(before.way_to(cut.leave) <= before.length() && after.way_to(cut.join) <= after.length());
+            } else {
+                prop_assert!(length > 0.2, "a small chamfer fits everywhere");
+            }
+        }
+
         #[test]
         fn a_rounding_is_tangent_to_lines(angle in 5.0f64..175.0, flip in any::<bool>(), radius in 0.1f64..3.0) {
             let w = crate::geo::Deg(if flip { -angle } else { angle }).unit() * 100.0;

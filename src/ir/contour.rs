@@ -114,6 +114,18 @@ pub struct Corner {
     /// Asked for at every corner: where there is none, nothing is inserted and nothing is said.
     pub modal: bool,
     pub large: LargeCorner,
+    pub at_arc: ArcChamfer,
+}
+
+/// What becomes of a chamfer beside an arc.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArcChamfer {
+    /// The control knows none.
+    Refuse,
+    /// The control makes it, but how it lies is not confirmed: the user may choose ours.
+    Ask,
+    /// It stands at a right angle to the bisector of the corner, its ends on both elements.
+    AcrossBisector,
 }
 
 /// What becomes of a corner that cuts off more than a neighbour has.

@@ -3,7 +3,7 @@
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
-use crate::ir::contour::{Corner, CornerShape, LargeCorner};
+use crate::ir::contour::{ArcChamfer, Corner, CornerShape, LargeCorner};
 use crate::ir::motion::{Arc, Path};
 use crate::ir::undercut::Undercut;
 use crate::ir::{Feed, Function, Origin};
@@ -238,11 +238,11 @@ fn cut(
     let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
         return refuse(codes::G3007, format!("the start of the element before the {name} is not known"));
     };
-    let mut result = make(&a, &b, corner.shape);
+    let mut result = make(&a, &b, corner.shape, corner.at_arc);
     if result == Err(NoCut::TooLarge)
         && let Some(shape) = shortened(&a, &b, corner)
     {
-        result = make(&a, &b, shape);
+        result = make(&a, &b, shape, corner.at_arc);
         if result.is_ok() {
             let less = extent(corner.shape) - extent(shape);
             let message = if less <= HAIR {
@@ -265,7 +265,15 @@ fn cut(
                         for a corner as large as it fits set `[control] large_corners = \"shorten\"`";
             return refused.map_err(|found| Box::new(found.help(help)));
         }
-        Err(NoCut::Arc) => return refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned()),
+        Err(NoCut::Arc) => {
+            let refused = refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned());
+            if corner.at_arc != ArcChamfer::Ask {
+                return refused;
+            }
+            let help = "program a rounding beside an arc; how the control lays a chamfer there is not confirmed: for one \
+                        across the bisector of the corner set `[control] arc_chamfers = \"bisector\"`";
+            return refused.map_err(|found| Box::new(found.help(help)));
+        }
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
         Err(NoCut::Degenerate) if trimmed && corner.large == LargeCorner::Shorten => {
             let message = format!("the corner in front of the {name} left nothing of the element; it is left out");
@@ -285,8 +293,14 @@ fn cut(
     Ok(pieces(before, after, corner, origin, &made))
 }
 
-fn make(before: &Element, after: &Element, shape: CornerShape) -> Result<Cut, NoCut> {
+fn make(before: &Element, after: &Element, shape: CornerShape, at_arc: ArcChamfer) -> Result<Cut, NoCut> {
+    let lines = matches!((before, after), (Element::Line { .. }, Element::Line { .. }));
+    let across = !lines && at_arc == ArcChamfer::AcrossBisector;
     match shape {
+        CornerShape::Chamfer { side } if across => corner::chamfer_at_arc(before, after, Size::Side(side), SHORT),
+        CornerShape::ChamferLength { length } if across => {
+            corner::chamfer_at_arc(before, after, Size::Length(length), SHORT)
+        }
         CornerShape::Rounding { radius } => corner::rounding(before, after, radius, SHORT),
         CornerShape::Chamfer { side } => corner::chamfer(before, after, side, SHORT),
         CornerShape::ChamferLength { length } => corner::chamfer_of_length(before, after, length, SHORT),

@@ -233,6 +233,7 @@ impl Reader {
                 }
             }
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
+            "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),
         }

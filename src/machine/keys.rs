@@ -212,6 +212,12 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path",
             )
             .or(r#""refuse""#),
+            key(
+                "arc_chamfers",
+                Kind::Choice(&["refuse", "bisector"]),
+                "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
+            )
+            .or(r#""refuse""#),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",

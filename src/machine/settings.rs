@@ -246,6 +246,8 @@ pub struct Siemens {
     pub main_variables_visible: bool,
     /// A chamfer or rounding that does not fit is made as large as it fits.
     pub shorten_corners: bool,
+    /// A chamfer beside an arc stands across the bisector of the corner.
+    pub arc_chamfers: bool,
 }
 
 impl Default for Siemens {
@@ -257,6 +259,7 @@ impl Default for Siemens {
             tool_change_by_t: None,
             main_variables_visible: false,
             shorten_corners: false,
+            arc_chamfers: false,
         }
     }
 }

@@ -24,13 +24,16 @@ impl Budget {
         Budget { left: limit, limit, jumps: FxHashMap::default() }
     }
 
-    /// Takes one step; false when none is left.
+    /// Takes one step; false when none is left. Up to the first jump nothing can run for ever: a file that is read
+    /// once may have any length.
     #[inline]
     pub fn step(&mut self) -> bool {
         if self.left == 0 {
             return false;
         }
-        self.left -= 1;
+        if !self.jumps.is_empty() {
+            self.left -= 1;
+        }
         true
     }
 

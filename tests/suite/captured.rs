@@ -5,7 +5,9 @@ use std::rc::Rc;
 use partc::diag::Diags;
 use partc::geo::{Element, Plane, Point2};
 use partc::ir::captured::{Captured, PieceKind, Unfit};
-use partc::ir::contour::{Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink};
+use partc::ir::contour::{
+    ArcChamfer, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink,
+};
 use partc::ir::undercut::{Undercut, form_f};
 use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
 use partc::lower::Lower;
@@ -43,7 +45,14 @@ fn line(z: f64, x: f64) -> Move {
 fn shaft(out: &mut dyn Sink, ctx: &CtxRef) {
     let origin = Origin::default();
     let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
-    let corner = |shape| Corner { shape, feed: None, early: true, modal: false, large: LargeCorner::Refuse };
+    let corner = |shape| Corner {
+        shape,
+        feed: None,
+        early: true,
+        modal: false,
+        large: LargeCorner::Refuse,
+        at_arc: ArcChamfer::Refuse,
+    };
     out.movement(&Move { path: Path::Rapid, feed: None, ..line(0.0, 10.0) }, ctx, &origin);
     out.movement(&line(-20.0, 10.0), ctx, &origin);
     out.corner(&corner(CornerShape::Undercut(Undercut::new(form_f(&size)))), ctx, &origin);

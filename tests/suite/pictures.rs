@@ -8,7 +8,9 @@ use partc::diag::Diags;
 use partc::emit::plot::Plot;
 use partc::geo::undercut::{Edge, Shape};
 use partc::geo::{Deg, Plane};
-use partc::ir::contour::{Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path as Way, Sink};
+use partc::ir::contour::{
+    ArcChamfer, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path as Way, Sink,
+};
 use partc::ir::undercut::{ThreadForm, Undercut, form_e, form_f, thread};
 use partc::ir::{Feed, Function, Origin, Pos, Side};
 use partc::lower::Lower;
@@ -48,7 +50,18 @@ fn draw(title: &str, shape: Shape, from: (f64, f64), corner: (f64, f64), to: (f6
     lower.movement(&line(from.0 + along.0, from.1 + along.1, true), &ctx, &origin);
     lower.movement(&line(corner.0, corner.1, false), &ctx, &origin);
     let shape = CornerShape::Undercut(Undercut::new(shape));
-    lower.corner(&Corner { shape, feed: None, early: false, modal: false, large: LargeCorner::Refuse }, &ctx, &origin);
+    lower.corner(
+        &Corner {
+            shape,
+            feed: None,
+            early: false,
+            modal: false,
+            large: LargeCorner::Refuse,
+            at_arc: ArcChamfer::Refuse,
+        },
+        &ctx,
+        &origin,
+    );
     lower.movement(&line(to.0, to.1, false), &ctx, &origin);
     lower.movement(&line(to.0 + away.0, to.1 + away.1, true), &ctx, &origin);
     lower.finish();

@@ -107,6 +107,9 @@ fn loops_and_calls_end() {
     assert_eq!(codes("%_N_M_MPF\nSELF\nM30\n%_N_SELF_SPF\nSELF\nM17\n", &d), ["P4003"]);
     let nested = "L1: L2: L3: R1=R1+1\nL3: R1=1\nREPEATB L3 P=9999\nEE: R2=2\nREPEAT L3 EE P=9999\nM30\n";
     assert!(codes(nested, &few).contains(&"P4001"));
+    // What only goes forward ends by itself, however long it is.
+    let long = format!("{}M30\n", "G0 X1\nG0 X2\n".repeat(200_000));
+    assert_eq!(codes(&long, &few), [""; 0]);
     assert_eq!(codes("R1=1/0\nG0 X=R1\nM30\n", &d), ["S2006"]);
     assert_eq!(codes("G0 X=NOTHING\nM30\n", &d), ["S2001"]);
     assert_eq!(codes("GOTOF NOWHERE\nM30\n", &d), ["S2003"]);

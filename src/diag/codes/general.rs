@@ -44,7 +44,8 @@ P0106 Error "too-many-files" "program calls more than 1000 different files"
 the same ones again: each counts once."
 
 P4001 Error "step-limit" "program runs too many blocks"
-"partc executes the program as the control would, and stops after `[limits] steps` blocks (10 million by default). \
+"partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
+or call on (10 million by default). \
 Most often a loop never ends: the condition of its jump is always true. The message names the jump or repeat that ran most often.\n\
 If the program really is that long, raise the limit."
 

@@ -45,7 +45,8 @@ without the block. Check whether the right corner was meant, else delete the blo
 
 G3010 Error "chamfer-at-arc" "chamfer next to an arc"
 "A chamfer is defined between two straight lines only: on an arc there is no length along which to cut off the corner. Program a \
-rounding, or a line with both its end points."
+rounding, or a line with both its end points. A SINUMERIK control makes chamfers at arcs, too; how they lie there is not confirmed, so they \
+need `[control] arc_chamfers = \"bisector\"`."
 
 G3011 Error "arc-scaled-unevenly" "arc under unequal scaling"
 "Scaling with different factors in the two axes of the plane turns a circle into an ellipse, which controls refuse and plain G-code \

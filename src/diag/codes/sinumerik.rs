@@ -381,6 +381,10 @@ S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
 "G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
 any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
 
+S8042 Note "siemens-tangent-frame" "direction of CT is turned with the frame"
+"CT goes on in the direction of the last block that travelled. A frame that turns, mirrors or scales between the two is applied to that \
+direction, too, so that the path has a corner there. Program CT in front of the change of the frame if it shall go on smoothly."
+
 S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it."

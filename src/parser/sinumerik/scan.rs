@@ -1,5 +1,6 @@
 //! A quick look at a block for jumps: its number, its label, and whether it opens or closes a structure.
 
+use crate::lexer::sinumerik::{Tok, Tokens, comment_start};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::{Symbol, Symbols};
 
@@ -77,23 +78,13 @@ fn structure_word(text: &[u8]) -> Option<Word> {
 
 /// The part in front of the comment.
 fn code(text: &[u8]) -> &[u8] {
-    let end = crate::lexer::sinumerik::comment_start(text).unwrap_or(text.len());
+    let end = comment_start(text).unwrap_or(text.len());
     &text[..end]
 }
 
-/// `IF c GOTOF L` is a jump, not a structure.
+/// `IF c GOTOF L` is a jump, not a structure, also where the number in front is glued to it: `IF R1==0GOTOF L`.
 fn jumps(rest: &[u8]) -> bool {
-    let mut in_text = false;
-    for (at, window) in code(rest).windows(4).enumerate() {
-        if window[0] == b'"' {
-            in_text = !in_text;
-        }
-        let starts = at == 0 || !(rest[at - 1].is_ascii_alphanumeric() || rest[at - 1] == b'_');
-        if !in_text && starts && window.eq_ignore_ascii_case(b"GOTO") {
-            return true;
-        }
-    }
-    false
+    Tokens::new(rest, 0).any(|(_, tok, _)| matches!(tok, Tok::Goto | Tok::GotoF | Tok::GotoB | Tok::GotoC))
 }
 
 #[cfg(test)]
@@ -106,6 +97,10 @@ mod tests {
         let word = |text: &str, symbols: &mut Symbols| scan(text.as_bytes(), symbols).structure;
         assert_eq!(word("N10 IF R1>0", &mut symbols), Some(Word::If));
         assert_eq!(word("IF R1>0 GOTOF END1", &mut symbols), None);
+        assert_eq!(word("IF R1>0GOTOF END1", &mut symbols), None);
+        assert_eq!(word("if R1>R5gotob END1", &mut symbols), None);
+        assert_eq!(word("IF(R1>0)GOTO\"END1\"", &mut symbols), None);
+        assert_eq!(word("IF XGOTOF>0", &mut symbols), Some(Word::If));
         assert_eq!(word("IF R1>0 ; GOTOF", &mut symbols), Some(Word::If));
         assert_eq!(word("if NAME==\"GOTOF\"", &mut symbols), Some(Word::If));
         assert_eq!(word("REPEAT", &mut symbols), Some(Word::Repeat));

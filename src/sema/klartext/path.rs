@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
-use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
@@ -366,7 +366,14 @@ impl Run<'_> {
         // What stands behind a corner begins at its cut.
         self.st.last = None;
         self.out.corner(
-            &Corner { shape, feed: Some(feed), early: false, modal: false, large: LargeCorner::Refuse },
+            &Corner {
+                shape,
+                feed: Some(feed),
+                early: false,
+                modal: false,
+                large: LargeCorner::Refuse,
+                at_arc: ArcChamfer::Refuse,
+            },
             &self.st.ctx,
             &self.here.origin,
         );

@@ -4,7 +4,9 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
-use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread};
+use crate::ir::contour::{
+    Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
+};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -389,7 +391,14 @@ impl Run<'_> {
         let feed = self.cutting_feed(at.span)?;
         let shape =
             if name == "CF" { CornerShape::Chamfer { side: size } } else { CornerShape::Rounding { radius: size } };
-        self.send_corner(&Corner { shape, feed: Some(feed), early: false, modal: false, large: LargeCorner::Refuse });
+        self.send_corner(&Corner {
+            shape,
+            feed: Some(feed),
+            early: false,
+            modal: false,
+            large: LargeCorner::Refuse,
+            at_arc: ArcChamfer::Refuse,
+        });
         self.st.corner = Some((self.loc(at.span), 0));
         Ok(())
     }

@@ -26,6 +26,8 @@ pub(super) struct Level {
     pub counting: Option<u32>,
     /// Arguments that wait for PROC.
     pub arguments: Option<Vec<Argument>>,
+    /// Which parameters the call gave.
+    pub given: Vec<bool>,
     /// Something was executed, so DEF is too late.
     pub executed: bool,
     /// The definition part has begun, so PROC is too late.
@@ -89,6 +91,7 @@ impl Level {
             call: CallPath::MAIN,
             counting: None,
             arguments: None,
+            given: Vec::new(),
             executed: false,
             declares: false,
         }
@@ -109,7 +112,16 @@ impl Run<'_> {
         let back = self.place();
         let executed = true;
         let kind = LevelKind::Section { from, stop, left: times - 1, back };
-        self.levels.push(Level { kind, unit, call, counting: None, arguments: None, executed, declares: true });
+        self.levels.push(Level {
+            kind,
+            unit,
+            call,
+            counting: None,
+            arguments: None,
+            given: Vec::new(),
+            executed,
+            declares: true,
+        });
         self.budget.jump(self.here.origin.loc);
         self.resume(from)
     }
@@ -245,7 +257,16 @@ impl Run<'_> {
         };
         let executed = part.is_some();
         let arguments = (!arguments.is_empty()).then_some(arguments);
-        self.levels.push(Level { kind, unit, call, counting: None, arguments, executed, declares: executed });
+        self.levels.push(Level {
+            kind,
+            unit,
+            call,
+            counting: None,
+            arguments,
+            given: Vec::new(),
+            executed,
+            declares: executed,
+        });
         self.vars.enter();
         self.budget.jump(site);
         let cursor = &mut self.programs.files[file].cursor;
@@ -296,6 +317,7 @@ impl Run<'_> {
             level.executed = false;
             level.declares = false;
             level.arguments = None;
+            level.given.clear();
             let file = self.programs.units[unit].file;
             let _ = self.programs.files[file].cursor.seek(self.job.sources, start);
             self.budget.jump(self.here.origin.loc);

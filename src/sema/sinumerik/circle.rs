@@ -47,7 +47,8 @@ impl Run<'_> {
         let Some(other) = other else { return plane };
         // Parameters of the working plane mean a helix whose one end coordinate stays.
         let fits = names.iter().all(|(address, axis)| w.get(*address).is_none() || has(other, *axis));
-        if fits && w.get(Address::Ar).is_none() { other } else { plane }
+        let helix = w.get(Address::Turn).is_some();
+        if fits && !helix && w.get(Address::Ar).is_none() { other } else { plane }
     }
 
     pub(super) fn circle_block(&mut self, w: &mut Words, ccw: bool, polar: bool) -> Outcome {

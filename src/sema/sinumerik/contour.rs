@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
-use crate::ir::contour::{Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{ArcChamfer, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -374,12 +374,17 @@ impl Run<'_> {
             CornerShape::ChamferLength { length } => length,
             CornerShape::Undercut(_) => 0.0,
         };
-        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large: self.large_corner() }))
+        let (large, at_arc) = (self.large_corner(), self.arc_chamfer());
+        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc }))
     }
 
     /// What the control does with a corner that does not fit.
     pub(super) fn large_corner(&self) -> LargeCorner {
         if self.job.settings.control.siemens.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
+    }
+
+    pub(super) fn arc_chamfer(&self) -> ArcChamfer {
+        if self.job.settings.control.siemens.arc_chamfers { ArcChamfer::AcrossBisector } else { ArcChamfer::Ask }
     }
 
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {

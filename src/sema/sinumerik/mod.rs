@@ -145,7 +145,6 @@ struct Run<'a> {
     found: FxHashMap<String, usize>,
     warned_r: FxHashSet<u32>,
     warned_global: FxHashSet<Symbol>,
-    given_parameters: Vec<(Symbol, bool)>,
     externs: Vec<externs::Extern>,
     modal: Option<Modal>,
     /// Where the modal call stands.
@@ -222,7 +221,6 @@ impl<'a> Run<'a> {
             found: FxHashMap::default(),
             warned_r: FxHashSet::default(),
             warned_global: FxHashSet::default(),
-            given_parameters: Vec::new(),
             externs: Vec::new(),
             modal: None,
             modal_site: Loc::default(),

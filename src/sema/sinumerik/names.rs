@@ -295,6 +295,14 @@ impl Run<'_> {
                 words.axis_feeds.push((axis, given.value));
                 Ok(())
             }
+            Indexed::Override => {
+                if self.given(word, block, text)?.value != 100.0 {
+                    let message = "OVRA[…]= changes the feed of an axis or the speed of a spindle by a factor";
+                    let help = "program the feed itself, and OVRA[…]=100";
+                    return self.fail_help(codes::S9009, 0, word.span, message, help);
+                }
+                Ok(())
+            }
             Indexed::Dynamics => {
                 if !matches!(word.value, Value::None) {
                     self.given(word, block, text)?;

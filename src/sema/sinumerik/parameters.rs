@@ -3,8 +3,9 @@
 //! Source: reference section 5.6.
 
 use crate::diag::{Diagnostic, codes};
-use crate::parser::sinumerik::ast::{Args, Block, Formula, Op, TypeName, Variable};
+use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Variable};
 use crate::parser::symbols::Symbol;
+use crate::text::Span;
 
 use super::calls::{Argument, LevelKind, Reference};
 use super::value::{Val, type_name};
@@ -41,22 +42,26 @@ impl Run<'_> {
                     values.push(self.eval(formula, &one, text)?);
                 }
                 match base {
-                    crate::parser::sinumerik::ast::Base::Letter(b'R') => {
-                        Some(Reference::R(self.r_index(&values, *span)?))
-                    }
-                    crate::parser::sinumerik::ast::Base::Name(name) => match self.vars.find(*name) {
-                        Some(slot) => {
-                            let indices = self.indices(&values, *span)?;
-                            let offset = self.vars.get(slot).and_then(|var| var.offset(&indices));
-                            offset.map(|at| Reference::Element(slot, at))
-                        }
+                    Base::Letter(b'R') => Some(Reference::R(self.r_index(&values, *span)?)),
+                    Base::Name(name) => match self.vars.find(*name) {
+                        Some(slot) => self.element(slot, &values, *span)?,
                         None => None,
                     },
-                    _ => None,
+                    Base::Letter(letter) => match self.letter_variable(*letter) {
+                        Some(slot) => self.element(slot, &values, *span)?,
+                        None => None,
+                    },
+                    Base::System(_) => None,
                 }
             }
             _ => None,
         })
+    }
+
+    fn element(&self, slot: Slot, values: &[Val], span: Span) -> Outcome<Option<Reference>> {
+        let indices = self.indices(values, span)?;
+        let offset = self.vars.get(slot).and_then(|var| var.offset(&indices));
+        Ok(offset.map(|at| Reference::Element(slot, at)))
     }
 
     pub(super) fn give_back(&mut self, references: &[(Symbol, Reference)]) {
@@ -137,6 +142,7 @@ impl Run<'_> {
         };
         let left_out = argument.is_some();
         let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
+        self.program_level().given.push(given.is_some());
         if variable.by_reference {
             return self.reference_parameter(name, variable, given, left_out, in_main);
         }
@@ -178,7 +184,6 @@ impl Run<'_> {
             limits: [None; 2],
         };
         self.vars.define(name, var, false);
-        self.given_parameters.push((name, given.is_some()));
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use crate::ir::function::Spindle;
 use crate::text::Span;
 
 use super::state::{MAIN_SPINDLE, SpindleState};
-use super::vocabulary::Address;
+use super::vocabulary::{Address, Code};
 use super::words::{Given, Mode, SWord, Words};
 use super::{Outcome, Run};
 
@@ -47,16 +47,18 @@ impl Run<'_> {
         let masters = |s: &SWord| s.spindle.is_none_or(|n| n == self.st.master);
         let given = w.s.iter().any(masters);
         if !constant && self.st.constant_cut && !given {
-            let span = w.code_of(15).map(|(_, span)| span).unwrap_or_default();
+            let (code, span) = w.code_of(15).unwrap_or((Code::G97, Span::default()));
+            let code = super::vocabulary::word(code);
             // Once is enough.
             self.st.constant_cut = false;
-            return self.fail_help(
-                codes::S2045,
-                0,
-                span,
-                "G97 keeps the speed that the spindle happens to have",
-                "program the speed with it: G97 S1000",
-            );
+            let message = format!("{code} behind G96 keeps the speed that the spindle happens to have");
+            let help = format!("program the speed with it: {code} S1000");
+            return self.fail_help(codes::S2045, 0, span, message, &help);
+        }
+        if let Some((code, span)) = w.code_of(15)
+            && !given
+        {
+            self.feed_kind_limits_speed(code, span);
         }
         for at in 0..w.s.len() {
             self.speed(w.s[at], constant)?;
@@ -123,6 +125,21 @@ impl Run<'_> {
                 limit
             }
             _ => speed,
+        }
+    }
+
+    /// LIMS= counts under G97, and no more under G94 and G95.
+    fn feed_kind_limits_speed(&mut self, code: Code, span: Span) {
+        let (Some(before), Some(speed), false) = (self.st.turns, self.st.speed, self.st.constant_cut) else { return };
+        if self.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
+            return;
+        }
+        self.limit_changed(span);
+        if let Some(now) = self.st.turns.filter(|now| *now > before) {
+            let code = super::vocabulary::word(code);
+            let message = format!("LIMS= does not count under {code}: the spindle goes from {before} to {now} turns");
+            let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
+            self.report(found.help("program S with it, or limit the speed by G26 S"));
         }
     }
 

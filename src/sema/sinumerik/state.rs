@@ -306,9 +306,14 @@ impl Run<'_> {
             return;
         };
         if frame != self.st.ctx.frame {
+            self.st.heading = self.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
             let tool = self.st.ctx.frame.apply(&self.st.pos);
+            let before = self.st.pos.known();
             self.st.pos = frame.unapply(&tool);
-            self.st.heading = super::tangent::Heading::Later;
+            // Under a rotation an axis that a reported error lost takes others with it.
+            if !self.st.lost.is_empty() {
+                self.st.lost = self.st.lost.union(before.without(self.st.pos.known()));
+            }
             self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });
         }
     }

@@ -381,7 +381,14 @@ impl Run<'_> {
                 _ => continue,
             };
             self.stand_at(stored, block.corner_record);
-            self.send_corner(Some(Corner { shape, feed: None, early: true, modal: false, large: self.large_corner() }));
+            self.send_corner(Some(Corner {
+                shape,
+                feed: None,
+                early: true,
+                modal: false,
+                large: self.large_corner(),
+                at_arc: self.arc_chamfer(),
+            }));
         }
         self.here.origin = here;
         Ok(())

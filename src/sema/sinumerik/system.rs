@@ -110,8 +110,8 @@ impl Run<'_> {
             }
             "$P_SUBPAR" => {
                 let n = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                let given = n.and_then(|n| n.checked_sub(1)).and_then(|n| self.given_parameters.get(n));
-                Val::Bool(given.is_some_and(|(_, given)| *given))
+                let given = &self.program_level().given;
+                Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given))
             }
             "$P_MC" => Val::Bool(self.modal.is_some() || self.modal_cycle.is_some()),
             "$P_OFFN" => Val::Real(0.0),

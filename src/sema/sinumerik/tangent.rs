@@ -3,7 +3,10 @@
 //! Source: reference section 2.3.
 
 use crate::diag::codes;
-use crate::geo::arc::{TangentArc, tangent_arc, tangent_at};
+use crate::geo::arc::{
+    Closing, TangentArc, center_by_opening, center_by_radius, centered_between, closing, tangent_arc, tangent_at,
+    through,
+};
 use crate::geo::{Plane, Point2, Vec2, length};
 use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
@@ -28,8 +31,16 @@ pub(super) enum Heading {
         center: Point2,
         ccw: bool,
     },
+    /// The way of the block, in the coordinates of a frame that has changed since: the tangent is changed with it.
+    Behind {
+        way: [Option<f64>; 3],
+        /// More than the zero has moved.
+        turned: bool,
+    },
     /// The contour itself tells it later.
     Later,
+    /// The same, and the frame has changed since.
+    TooLate,
 }
 
 /// What is known of the tangent in front of CT.
@@ -51,17 +62,41 @@ impl Run<'_> {
         let mut end = if polar { self.polar_end(w)? } else { self.targets(w)? };
         let to = self.end_in(&end, plane, start);
         end.set_in_plane(plane, to);
-        if self.pending.is_none() && !self.st.machine_coordinates {
-            self.check_tangent(plane, start, to, turns)?;
+        let tangential = Arc { plane, shape: ArcShape::Tangent, turns };
+        if self.pending.is_some() || self.st.machine_coordinates {
+            return self.send_arc(&end, tangential, feed, Span::default());
         }
-        self.send_arc(&end, Arc { plane, shape: ArcShape::Tangent, turns }, feed, Span::default())
+        let known = self.tangential_arc(plane, start, to, turns)?;
+        let frame_changed = matches!(self.st.heading, Heading::Behind { .. });
+        if let Heading::Behind { turned: true, .. } = self.st.heading {
+            let message =
+                "the frame has turned since the block in front of CT, and the direction of CT is turned with it";
+            self.note_once(codes::S8042, Span::default(), message);
+        }
+        match known {
+            Some(TangentArc::Arc { center, ccw }) if frame_changed => {
+                let shape = ArcShape::Center { center, ccw, tol: SAME };
+                self.send_arc(&end, Arc { plane, shape, turns }, feed, Span::default())
+            }
+            Some(TangentArc::Line | TangentArc::Nothing) if frame_changed => {
+                self.send(&end, Path::Line, feed);
+                Ok(())
+            }
+            _ => {
+                self.send_arc(&end, tangential, feed, Span::default())?;
+                if let Some(TangentArc::Arc { center, ccw }) = known {
+                    self.st.heading = Heading::Arc { plane, center, ccw };
+                }
+                Ok(())
+            }
+        }
     }
 
-    /// Alarm 14045.
-    fn check_tangent(&self, plane: Plane, start: Point2, to: Point2, turns: u32) -> Outcome {
+    /// The arc, as far as it can be told here. Alarm 14045.
+    fn tangential_arc(&self, plane: Plane, start: Point2, to: Point2, turns: u32) -> Outcome<Option<TangentArc>> {
         let tangent = match self.tangent_in(plane, start) {
             Tangent::Known(tangent) => tangent,
-            Tangent::Later => return Ok(()),
+            Tangent::Later => return Ok(None),
             Tangent::Missing(why) => return self.no_tangent(why, "put a line or arc of the plane in front of CT"),
         };
         match tangent_arc(start, tangent, to, SAME, 1e-9 * length(to - start)) {
@@ -71,11 +106,11 @@ impl Run<'_> {
             TangentArc::Line if turns > 0 => {
                 self.no_tangent("CT is a straight line here, which has no turns", "leave TURN= out")
             }
-            _ => Ok(()),
+            found => Ok(Some(found)),
         }
     }
 
-    fn no_tangent(&self, why: &str, help: &str) -> Outcome {
+    fn no_tangent<T>(&self, why: &str, help: &str) -> Outcome<T> {
         self.fail_help(codes::S3008, 14045, Span::default(), why, help)
     }
 
@@ -87,17 +122,45 @@ impl Run<'_> {
                 tangent_at(start, center, ccw).map_or(Tangent::Later, Tangent::Known)
             }
             Heading::Arc { .. } => Tangent::Later,
+            Heading::TooLate => Tangent::Missing("a cycle stands in front of CT, and the frame has changed since"),
+            Heading::Behind { way, .. } => {
+                let (first, second, _) = plane.axes();
+                match (way.get(first).copied().flatten(), way.get(second).copied().flatten()) {
+                    (Some(x), Some(y)) => tangent_along(Vec2::new(x, y)),
+                    _ => Tangent::Missing("the block in front of CT starts at a place that is not known"),
+                }
+            }
             Heading::Line(from) => {
                 let Some(way) = from.in_plane(plane).map(|from| start - from) else {
                     return Tangent::Missing("the block in front of CT starts at a place that is not known");
                 };
-                let size = length(way);
-                if size > SAME {
-                    Tangent::Known(way / size)
-                } else {
-                    Tangent::Missing("the block in front of CT runs at a right angle to the plane")
-                }
+                tangent_along(way)
             }
+        }
+    }
+
+    /// The frame changes: the tangent is changed with it, so that it keeps its coordinates. To be called while the
+    /// position is still that in the old frame.
+    pub(super) fn heading_across_frames(&self, turned: bool) -> Heading {
+        let mut way = [None; 3];
+        match self.st.heading {
+            Heading::Line(from) => {
+                for (axis, part) in AxisSet::MAIN.iter().zip(&mut way) {
+                    *part = self.st.pos.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
+                }
+                Heading::Behind { way, turned }
+            }
+            Heading::Arc { plane, center, ccw } => {
+                let end = self.st.pos.in_plane(plane);
+                let Some(tangent) = end.and_then(|at| tangent_at(at, center, ccw)) else { return Heading::TooLate };
+                let (first, second, _) = plane.axes();
+                way[first] = Some(tangent.x);
+                way[second] = Some(tangent.y);
+                Heading::Behind { way, turned }
+            }
+            Heading::Behind { way, turned: before } => Heading::Behind { way, turned: before || turned },
+            Heading::Later => Heading::TooLate,
+            other => other,
         }
     }
 
@@ -105,10 +168,7 @@ impl Run<'_> {
     #[inline]
     pub(super) fn note_heading(&mut self, end: &Pos, path: &Path) {
         match path {
-            Path::Arc(Arc { plane, shape: ArcShape::Center { center, ccw, .. }, .. }) => {
-                self.st.heading = Heading::Arc { plane: *plane, center: *center, ccw: *ccw };
-            }
-            Path::Arc(_) => self.st.heading = Heading::Later,
+            Path::Arc(arc) => self.st.heading = self.heading_of(arc, end),
             _ => {
                 let at = &self.st.pos;
                 let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));
@@ -117,5 +177,36 @@ impl Run<'_> {
                 }
             }
         }
+    }
+
+    /// The direction behind an arc from where the tool stands.
+    fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
+        let plane = arc.plane;
+        let (Some(from), Some(to)) = (self.st.pos.in_plane(plane), end.in_plane(plane)) else { return Heading::Later };
+        let found = match arc.shape {
+            ArcShape::Center { center, ccw, .. } if closing(to - from) != Closing::Open => Some((center, ccw)),
+            // The control moves the centre to the same distance from both ends.
+            ArcShape::Center { center, ccw, .. } => Some((centered_between(from, to, center), ccw)),
+            ArcShape::Sweep { center, sweep } => Some((center, sweep.0 > 0.0)),
+            ArcShape::Radius { radius, ccw, tol } => {
+                center_by_radius(from, to, radius, ccw, SAME, tol).map(|center| (center, ccw))
+            }
+            ArcShape::Opening { sweep } => {
+                center_by_opening(from, to, sweep.radians(), SAME).map(|center| (center, sweep.0 > 0.0))
+            }
+            ArcShape::Via { point } => through(from, point, to, SAME),
+            ArcShape::Tangent => None,
+        };
+        found.map_or(Heading::Later, |(center, ccw)| Heading::Arc { plane, center, ccw })
+    }
+}
+
+/// The direction of a way in the plane.
+fn tangent_along(way: Vec2) -> Tangent {
+    let size = length(way);
+    if size > SAME {
+        Tangent::Known(way / size)
+    } else {
+        Tangent::Missing("the block in front of CT runs at a right angle to the plane")
     }
 }

@@ -149,6 +149,7 @@ code_names! {
     SUPD = 9 4
     G70 = 13 1
     G91 = 14 2
+    G97 = 15 5
     DIAMOF = 29 1  DIAMON = 29 2  DIAMCYCOF = 29 4
 }
 
@@ -234,7 +235,9 @@ pub(super) enum Indexed {
     Posa,
     /// Feed of a positioning axis.
     Fa,
-    /// Acceleration, tolerance, override of an axis.
+    /// Factor on the feed of an axis.
+    Override,
+    /// Acceleration and tolerance of an axis.
     Dynamics,
     /// `DIAMONA[X]` and its kin.
     DiameterOn,
@@ -444,7 +447,7 @@ const INDEXED_NAMES: &[(&str, Indexed)] = &[
     ("POSP", Indexed::Posa),
     ("FA", Indexed::Fa),
     ("ACC", Indexed::Dynamics),
-    ("OVRA", Indexed::Dynamics),
+    ("OVRA", Indexed::Override),
     ("VELOLIM", Indexed::Dynamics),
     ("JERKLIM", Indexed::Dynamics),
     ("ATOL", Indexed::Dynamics),
