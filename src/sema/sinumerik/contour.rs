@@ -262,6 +262,17 @@ impl Run<'_> {
         Err(Reported)
     }
 
+    /// The modal call belongs behind the first line of a pair, whose end is not known before the second.
+    pub(super) fn no_pair_under_a_modal_call(&mut self) -> Outcome {
+        let Some(pending) = self.pending.take() else { return Ok(()) };
+        self.pair_lost = true;
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        let message = "the first line of a pair stands under MCALL, and the call would come before its end is known";
+        let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
+        self.report(found.help("program the end of the line, or end the modal call before by MCALL"));
+        Err(Reported)
+    }
+
     /// Holds a function back while the first line of a pair waits for its end.
     pub(super) fn held_back(&mut self, function: &Function) -> bool {
         let origin = self.here.origin;
