@@ -198,6 +198,10 @@ fn shape940(
             rests.convention = true;
             let (Some(x), Some(z)) = (call.epd, call.epl) else { return Err(CallFault::Missing("_EPD and _EPL")) };
             let depth = if depth_incremental { x.abs() } else { (x - spd).abs() / 2.0 };
+            // No standard proposes one for the free form.
+            if call.sta.is_none() {
+                return Err(CallFault::Missing("_STA"));
+            }
             let length = if width_incremental { z.abs() } else { (z - call.spl.unwrap_or(0.0)).abs() };
             Ok(Shape::Square {
                 length,
@@ -211,10 +215,9 @@ fn shape940(
     }
 }
 
-/// Entry angle, 30 to 90 degrees; 30 if none is given.
+/// Entry angle, 30 to 90 degrees; 30 as in DIN 76 if none is given.
 fn entry(angle: Option<f64>) -> Result<Deg, CallFault> {
-    match angle.unwrap_or(0.0) {
-        0.0 => Ok(Deg(30.0)),
+    match angle.unwrap_or(30.0) {
         angle if (30.0..=90.0).contains(&angle) => Ok(Deg(angle)),
         _ => Err(CallFault::Range("_STA")),
     }
@@ -357,8 +360,15 @@ mod tests {
         let (cycle, rests) = made(Cycle940 { piti: Some(17.0), vari: Some(3.0), mid: Some(0.5), ..call(b'a') });
         assert!(matches!(cycle.shape, Shape::Square { depth: 2.2, corner_radius: 1.6, .. }), "{cycle:?}");
         assert!(rests.roughing && cycle.step == Some(0.5) && cycle.finishing);
-        let free =
-            Cycle940 { epd: Some(20.0), epl: Some(8.0), amode: Some(10.0), r1: Some(0.5), r2: Some(1.0), ..call(b'T') };
+        let free = Cycle940 {
+            epd: Some(20.0),
+            epl: Some(8.0),
+            amode: Some(10.0),
+            r1: Some(0.5),
+            r2: Some(1.0),
+            sta: Some(30.0),
+            ..call(b'T')
+        };
         let wanted = Shape::Square { length: 8.0, depth: 2.0, entry: Deg(30.0), entry_radius: 0.5, corner_radius: 1.0 };
         assert_eq!(made(free).0.shape, wanted);
         let raised = Cycle940 { epd: Some(24.2), ..call(b'F') };

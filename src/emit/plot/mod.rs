@@ -57,6 +57,7 @@ pub struct Plot<'a> {
     extents: Extents,
     undrawn: u64,
     rapids: bool,
+    threads: bool,
     error: Option<std::io::Error>,
 }
 
@@ -87,6 +88,7 @@ impl<'a> Plot<'a> {
             extents: Extents::default(),
             undrawn: 0,
             rapids: false,
+            threads: false,
             error: None,
         };
         plot.send();
@@ -106,6 +108,7 @@ impl<'a> Plot<'a> {
             extents: self.extents,
             tools: &self.tools,
             rapids: self.rapids,
+            threads: self.threads,
             undrawn: self.undrawn,
         };
         let head = scene.head();
@@ -251,6 +254,7 @@ impl Sink for Plot<'_> {
                     Path::Thread { .. } => Pen::Thread,
                 };
                 self.rapids |= pen == Pen::Rapid;
+                self.threads |= pen == Pen::Thread;
                 match &mv.path {
                     Path::Arc(arc) => {
                         self.pen(pen, from);

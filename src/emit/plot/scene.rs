@@ -73,6 +73,7 @@ pub(super) struct Scene<'a> {
     pub(super) extents: Extents,
     pub(super) tools: &'a [Option<u32>],
     pub(super) rapids: bool,
+    pub(super) threads: bool,
     pub(super) undrawn: u64,
 }
 
@@ -309,6 +310,9 @@ impl Scene<'_> {
         }
         if self.tools.len() > COLOURS.len() {
             entry(s, "grid", &format!("{} more tools, colours repeat", self.tools.len() - COLOURS.len()));
+        }
+        if self.threads {
+            entry(s, "h t0", "thread");
         }
         if self.rapids {
             entry(s, "r t0", "rapid");

@@ -317,6 +317,19 @@ impl Degression {
 }
 
 impl Drilling {
+    /// What the spindle does behind the hole, where the cycle changes it.
+    pub fn spindle_after(&self) -> Option<Spindle> {
+        if self.levels.outward() == 0.0 {
+            return None;
+        }
+        match &self.method {
+            Method::Tap(tap) => Some(tap.after),
+            Method::Bore(bore) => Some(Spindle::Start(bore.turn)),
+            Method::BoreWithStop { turn, .. } => Some(Spindle::Start(*turn)),
+            Method::Drill { .. } | Method::Peck(_) | Method::Deep(_) | Method::Ream { .. } => None,
+        }
+    }
+
     /// The first fault of the arguments.
     ///
     /// # Errors

@@ -51,9 +51,8 @@ pub struct Keys {
     /// End point, absolute; `ey` is a diameter in a contour of diameters.
     pub ex: Option<f64>,
     pub ey: Option<f64>,
-    /// End point from the start of the element; `dey` is a radius.
+    /// Abscissa of the end point from the start of the element. The key of the ordinate was never seen.
     pub dex: Option<f64>,
-    pub dey: Option<f64>,
     /// Centre, absolute; `cy` as `ey`.
     pub cx: Option<f64>,
     pub cy: Option<f64>,
@@ -182,7 +181,6 @@ fn read_keys(list: &[(&str, &str)]) -> Keys {
             "EX" => &mut keys.ex,
             "EY" => &mut keys.ey,
             "DEX" => &mut keys.dex,
-            "DEY" => &mut keys.dey,
             "CX" => &mut keys.cx,
             "CY" => &mut keys.cy,
             "RAD" => &mut keys.rad,

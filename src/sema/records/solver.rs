@@ -80,7 +80,7 @@ impl Solver {
             match record {
                 Record::Begin | Record::End | Record::Header { .. } => {}
                 Record::Unknown(_) => return Err(Unsolved::Unknown(i)),
-                Record::Start(keys) if begin.is_none() && !unknown(keys) => {
+                Record::Start(keys) if begin.is_none() && !unknown(keys) && is_start(keys) => {
                     begin = Some(Begin { record: i, keys: *keys, transition: None });
                 }
                 Record::Start(_) => return Err(Unsolved::Unknown(i)),
@@ -145,7 +145,12 @@ impl Solver {
         let keys = typed.keys;
         let angle = line_angle(&typed, dir);
         let mut x = keys.ex.or(keys.dex.map(|d| at.x + d));
-        let mut y = keys.ey.or(keys.dey.map(|d| at.y + d));
+        let mut y = keys.ey;
+        let twice = keys.ex.zip(keys.dex).is_some_and(|(to, by)| (to - at.x - by).abs() > ROUNDED);
+        let of_arcs = [keys.cx, keys.cy, keys.rad, keys.aa].iter().any(Option::is_some);
+        if twice || of_arcs || !angles_agree(&typed, dir) {
+            return Err(Unsolved::Contradiction(typed.record));
+        }
         match heading {
             Heading::Left | Heading::Right => y = y.or(Some(at.y)),
             Heading::Up | Heading::Down => x = x.or(Some(at.x)),
@@ -175,6 +180,15 @@ impl Solver {
         let keys = next.keys;
         match next.kind {
             Kind::Line(heading) => {
+                if let (Heading::Any, None, Some(by), Some(y)) = (heading, keys.ex, keys.dex, keys.ey) {
+                    // Its own way along the abscissa and its angle say how far it rises to its end.
+                    let w = line_angle(&next, Some(u)).filter(|w| w.x * by > 1e-9).ok_or(open.clone())?;
+                    if u.y.abs() <= 1e-9 {
+                        return Err(open);
+                    }
+                    let s = (y - by * w.y / w.x - at.y) / u.y;
+                    return if s <= 0.0 { Err(Unsolved::Contradiction(typed.record)) } else { Ok(at + u * s) };
+                }
                 let through = match (heading, keys.ex, keys.ey) {
                     (Heading::Up | Heading::Down, Some(x), _) => Point2::new(x, at.y),
                     (Heading::Left | Heading::Right, _, Some(y)) => Point2::new(at.x, y),
@@ -292,7 +306,10 @@ impl Solver {
     ) -> Result<Solved, Unsolved> {
         let keys = typed.keys;
         let x = keys.ex.or(keys.dex.map(|d| at.x + d));
-        let y = keys.ey.or(keys.dey.map(|d| at.y + d));
+        let y = keys.ey;
+        if keys.ex.zip(keys.dex).is_some_and(|(to, by)| (to - at.x - by).abs() > ROUNDED) {
+            return Err(Unsolved::Contradiction(typed.record));
+        }
         let end = x.zip(y).map(|(x, y)| Point2::new(x, y));
         let tangent = keys.at.zip(dir).map(|(angle, dir)| crate::geo::turned(dir, Deg(angle).radians()));
         let center = self.center(&typed, ccw, at, end, tangent)?;
@@ -433,6 +450,20 @@ impl Solver {
 fn leg(hypotenuse: f64, leg: f64) -> Option<f64> {
     let square = hypotenuse * hypotenuse - leg * leg;
     (square > -1e-2 * hypotenuse.abs().min(1.0)).then(|| square.max(0.0).sqrt())
+}
+
+/// The start point has a place, and perhaps the direction in front of the contour.
+fn is_start(keys: &Keys) -> bool {
+    let others = [keys.dex, keys.cx, keys.cy, keys.rad, keys.at, keys.aa, keys.dst];
+    others.iter().all(Option::is_none)
+}
+
+/// Do code, angle and angle to the element before say the same of a line?
+fn angles_agree(typed: &Typed, dir: Option<Vec2>) -> bool {
+    let Some(u) = line_angle(typed, dir) else { return true };
+    let by_angle = typed.keys.ase.map(|angle| Deg(angle).unit());
+    let by_turn = typed.keys.at.zip(dir).map(|(angle, dir)| crate::geo::turned(dir, Deg(angle).radians()));
+    [by_angle, by_turn].into_iter().flatten().all(|v| cross(u, v).abs().max(1.0 - u.dot(&v)) <= 0.01)
 }
 
 /// Direction of a line by its code, its angle, or the angle to the element before.

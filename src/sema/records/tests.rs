@@ -87,6 +87,14 @@ fn an_open_line_ends_on_the_next_arc() {
 }
 
 #[test]
+fn an_open_line_ends_where_the_next_one_has_its_own_way() {
+    let text = ";S,EX:0,EY:100\n;LL,EX:-20\n;LU\n;LA,DEX:-3,EY:160,ASE:150";
+    assert_eq!(words(text, 2.0), ["G0 0 100", "G1 -20 100", "G1 -20 156.536", "G1 -23 160"]);
+    let wrong_way = text.replace("ASE:150", "ASE:30");
+    assert_eq!(solve(&records(&wrong_way), true, &Undercuts::default()), Err(Unsolved::Open(2)));
+}
+
+#[test]
 fn a_tangential_arc_ends_in_the_direction_of_the_next_line() {
     let text = ";S,EX:0,EY:36\n;LL,EX:-18\n;R,RROUND:3\n;ACW,AT:0,RAD:4\n;LA,EY:70,ASE:120";
     assert_eq!(words(text, 2.0), ["G0 0 36", "G1 -18 36", "G2 -21.464 40 AC -18 44", "G1 -30.124 70"]);

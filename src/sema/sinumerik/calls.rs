@@ -434,6 +434,9 @@ impl Run<'_> {
     /// Behind a block that moved: the modal program, unless it is the one that moved.
     pub(super) fn call_modal(&mut self) -> Outcome {
         let inside = self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { modal: true, .. }));
+        if !inside && (self.modal_cycle.is_some() || self.modal.is_some()) {
+            self.no_pair_under_a_modal_call()?;
+        }
         if self.modal_cycle.is_some() {
             self.tapping_ends();
         }

@@ -262,6 +262,17 @@ impl Run<'_> {
         Err(Reported)
     }
 
+    /// The modal call belongs behind the first line of a pair, whose end is not known before the second.
+    pub(super) fn no_pair_under_a_modal_call(&mut self) -> Outcome {
+        let Some(pending) = self.pending.take() else { return Ok(()) };
+        self.pair_lost = true;
+        self.st.lose(crate::machine::AxisSet::MAIN);
+        let message = "the first line of a pair stands under MCALL, and the call would come before its end is known";
+        let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
+        self.report(found.help("program the end of the line, or end the modal call before by MCALL"));
+        Err(Reported)
+    }
+
     /// Holds a function back while the first line of a pair waits for its end.
     pub(super) fn held_back(&mut self, function: &Function) -> bool {
         let origin = self.here.origin;
@@ -346,7 +357,7 @@ impl Run<'_> {
         let feed = match frc {
             Some(frc) if frc.value > 0.0 => Some(self.feed_of(frc.value)),
             Some(frc) => return self.fail(codes::S2041, 14800, frc.span, "the feed FRC= is not above 0"),
-            None => self.st.frcm,
+            None => self.modal_corner_feed()?,
         };
         if !explicit && self.st.rndm == 0.0 {
             return self.fail_help(
@@ -365,6 +376,21 @@ impl Run<'_> {
         };
         let (large, at_arc) = (self.large_corner(), self.arc_chamfer());
         Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc }))
+    }
+
+    /// FRCM, which counts as the feeds did where it was programmed.
+    fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
+        let fits = match self.st.frcm {
+            Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
+            Some(Feed::PerMinute(_)) => !self.st.per_revolution(),
+            None => true,
+        };
+        if fits {
+            return Ok(self.st.frcm);
+        }
+        let message = "the kind of feed has changed since FRCM=, whose value counts in the other one";
+        let help = "program FRCM= again behind G94, G95 and G96, or FRCM=0";
+        self.fail_help(codes::S2040, 10860, Span::default(), message, help)
     }
 
     /// What the control does with a corner that does not fit.

@@ -425,6 +425,10 @@ impl Run<'_> {
         let turn = match args.or_zero(7) {
             3.0 => Turn::CounterClockwise,
             4.0 => Turn::Clockwise,
+            given if given != 0.0 => {
+                let help = "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
+                return self.cycle_fault(args, args.span_of(7), 61102, "SDR is 0, 3 or 4", help);
+            }
             _ => match self.st.turn {
                 Some(turn) => turn,
                 None => {
@@ -438,6 +442,11 @@ impl Run<'_> {
                 }
             },
         };
+        if let Some(place) = [10, 11].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+            let help =
+                "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
+            return self.cycle_fault(args, args.span_of(place), 61001, "the pitch is below 0", help);
+        }
         let lead = match args.or_zero(9) {
             0.0 => Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()),
             1.0 => {
@@ -450,6 +459,8 @@ impl Run<'_> {
             }
             _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
         };
+        // With an automatic reversal the spindle turns on as before, and SDAC may be left out.
+        let as_before = args.or_zero(7) == 0.0 && args.or_zero(8) == 0.0;
         Ok(Method::Tap(Tap {
             lead,
             turn,
@@ -459,7 +470,7 @@ impl Run<'_> {
             speed_out: None,
             orient: None,
             step: None,
-            after: self.after(args, 8)?,
+            after: if as_before { Spindle::Start(turn) } else { self.after(args, 8)? },
             speed_after: None,
         }))
     }

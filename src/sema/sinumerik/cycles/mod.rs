@@ -13,11 +13,13 @@ mod undercut;
 use crate::diag::{Code, Diagnostic, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::cycle::{Cycle, Drilling};
+use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
+use super::super::here::Here;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
@@ -30,14 +32,22 @@ pub(super) use contours::Contours;
 #[derive(Debug, Clone)]
 pub(super) struct ModalCycle {
     hole: Drilling,
+    args: Arguments,
+    /// Where MCALL stands.
+    here: Here,
+    /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
+    spindle: SpindleState,
     /// The feed is the one that is modal when the hole is drilled.
     feed_of_block: bool,
     /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
     under: (Plane, f64),
 }
 
+/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn.
+type SpindleState = (Option<f64>, Option<Turn>, bool, bool);
+
 /// The arguments of a call, counted from 1 as the manuals do.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Arguments {
     name: String,
     span: Span,
@@ -110,6 +120,18 @@ fn takes_text(name: &str, place: usize) -> bool {
     }
 }
 
+/// Names of threads and tables, and texts of the editor beside a number.
+fn only_text(name: &str, place: usize) -> bool {
+    match name {
+        "CYCLE84" => (19..=21).contains(&place),
+        "CYCLE840" => (15..=17).contains(&place),
+        "CYCLE940" => matches!(place, 19 | 20),
+        "CYCLE98" => (27..=29).contains(&place),
+        "CYCLE99" => (25..=27).contains(&place),
+        _ => false,
+    }
+}
+
 impl Run<'_> {
     /// Runs a machining cycle; `None` for a name that is none, or that is not built.
     pub(super) fn machining_cycle(
@@ -163,6 +185,11 @@ impl Run<'_> {
             if *value != Val::Missing && value.number().is_none() && !takes_text(name, place) {
                 let message = format!("argument {place} of {name} has to be a number");
                 return self.fail_help(codes::S2090, 12150, *at, message, "a number in quotation marks is a text");
+            }
+            // A number among the texts is a sign of a comma too many or too few.
+            if only_text(name, place) && value.number().is_some_and(|v| v != 0.0) {
+                let message = format!("argument {place} of {name} has to be a text");
+                return self.fail_help(codes::S2090, 12150, *at, message, "arguments are counted by their commas");
             }
             if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
                 return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
@@ -227,7 +254,8 @@ impl Run<'_> {
                 let hole = self.hole(&args)?;
                 let feed_of_block = !matches!(name, "CYCLE85");
                 let under = (self.st.plane(), self.st.length_unit());
-                self.modal_cycle = Some(Box::new(ModalCycle { hole, feed_of_block, under }));
+                let (here, spindle) = (self.here, self.spindle_state());
+                self.modal_cycle = Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under }));
                 Ok(())
             });
             return Some(result);
@@ -246,7 +274,7 @@ impl Run<'_> {
 
     /// Drills the modal hole where the tool stands.
     pub(super) fn drill_modal(&mut self) -> Outcome {
-        let Some(modal) = self.modal_cycle.as_deref().cloned() else { return Ok(()) };
+        let Some(modal) = self.modal_cycle.clone() else { return Ok(()) };
         if self.st.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
         }
@@ -259,13 +287,28 @@ impl Run<'_> {
                 "call the cycle again behind G17, G18, G19, G70 or G71",
             );
         }
-        let mut hole = modal.hole;
-        if modal.feed_of_block
-            && let Some(feed) = self.st.feed
-        {
+        let feed_of_block = modal.feed_of_block;
+        let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        if feed_of_block && let Some(feed) = self.st.feed {
             hole.feed = feed;
         }
         self.drill(&hole)
+    }
+
+    fn spindle_state(&self) -> SpindleState {
+        (self.st.speed, self.st.turn, self.st.constant_cut, self.st.per_revolution())
+    }
+
+    /// The hole of the modal call under the spindle of now.
+    fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
+        let here = std::mem::replace(&mut self.here, modal.here);
+        let made = self.hole(&modal.args);
+        self.here = here;
+        let hole = made?;
+        modal.hole = hole.clone();
+        modal.spindle = self.spindle_state();
+        self.modal_cycle = Some(modal);
+        Ok(hole)
     }
 
     fn drill(&mut self, hole: &Drilling) -> Outcome {
@@ -279,6 +322,14 @@ impl Run<'_> {
         self.thread_chain = None;
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         self.moved_to(&end);
+        if let Cycle::Drilling(hole) = &cycle
+            && let Some(after) = hole.spindle_after()
+        {
+            self.st.turn = match after {
+                Spindle::Start(turn) => Some(turn),
+                _ => None,
+            };
+        }
     }
 
     /// The feed in force, for a cycle.

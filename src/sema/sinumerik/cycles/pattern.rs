@@ -162,7 +162,6 @@ impl Run<'_> {
     fn free_positions(&self, args: &Arguments) -> Outcome<Vec<Point2>> {
         let unit = self.st.length_unit();
         let mut positions = Vec::new();
-        let mut last = Point2::origin();
         for at in 0..POSITIONS {
             let (x, y) = (args.number(3 + 2 * at), args.number(4 + 2 * at));
             let (Some(x), Some(y)) = (x, y) else {
@@ -171,17 +170,13 @@ impl Run<'_> {
                 }
                 continue;
             };
-            // One digit for each position, all alike as the editor writes them: 1 absolute, 2 incremental.
+            // One digit for each position, 1 absolute; the digit of an incremental one is not confirmed.
             for mask in [1, 2] {
-                let digits = args.or_zero(mask);
-                if digits != 111_111_111.0 && digits != 222_222_222.0 {
-                    return self.not_built(args, mask, "a mixed or missing mask (`_XA`, `_YA`)");
+                if args.or_zero(mask) != 111_111_111.0 {
+                    return self.not_built(args, mask, "a mask that is not 111111111, all absolute (`_XA`, `_YA`)");
                 }
             }
-            let absolute = |mask: usize| args.digit(mask, 0) == 1;
-            let from = |absolute: bool, last: f64| if absolute { 0.0 } else { last };
-            last = Point2::new(from(absolute(1), last.x) + x * unit, from(absolute(2), last.y) + y * unit);
-            positions.push(last);
+            positions.push(Point2::new(x * unit, y * unit));
         }
         Ok(positions)
     }
