@@ -127,6 +127,15 @@ impl Files for Same {
     }
 }
 
+/// 5 turns of 300 a minute are 1 second, 10 turns of 100 are 6 seconds.
+#[test]
+fn a_dwell_counts_the_turns_of_the_named_spindle() {
+    let program = b"S1=100 M1=3\nS2=300 M2=3\nG4 S2=5\nG4 S10\nM30\n";
+    let compiled = run("m.mpf", program, &Settings::default());
+    assert!(compiled.output.contains("G4 P1\nG4 P6\n"), "{}", compiled.output);
+    assert_eq!(codes("S1=100 M1=3\nG4 S2=5\nM30\n", &Settings::default()), ["S2045"]);
+}
+
 #[test]
 fn programs_that_call_each_other_end() {
     let few = settings("[limits]\nsteps = 10000\n");

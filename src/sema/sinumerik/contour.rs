@@ -357,7 +357,7 @@ impl Run<'_> {
         let feed = match frc {
             Some(frc) if frc.value > 0.0 => Some(self.feed_of(frc.value)),
             Some(frc) => return self.fail(codes::S2041, 14800, frc.span, "the feed FRC= is not above 0"),
-            None => self.st.frcm,
+            None => self.modal_corner_feed()?,
         };
         if !explicit && self.st.rndm == 0.0 {
             return self.fail_help(
@@ -376,6 +376,21 @@ impl Run<'_> {
         };
         let (large, at_arc) = (self.large_corner(), self.arc_chamfer());
         Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc }))
+    }
+
+    /// FRCM, which counts as the feeds did where it was programmed.
+    fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
+        let fits = match self.st.frcm {
+            Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
+            Some(Feed::PerMinute(_)) => !self.st.per_revolution(),
+            None => true,
+        };
+        if fits {
+            return Ok(self.st.frcm);
+        }
+        let message = "the kind of feed has changed since FRCM=, whose value counts in the other one";
+        let help = "program FRCM= again behind G94, G95 and G96, or FRCM=0";
+        self.fail_help(codes::S2040, 10860, Span::default(), message, help)
     }
 
     /// What the control does with a corner that does not fit.

@@ -353,6 +353,11 @@ impl Run<'_> {
     }
 
     pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
+        if let Some(axis) = self.job.settings.machine.diameter_axis {
+            let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
+            let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
+            return self.fail_help(codes::S2060, 16510, span, message, help);
+        }
         self.fail_help(
             codes::S2060,
             16510,

@@ -193,6 +193,7 @@ impl Run<'_> {
                 if letter == b'M' {
                     return self.m_word(words, Some(spindle), given);
                 }
+                self.no_modifier(given)?;
                 words.s.push(SWord { spindle: Some(spindle), value: given.value, span: given.span });
                 Ok(())
             }
@@ -360,6 +361,7 @@ impl Run<'_> {
             }
             b'S' => {
                 let given = self.given(word, block, text)?;
+                self.no_modifier(given)?;
                 words.s.push(SWord { spindle, value: given.value, span: given.span });
             }
             b'M' => {

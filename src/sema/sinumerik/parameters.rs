@@ -115,6 +115,9 @@ impl Run<'_> {
             let found =
                 Diagnostic::new(codes::S2021, loc, format!("the program takes {count} arguments (alarm 12340)"));
             self.report(found.also(self.loc(block.span), "its parameters"));
+            for variable in block.variables.clone() {
+                self.lose_parameter(variable);
+            }
             return Err(Reported);
         }
         let mut arguments = arguments.into_iter();
@@ -173,6 +176,14 @@ impl Run<'_> {
             Some(formula) => self.number(formula, block, text)? as usize,
             None => super::value::MOST_TEXT,
         };
+        if let (Val::Text(text), Some(argument)) = (&value, given)
+            && text.len() > length
+        {
+            let message =
+                format!("the text has {} characters, parameter {shown} takes {length} (alarm 12210)", text.len());
+            self.report(Diagnostic::new(codes::S2030, argument.loc, message).help("shorten it"));
+            return Err(Reported);
+        }
         let var = Var {
             kind: variable.kind,
             sizes: Vec::new(),

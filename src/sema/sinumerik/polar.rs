@@ -64,6 +64,7 @@ impl Run<'_> {
             let mut way = [0.0; 2];
             for (place, axis) in way.iter_mut().zip([first, second]) {
                 if let Some(given) = w.axis(axis) {
+                    self.parameter_of_frame(given)?;
                     *place = self.length(axis, Given { mode: Mode::Plain, ..given }, false)?;
                 }
             }

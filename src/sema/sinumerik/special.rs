@@ -10,7 +10,7 @@ use crate::text::Span;
 
 use super::frames::FrameValue;
 use super::vocabulary::{Address, Code, word};
-use super::words::Words;
+use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
 
 /// Longest dwell.
@@ -105,8 +105,11 @@ impl Run<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
-                let turns = self.st.turns.or(self.st.speed);
-                let speed = turns.filter(|speed| *speed > 0.0 && !self.st.constant_cut);
+                let turns = match s.spindle {
+                    Some(n) if n != self.st.master => self.st.spindles.get(&n).and_then(|spindle| spindle.speed),
+                    _ => self.st.turns.or(self.st.speed).filter(|_| !self.st.constant_cut),
+                };
+                let speed = turns.filter(|speed| *speed > 0.0);
                 match speed {
                     Some(speed) => s.value * 60.0 / speed,
                     None => {
@@ -229,6 +232,7 @@ impl Run<'_> {
                 let mut values = Vec::new();
                 for axis in w.axes.iter() {
                     let Some(given) = w.axis(axis) else { continue };
+                    self.parameter_of_frame(given)?;
                     let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
                     values.push((axis, given.value * unit));
                 }
@@ -285,10 +289,19 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// AC and IC have no meaning in frames and poles, and no effect; a diameter or a sense of rotation would have one.
+    pub(super) fn parameter_of_frame(&self, given: Given) -> Outcome {
+        match given.mode {
+            Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
+            _ => self.misplaced_modifier(given.span),
+        }
+    }
+
     fn geometry_values(&self, w: &Words, neutral: f64) -> Outcome<[f64; 3]> {
         let mut values = [neutral; 3];
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
+            self.parameter_of_frame(given)?;
             match values.get_mut(axis.index()) {
                 Some(place) => *place = given.value,
                 None => {
@@ -319,6 +332,7 @@ impl Run<'_> {
         self.pending_must_be_done(span)?;
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
+            self.parameter_of_frame(given)?;
             let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
             let place =
                 if code == Code::G58 { &mut self.st.programmable.shift } else { &mut self.st.programmable.fine };

@@ -217,6 +217,12 @@ impl Words {
     }
 }
 
+/// Addresses that mean a place; which of the modifiers they take is decided where they are used.
+fn takes_modifiers(address: Address) -> bool {
+    use Address::{Ap, Discl, Disrp, I, I1, J, J1, K, K1, Rp, Spos, Sposa};
+    matches!(address, I | J | K | I1 | J1 | K1 | Ap | Rp | Spos | Sposa | Discl | Disrp)
+}
+
 impl Run<'_> {
     /// Sorts the words of `block`.
     pub(super) fn sort_words(&mut self, words: &mut Words, block: &Block, text: &[u8]) -> Outcome {
@@ -275,6 +281,9 @@ impl Run<'_> {
             return self.tool_word(words, formula, word.span, block, text);
         }
         let given = self.given(word, block, text)?;
+        if given.mode != Mode::Plain && b"GSPHL".contains(&letter) {
+            self.no_modifier(given)?;
+        }
         if letter == b'R' {
             let help = "the radius of an arc is CR=";
             return self.fail_help(codes::S2016, 12050, word.span, "the address R has no meaning", help);
@@ -349,7 +358,21 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// AC, IC and their kin stand where a place is meant.
+    pub(super) fn no_modifier(&self, given: Given) -> Outcome {
+        if matches!(given.mode, Mode::Plain | Mode::Quick) { Ok(()) } else { self.misplaced_modifier(given.span) }
+    }
+
+    #[cold]
+    pub(super) fn misplaced_modifier(&self, span: Span) -> Outcome {
+        let help = "AC(…), IC(…), DC(…) and their kin are for end points, centres, polar words and SPOS=";
+        self.fail_help(codes::S2012, 12020, span, "this address takes no such modifier", help)
+    }
+
     pub(super) fn set_address(&mut self, words: &mut Words, address: Address, given: Given) -> Outcome {
+        if given.mode != Mode::Plain && !takes_modifiers(address) {
+            self.no_modifier(given)?;
+        }
         if words.given & 1 << address as u64 != 0 {
             return self.fail_help(
                 codes::S2007,
@@ -398,6 +421,7 @@ impl Run<'_> {
     }
 
     pub(super) fn m_word(&mut self, words: &mut Words, spindle: Option<u8>, given: Given) -> Outcome {
+        self.no_modifier(given)?;
         if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
             return self.fail(codes::S2044, 0, given.span, format!("M{} is no M function", given.value));
         }
