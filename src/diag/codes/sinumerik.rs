@@ -319,7 +319,7 @@ S8024 Note "siemens-nose" "nose radius is not compensated"
 "The cycle of the control selects radius compensation itself. With `compensation = \"control\"` the output does so, too; otherwise the \
 programmed point of the tool follows the undercut."
 
-S8025 Note "siemens-tap" "tapping with a tension-compression chuck"
+S8025 Warning "siemens-tap" "tapping with a tension-compression chuck"
 "CYCLE84, CYCLE840, G331 and G332: the target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
 target has rigid tapping of its own, replace the two moves by it."
 

@@ -364,6 +364,7 @@ impl Run<'_> {
             CallForm::ModalOff => {
                 self.modal = None;
                 self.modal_cycle = None;
+                self.modal_lost = false;
                 Ok(())
             }
             CallForm::Iso => self.fail_help(
@@ -420,6 +421,13 @@ impl Run<'_> {
 
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
         self.modal_site = self.loc(block.span);
+        self.modal_lost = true;
+        self.start_modal_call(name, args, block, text)?;
+        self.modal_lost = false;
+        Ok(())
+    }
+
+    fn start_modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
         let word = self.symbols.name(name).to_owned();
         if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
             return result;

@@ -149,6 +149,8 @@ struct Run<'a> {
     modal: Option<Modal>,
     /// Where the modal call stands.
     modal_site: Loc,
+    /// The last modal call was refused.
+    modal_lost: bool,
     modal_cycle: Option<Box<cycles::ModalCycle>>,
     pending: Option<Box<Pending>>,
     /// The first line of a pair was refused.
@@ -224,6 +226,7 @@ impl<'a> Run<'a> {
             externs: Vec::new(),
             modal: None,
             modal_site: Loc::default(),
+            modal_lost: false,
             modal_cycle: None,
             pending: None,
             pair_lost: false,

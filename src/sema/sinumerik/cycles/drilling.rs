@@ -131,7 +131,9 @@ impl Run<'_> {
         {
             axis = self.axis_at(args, dmode, plane, axn)?;
         }
-        if amode != 0 && args.digit(amode, 0) > 1 {
+        // 2 names the depth of DP, beside which nothing stands in DPR: the dialogs of the control write it so.
+        let absolute = amode != 0 && args.digit(amode, 0) == 2 && args.number(4).is_some() && args.or_zero(5) == 0.0;
+        if amode != 0 && args.digit(amode, 0) > 1 && !absolute {
             return self.not_built(args, amode, "this reading of the depth (`_AMODE`)");
         }
         if amode != 0 && args.digit(amode, 1) > 1 {
@@ -140,6 +142,12 @@ impl Run<'_> {
         // 1 is the reading that was seen in stored calls, 0 the one of old calls. CYCLE83 names its own.
         if amode != 0 && args.name != "CYCLE83" && (2..10).any(|place| args.digit(amode, place) > 1) {
             return self.not_built(args, amode, "another reading of an argument (`_AMODE`)");
+        }
+        if axis == Axis::Y && self.st.lathe && self.st.pos.get(axis).is_none() {
+            let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
+            let help =
+                "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
+            return self.cycle_fault(args, args.span, 61005, message, help);
         }
         Ok(axis)
     }
@@ -247,7 +255,16 @@ impl Run<'_> {
             );
         };
         let unit = self.st.length_unit();
+        let percent = args.digit(20, 5) == 2;
         let degression = match args.or_zero(8) {
+            percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
+                let least = self.length_of(args, 14).unwrap_or(0.0).abs();
+                Degression::Factor { factor: percentage / 100.0, least }
+            }
+            _ if percent => {
+                let help = "give 100 for steps of one size, less for shrinking ones";
+                return self.cycle_fault(args, args.span_of(8), 0, "the degression is above 0 to 100 percent", help);
+            }
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
             factor if factor >= -1.0 => {
@@ -261,10 +278,10 @@ impl Run<'_> {
         let dwell = self.dwell_of(args, 9)?;
         let dwell_at_bottom = if args.or_zero(16) == 0.0 { dwell } else { self.dwell_of(args, 16)? };
         // Digits of the newest versions: 1 is the reading that was seen in stored calls, 0 the one of old calls.
-        if let Some(place) = (2..8).find(|place| args.digit(20, *place) > 1) {
+        if let Some(place) = (2..8).find(|place| args.digit(20, *place) > if *place == 5 { 2 } else { 1 }) {
             let what = match place {
                 4 => "this reading of the first depth (`_AMODE`)",
-                5 => "a degression in percent (`_AMODE`)",
+                5 => "this reading of the degression (`_AMODE`)",
                 7 => "this reading of the first feed (`_AMODE`)",
                 _ => "this reading of a dwell or a distance (`_AMODE`)",
             };
@@ -352,7 +369,17 @@ impl Run<'_> {
         Ok(step)
     }
 
+    /// Under G96 the speed is none in turns, and it changes on the way.
+    fn tapping_speed_is_fixed(&self, args: &Arguments) -> Outcome {
+        if !self.st.constant_cut {
+            return Ok(());
+        }
+        let help = "program G97 with S in turns per minute in front of the cycle";
+        self.cycle_fault(args, args.span, 0, "tapping under a constant cutting speed (G96)", help)
+    }
+
     fn rigid_tap(&mut self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
+        self.tapping_speed_is_fixed(args)?;
         self.master_is_main(args.span, "tapping")?;
         let lead = self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?;
         let step = match args.or_zero(16) {
@@ -422,6 +449,7 @@ impl Run<'_> {
     }
 
     fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
+        self.tapping_speed_is_fixed(args)?;
         self.master_is_main(args.span, "tapping")?;
         let turn = match args.or_zero(7) {
             3.0 => Turn::CounterClockwise,

@@ -276,6 +276,7 @@ impl Run<'_> {
     /// Drills the modal hole where the tool stands.
     pub(super) fn drill_modal(&mut self) -> Outcome {
         let Some(modal) = self.modal_cycle.clone() else { return Ok(()) };
+        self.speed_is_known()?;
         if self.st.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
         }

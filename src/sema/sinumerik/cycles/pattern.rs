@@ -8,7 +8,7 @@ use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
 
 use super::super::value::whole;
-use super::super::{Outcome, Run};
+use super::super::{Outcome, Reported, Run};
 use super::Arguments;
 
 /// Positions of CYCLE802.
@@ -17,6 +17,9 @@ const POSITIONS: usize = 9;
 impl Run<'_> {
     /// Goes to each position and runs the modal cycle there.
     pub(super) fn pattern(&mut self, args: &Arguments) -> Outcome {
+        if self.modal_lost {
+            return Err(Reported);
+        }
         if self.modal_cycle.is_none() && self.modal.is_none() {
             return self.cycle_fault(
                 args,
