@@ -219,7 +219,7 @@ impl Shape {
         match *self {
             Shape::Square { length, depth, entry, entry_radius, corner_radius } => {
                 let (p0, p1) = slope(length, depth, entry, reference)?;
-                let p2 = meet(p1, Vec2::new(-1.0, 0.0), other)?;
+                let p2 = meet(p1, Vec2::new(-1.0, 0.0), other).filter(|p2| p2.x < p1.x)?;
                 let (r1, reduced) = fitting(entry_radius, entry, distance(p0, p1));
                 Some((vec![sharp(p0), round(p1, r1), round(p2, corner_radius)], reduced))
             }
@@ -231,13 +231,17 @@ impl Shape {
                 // tangent length r·(1 + sin A)/cos A behind the centre.
                 let behind = face_depth - corner_radius + corner_radius * (1.0 + sin) / cos;
                 let p2 = Point2::new(-behind, -depth);
+                // A slope longer than the undercut would turn the floor around.
+                if p2.x >= p1.x {
+                    return None;
+                }
                 let p3 = meet(p2, Vec2::new(sin, cos), other)?;
                 let (r1, reduced) = fitting(entry_radius, entry, distance(p0, p1));
                 Some((vec![sharp(p0), round(p1, r1), round(p2, corner_radius), sharp(p3)], reduced))
             }
             Shape::Groove { width, depth, edge, radius } => {
                 let (p0, p1) = slope(width, depth, Deg(90.0), reference)?;
-                let p2 = meet(p1, Vec2::new(-1.0, 0.0), other)?;
+                let p2 = meet(p1, Vec2::new(-1.0, 0.0), other).filter(|p2| p2.x < p1.x)?;
                 Some((vec![Vertex { at: p0, edge }, round(p1, radius), round(p2, radius)], None))
             }
             Shape::Slope { length, entry, radius } => {

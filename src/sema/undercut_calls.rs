@@ -115,7 +115,7 @@ pub fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutCycle, R
     let mut cycle = UndercutCycle {
         corner: Point2::new(spl, spd / 2.0),
         orientation,
-        shape: shape940(call, form, spd, incremental(0), incremental(1), tables, &mut rests)?,
+        shape: shape940(call, form, orientation, [incremental(0), incremental(1)], tables, &mut rests)?,
         allowance: Allowance::default(),
         clearance,
         face_end: call.vrt.filter(|v| *v != 0.0).map(|v| v / 2.0),
@@ -133,7 +133,10 @@ pub fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutCycle, R
                 cycle.allowance.reference = if incremental(0) { x.abs() } else { (x - spd).abs() / 2.0 };
             }
             if let (b'F', Some(z)) = (form, given(call.epl)) {
-                cycle.allowance.other = if incremental(1) { z.abs() } else { (z - spl).abs() };
+                cycle.allowance.other = if incremental(1) { z.abs() } else { (z - spl) * orientation.first };
+                if cycle.allowance.other < 0.0 {
+                    return Err(CallFault::Range("_EPL"));
+                }
             }
         }
         _ => roughing(call, &mut cycle, &mut rests)?,
@@ -165,9 +168,8 @@ fn roughing(call: &Cycle940, cycle: &mut UndercutCycle, rests: &mut Rests) -> Re
 fn shape940(
     call: &Cycle940,
     form: u8,
-    spd: f64,
-    depth_incremental: bool,
-    width_incremental: bool,
+    side: Orientation,
+    [depth_incremental, width_incremental]: [bool; 2],
     tables: &Undercuts,
     rests: &mut Rests,
 ) -> Result<Shape, CallFault> {
@@ -196,13 +198,21 @@ fn shape940(
         }
         b'T' => {
             rests.convention = true;
+            let spd = call.spd.unwrap_or(0.0);
             let (Some(x), Some(z)) = (call.epd, call.epl) else { return Err(CallFault::Missing("_EPD and _EPL")) };
-            let depth = if depth_incremental { x.abs() } else { (x - spd).abs() / 2.0 };
+            // Absolute values lie in the material of the cylinder, and along it.
+            let depth = if depth_incremental { x.abs() } else { (spd - x) * side.second / 2.0 };
+            if depth <= 0.0 {
+                return Err(CallFault::Range("_EPD"));
+            }
             // No standard proposes one for the free form.
             if call.sta.is_none() {
                 return Err(CallFault::Missing("_STA"));
             }
-            let length = if width_incremental { z.abs() } else { (z - call.spl.unwrap_or(0.0)).abs() };
+            let length = if width_incremental { z.abs() } else { (z - call.spl.unwrap_or(0.0)) * side.first };
+            if length <= 0.0 {
+                return Err(CallFault::Range("_EPL"));
+            }
             Ok(Shape::Square {
                 length,
                 depth,

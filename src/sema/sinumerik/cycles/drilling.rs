@@ -54,6 +54,7 @@ impl Run<'_> {
     /// The hole that the arguments describe.
     pub(super) fn hole(&mut self, args: &Arguments) -> Outcome<Drilling> {
         let axis = self.hole_axis(args)?;
+        self.no_diameters(&args.name, axis, args.span)?;
         let levels = self.levels(args)?;
         let feed = match args.name.as_str() {
             "CYCLE85" => self.own_feed(args, 7)?,
@@ -479,6 +480,9 @@ impl Run<'_> {
         let mut lift = [0.0; 3];
         for (place, way) in [8, 9, 10].into_iter().zip(lift.iter_mut()) {
             *way = self.length_of(args, place).unwrap_or(0.0);
+            if *way != 0.0 {
+                self.no_diameters(&args.name, self.st.roles()[place - 8], args.span_of(place))?;
+            }
         }
         Ok(Method::Bore(Bore {
             dwell: self.dwell_of(args, 6)?,

@@ -20,6 +20,7 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
 use super::super::here::Here;
+use super::state::Diameter;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
@@ -287,6 +288,7 @@ impl Run<'_> {
             );
         }
         let feed_of_block = modal.feed_of_block;
+        self.no_diameters(&modal.args.name, modal.hole.axis, Span::default())?;
         let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed {
             hole.feed = feed;
@@ -349,6 +351,21 @@ impl Run<'_> {
     fn cycle_fault<T>(&self, args: &Arguments, span: Span, alarm: u32, what: &str, help: &str) -> Outcome<T> {
         let code: &'static Code = codes::S2090;
         self.fail_help(code, alarm, span, format!("{}: {what}", args.name), help)
+    }
+
+    /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
+    /// and radii in others.
+    fn no_diameters(&self, name: &str, axis: Axis, span: Span) -> Outcome {
+        if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::S9015,
+            0,
+            span,
+            format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
+            "program DIAMOF before the cycle, and radii in it",
+        )
     }
 
     /// A variant that is known, but not built.

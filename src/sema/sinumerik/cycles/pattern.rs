@@ -28,6 +28,10 @@ impl Run<'_> {
         }
         self.pattern_modes(args)?;
         self.no_signs(args)?;
+        let [first, second, _] = self.st.roles();
+        for axis in [first, second] {
+            self.no_diameters(&args.name, axis, args.span)?;
+        }
         let positions = self.positions(args)?;
         if self.modal_cycle.is_none() {
             return self.not_built(args, 1, "a pattern with a modal program of one's own");

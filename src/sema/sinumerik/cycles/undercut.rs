@@ -216,7 +216,13 @@ impl Run<'_> {
             }
             CallFault::Range(name) => {
                 let message = format!("`{name}` is out of range");
-                let help = "`_STA` is 30 to 90 degrees; clearance, feed and infeed are above 0";
+                let help = match name {
+                    "_EPD" => {
+                        "an absolute diameter lies inside the material of the cylinder; `_AMODE` 1 reads an increment"
+                    }
+                    "_EPL" => "an absolute Z lies in front of the face; `_AMODE` 10 reads an increment",
+                    _ => "`_STA` is 30 to 90 degrees; clearance, feed and infeed are above 0",
+                };
                 self.cycle_fault(args, args.span_of(place(name)), 61019, &message, help)
             }
             CallFault::Form => {
@@ -236,6 +242,7 @@ impl Run<'_> {
             CallFault::Diameter => {
                 let diameter = args.or_zero(1);
                 let help = match proposed_pitch(diameter) {
+                    _ if args.name == "CYCLE94" => "give a diameter from 3 mm".to_owned(),
                     Some(pitch) => format!("the pitch {pitch} is usual for this diameter: CYCLE940 takes it"),
                     None => "give a diameter from 3 mm, for CYCLE96 a metric size from M3 to M68".to_owned(),
                 };
