@@ -377,7 +377,10 @@ mod tests {
                 prop_assert!(off(&before, cut.leave) < 1e-8 && off(&after, cut.join) < 1e-8, "{cut:?}");
                 prop_assert!(before.way_to(cut.leave) <= before.length() && after.way_to(cut.join) <= after.length());
             } else {
-                prop_assert!(length > 0.2, "a small chamfer fits everywhere");
+                // Arcs that bend towards each other leave a narrow gap, those of an S a narrow step.
+                let turn = turn.to_radians();
+                let room = f64::min(1.0 + libm::cos(turn), 1.0 - libm::cos(turn / 2.0));
+                prop_assert!(length > 0.35 * radius * room, "a small chamfer fits everywhere");
             }
         }
 

@@ -71,9 +71,12 @@ impl Reader {
                     s.machine.limits.insert(axis(name, node)?, range(node)?);
                 }
             }
-            ("machine", "reference_point" | "fixed_point") => {
-                let points =
-                    if name == "fixed_point" { &mut s.machine.fixed_point } else { &mut s.machine.reference_point };
+            ("machine", "reference_point" | "fixed_point" | "swivel_retract") => {
+                let points = match name {
+                    "fixed_point" => &mut s.machine.fixed_point,
+                    "swivel_retract" => &mut s.machine.swivel_retract,
+                    _ => &mut s.machine.reference_point,
+                };
                 for (name, node) in table_of(node) {
                     points.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
                 }
@@ -233,6 +236,7 @@ impl Reader {
                 }
             }
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
+            "md20150" => control.siemens.feed_per_revolution = Some(text(node) == "g95"),
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),

@@ -102,6 +102,7 @@ pub const SECTIONS: &[Section] = &[
             key("limits", Kind::Free, "smallest and largest printed coordinate of an axis: X = [-10.0, 800.0]"),
             key("kinematics", Kind::Choice(&["3axis"]), "kinematics of the machine").or(r#""3axis""#),
             key("reference_point", Kind::Free, "machine coordinates of the reference point (G74): X = 0.0"),
+            key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0"),
             key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0"),
         ],
     },
@@ -212,6 +213,7 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path",
             )
             .or(r#""refuse""#),
+            key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94"),
             key(
                 "arc_chamfers",
                 Kind::Choice(&["refuse", "bisector"]),

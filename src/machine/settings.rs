@@ -47,6 +47,8 @@ pub struct Machine {
     pub reference_point: BTreeMap<Axis, f64>,
     /// Machine coordinates of the fixed point, by axis (G75).
     pub fixed_point: BTreeMap<Axis, f64>,
+    /// Where CYCLE800 retracts to, in machine coordinates.
+    pub swivel_retract: BTreeMap<Axis, f64>,
 }
 
 impl Default for Machine {
@@ -60,6 +62,7 @@ impl Default for Machine {
             kinematics: "3axis".to_owned(),
             reference_point: BTreeMap::new(),
             fixed_point: BTreeMap::new(),
+            swivel_retract: BTreeMap::new(),
         }
     }
 }
@@ -244,6 +247,8 @@ pub struct Siemens {
     pub tool_change_by_t: Option<bool>,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
+    /// Feed at the start of a program is per revolution (MD 20150).
+    pub feed_per_revolution: Option<bool>,
     /// A chamfer or rounding that does not fit is made as large as it fits.
     pub shorten_corners: bool,
     /// A chamfer beside an arc stands across the bisector of the corner.
@@ -258,6 +263,7 @@ impl Default for Siemens {
             circle_error_factor: 0.001,
             tool_change_by_t: None,
             main_variables_visible: false,
+            feed_per_revolution: None,
             shorten_corners: false,
             arc_chamfers: false,
         }

@@ -14,6 +14,10 @@ O1003 Error "thread-lead-not-positive" "thread without a lead or a length"
 "A thread is cut by moving the tool by its lead with every turn of the spindle. Here the lead or the whole way is zero, or too small \
 or too large to print. Look where the lead is programmed."
 
+O2001 Warning "m-function-of-target" "M function that means something on the target"
+"`[output] pass_m` lets M functions through as they stand. The target has this one, too, and does with it what the text says, which is hardly \
+what the machine of the program did. Take it out of `pass_m` and leave it out of the program, or make the target's machine do what is meant by another number."
+
 O4001 Note "arc-as-lines" "arc is printed as straight lines"
 "The arc is so small or so flat that its printed numbers cannot describe a circle within the tolerance of the target: \
 after rounding, start and end lie at different distances from every possible centre. It is printed as lines that leave the arc \

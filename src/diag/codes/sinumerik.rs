@@ -385,6 +385,19 @@ S8042 Note "siemens-tangent-frame" "direction of CT is turned with the frame"
 "CT goes on in the direction of the last block that travelled. A frame that turns, mirrors or scales between the two is applied to that \
 direction, too, so that the path has a corner there. Program CT in front of the change of the frame if it shall go on smoothly."
 
+S8043 Note "siemens-compensation-shape" "shape of the compensated path is the target's"
+"KONT, KONTT, KONTC, G451, G461 and G462 say how the control leads the tool to a compensated contour, away from it and round its corners. \
+With `[output] compensation = \"control\"` the target computes that path by its own rules: watch the entry, the exit and sharp outside \
+corners in its simulation."
+
+S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
+"C=DC(30) takes the shortest way to 30 degrees. No block before says where the axis stands, so the position is printed as it is, and the \
+target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+
+S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
+"What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
+An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
+
 S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it."

@@ -1,5 +1,6 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
+use crate::diag::codes;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::AxisSet;
@@ -55,6 +56,7 @@ impl Printer<'_> {
                 self.stale = AxisSet::MAIN;
             }
             Function::Aux(number) => {
+                self.says_own_m(*number, origin);
                 self.text.whole(b'M', u64::from(*number));
                 self.end_line(origin);
             }
@@ -74,6 +76,16 @@ impl Printer<'_> {
                 self.ended = true;
             }
         }
+    }
+
+    /// Warns of an M function that is printed as listed and that the target takes for one of its own.
+    fn says_own_m(&self, number: u32, origin: &Origin) {
+        let Some((_, does)) = self.traits.own_m.iter().find(|(own, _)| *own == number) else { return };
+        self.report(
+            codes::O2001,
+            origin,
+            &format!("M{number} is printed as listed in `pass_m`; on the target it {does}"),
+        );
     }
 
     /// `number` counts spindles from 1; targets count from 0.

@@ -25,6 +25,8 @@ pub struct Traits {
     pub arc_tolerance: f64,
     /// Several turns in one block by a `P` word; otherwise one block a turn.
     pub turns_in_one_block: bool,
+    /// M functions that the target knows by itself, and what they do there.
+    pub own_m: &'static [(u32, &'static str)],
     /// Working planes in which the target compensates the tool radius.
     pub compensation_planes: &'static [Plane],
 }

@@ -219,6 +219,9 @@ impl Run<'_> {
         let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
         self.report(match like {
             Some(like) => found.help(format!("did you mean `{like}`?")),
+            None if name.starts_with("F_") || name.starts_with("E_") => found.help(
+                "names like this are steps of ShopMill and ShopTurn, which only the control runs; put the program out as G code",
+            ),
             None => found.help("put the program beside this one or into an include root; or correct the word"),
         });
         Err(Reported)

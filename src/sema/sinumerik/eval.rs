@@ -223,6 +223,10 @@ impl Run<'_> {
         let like = crate::machine::tree::did_you_mean(word, names);
         let help = match like {
             Some(like) => format!("did you mean `{like}`?"),
+            None if self.vars.in_main(name) => {
+                "it is a variable of the main program; if subprograms see those, set `[control] md11120 = true`"
+                    .to_owned()
+            }
             None => "define it by DEF at the top of the program, or in a definition file beside it".to_owned(),
         };
         self.fail_help(codes::S2001, 12550, span, format!("the name `{word}` is not defined"), &help)

@@ -2,7 +2,7 @@
 //!
 //! Source: reference sections 2.1 and 2.15.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
 use crate::machine::Axis;
 use crate::text::Span;
@@ -16,6 +16,16 @@ impl Run<'_> {
     pub(super) fn feed_of(&self, value: f64) -> Feed {
         let value = value * self.st.feed_unit();
         if self.st.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
+    }
+
+    /// Says once that F counts per minute because no block says otherwise.
+    pub(super) fn feed_kind_is_said(&mut self) {
+        if !std::mem::take(&mut self.st.feed_kind_open) {
+            return;
+        }
+        let message = "no block says what F counts: it is taken in mm per minute (G94)";
+        let found = Diagnostic::new(codes::S8045, self.loc(Span::default()), message);
+        self.report(found.help("program G94 or G95, or set `[control] md20150 = \"g95\"`"));
     }
 
     /// The feed of a path block.
@@ -32,6 +42,9 @@ impl Run<'_> {
         if rapid {
             return Ok(None);
         }
+        if !self.is_capturing() {
+            self.speed_is_known()?;
+        }
         if self.st.feed_lost && !self.is_capturing() {
             return Err(Reported);
         }
@@ -46,6 +59,7 @@ impl Run<'_> {
         }
         match self.st.feed {
             Some(feed) => {
+                self.feed_kind_is_said();
                 if matches!(feed, Feed::PerRevolution(_)) {
                     self.master_is_main(Span::default(), "a feed per revolution")?;
                 }
@@ -86,6 +100,7 @@ impl Run<'_> {
             return self.fail_help(codes::S2060, 10870, span, message, "set `[machine] diameter_axis = \"X\"`");
         }
         self.st.groups[15] = code.index;
+        self.st.feed_kind_open = false;
         if old != code.index {
             self.feed_mode_changed();
         }

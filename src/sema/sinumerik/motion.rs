@@ -412,6 +412,18 @@ impl Run<'_> {
         )
     }
 
+    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
+    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.lost.contains(axis) {
+            return self.unknown_axis(axis, given.span);
+        }
+        let letter = axis.letter();
+        let message =
+            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
+        self.note_once(codes::S8044, given.span, message);
+        Ok(given.value)
+    }
+
     fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         let incremental = match given.mode {
             Mode::Plain => self.st.is(Code::G91),
@@ -422,7 +434,9 @@ impl Run<'_> {
                     let message = format!("{} lies outside 0 to 359.999", given.value);
                     return self.fail(codes::S2061, 16830, given.span, message);
                 }
-                let Some(at) = self.st.pos.get(axis) else { return self.unknown_axis(axis, given.span) };
+                let Some(at) = self.st.pos.get(axis) else {
+                    return self.first_rotary_target(axis, given);
+                };
                 let forward = given.value - at - 360.0 * libm::floor((given.value - at) / 360.0);
                 return Ok(match given.mode {
                     Mode::Acp => at + forward,

@@ -3,7 +3,7 @@
 //! Source: reference sections 1.5, 5.6 and 6.
 
 use crate::diag::codes;
-use crate::ir::Function;
+use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
@@ -287,8 +287,8 @@ impl Run<'_> {
 
     /// `CYCLE800(…)`. Without retraction, offsets and angles the plane stays where it is; everything else moves axes.
     fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        /// Retract mode, and the places of offsets and angles.
-        const MOVES: [usize; 10] = [0, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+        /// Places of offsets and angles.
+        const MOVES: [usize; 9] = [4, 5, 6, 7, 8, 9, 10, 11, 12];
         for at in MOVES {
             let Some(formula) = formulas.get(at).filter(|formula| !formula.is_missing()) else { continue };
             if self.number(*formula, block, text)? == 0.0 {
@@ -296,15 +296,6 @@ impl Run<'_> {
             }
             self.st.lose(Axis::ALL.into_iter().collect());
             self.lost();
-            if at == 0 {
-                return self.fail_help(
-                    codes::S9006,
-                    0,
-                    formula.span,
-                    "CYCLE800 retracts the tool to a place that is a machine datum",
-                    "program the retraction (SUPA G0 Z…) and 0 as its first argument, or CYCLE800()",
-                );
-            }
             return self.fail_help(
                 codes::S9006,
                 0,
@@ -318,7 +309,46 @@ impl Run<'_> {
             let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
             return self.fail_help(codes::S9006, 0, span, message, "program the rotary axis, and leave CYCLE800 out");
         }
-        self.note_once(codes::S8029, span, "CYCLE800 without angles, offsets and retraction is left out");
+        if let Some(mode) = formulas.first().filter(|formula| !formula.is_missing()) {
+            let value = self.number(*mode, block, text)?;
+            self.swivel_retracts(value, mode.span)?;
+        }
+        self.note_once(codes::S8029, span, "CYCLE800 without angles and offsets turns nothing and is left out");
+        Ok(())
+    }
+
+    /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y.
+    fn swivel_retracts(&mut self, mode: f64, span: Span) -> Outcome {
+        let steps: &[&[Axis]] = match mode {
+            0.0 => return Ok(()),
+            1.0 => &[&[Axis::Z]],
+            2.0 => &[&[Axis::Z], &[Axis::X, Axis::Y]],
+            _ => &[],
+        };
+        let points = &self.job.settings.machine.swivel_retract;
+        if steps.is_empty() || !steps.concat().iter().all(|axis| points.contains_key(axis)) {
+            self.st.lose(Axis::ALL.into_iter().collect());
+            self.lost();
+            return self.fail_help(
+                codes::S9006,
+                0,
+                span,
+                "CYCLE800 retracts the tool to a place that is a machine datum",
+                "give it in machine coordinates: `[machine] swivel_retract = { Z = 0.0 }`; or program the retraction \
+                 (SUPA G0 Z…) and 0 as the first argument",
+            );
+        }
+        self.pending_must_be_done(span)?;
+        if self.st.side() != Side::None {
+            return self.fail(codes::S2080, 0, span, "CYCLE800 retracts under radius compensation");
+        }
+        for axes in steps {
+            let mut end = Pos::UNKNOWN;
+            for axis in *axes {
+                end.set(*axis, points[axis]);
+            }
+            self.machine_rapid(end);
+        }
         Ok(())
     }
 

@@ -136,6 +136,21 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// A rapid to a place in machine coordinates, behind which its axes stand at no known place of the workpiece.
+    pub(super) fn machine_rapid(&mut self, end: Pos) {
+        let mv = Move {
+            end: EndPoint::Cartesian(end),
+            path: Path::Rapid,
+            feed: None,
+            side: Side::None,
+            coords: Coords::Machine,
+        };
+        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        for axis in end.known().iter() {
+            self.st.forget(axis);
+        }
+    }
+
     /// G74 and G75: points that are machine data.
     fn fixed_point(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         self.pending_must_be_done(span)?;
@@ -166,17 +181,7 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, 14091, span, "a fixed point is approached under radius compensation");
         }
-        let mv = Move {
-            end: EndPoint::Cartesian(end),
-            path: Path::Rapid,
-            feed: None,
-            side: Side::None,
-            coords: Coords::Machine,
-        };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        for axis in named {
-            self.st.forget(axis);
-        }
+        self.machine_rapid(end);
         Ok(())
     }
 

@@ -46,14 +46,13 @@ impl Run<'_> {
         let constant = matches!(self.st.groups[15], 4 | 7);
         let masters = |s: &SWord| s.spindle.is_none_or(|n| n == self.st.master);
         let given = w.s.iter().any(masters);
-        if !constant && self.st.constant_cut && !given {
-            let (code, span) = w.code_of(15).unwrap_or((Code::G97, Span::default()));
-            let code = super::vocabulary::word(code);
-            // Once is enough.
-            self.st.constant_cut = false;
-            let message = format!("{code} behind G96 keeps the speed that the spindle happens to have");
-            let help = format!("program the speed with it: {code} S1000");
-            return self.fail_help(codes::S2045, 0, span, message, &help);
+        if !given {
+            if constant && self.st.speed_kept {
+                // G96 again: the speed that the spindle kept is none in m/min.
+                (self.st.constant_cut, self.st.speed_kept) = (false, false);
+            } else if !constant {
+                self.st.speed_kept = self.st.constant_cut;
+            }
         }
         if let Some((code, span)) = w.code_of(15)
             && !given
@@ -71,6 +70,36 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Refuses a cut at the speed that a turning spindle happens to have kept since G96.
+    pub(super) fn speed_is_known(&mut self) -> Outcome {
+        if !self.st.speed_kept || self.st.turn.is_none() {
+            return Ok(());
+        }
+        // Once is enough.
+        (self.st.constant_cut, self.st.speed_kept) = (false, false);
+        self.unknown_speed(
+            Span::default(),
+            "this block cuts at the speed that the spindle happens to have kept since G96",
+        )
+    }
+
+    fn unknown_speed(&self, span: Span, message: &str) -> Outcome {
+        self.fail_help(codes::S2045, 0, span, message, "program the speed in turns per minute behind G97: S1000")
+    }
+
+    /// Refuses to start spindle `n` without a speed that is known.
+    pub(super) fn start_is_known(&mut self, n: u8, span: Span) -> Outcome {
+        let kept = match self.st.spindles.get(&n) {
+            Some(spindle) if n != self.st.master => spindle.kept,
+            _ => n == self.st.master && self.st.speed_kept,
+        };
+        if !kept {
+            return Ok(());
+        }
+        (self.st.constant_cut, self.st.speed_kept) = (false, false);
+        self.unknown_speed(span, "the spindle starts without a speed: the one of before was a cutting speed (G96)")
+    }
+
     fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
         if s.value > 1e6 {
             return self.fail(codes::S2045, 0, s.span, format!("the speed S{} is out of all range", s.value));
@@ -83,7 +112,7 @@ impl Run<'_> {
             Some(n) if n != self.st.master => {
                 self.spindle_number(n, s.span)?;
                 let spindle = self.st.spindles.entry(n).or_default();
-                spindle.speed = Some(s.value);
+                (spindle.speed, spindle.kept) = (Some(s.value), false);
                 let highest = spindle.highest;
                 let limited = self.limited(s.value, highest, s.span);
                 self.send_spindle(n, Spindle::Speed(limited));
@@ -92,12 +121,12 @@ impl Run<'_> {
                 self.master_is_main(s.span, "the cutting speed of G96")?;
                 let feet = self.st.feed_unit() != 1.0;
                 self.st.speed = Some(if feet { s.value * 0.3048 } else { s.value });
-                self.st.constant_cut = true;
+                (self.st.constant_cut, self.st.speed_kept) = (true, false);
                 self.send_cutting_speed();
             }
             _ => {
                 self.st.speed = Some(s.value);
-                self.st.constant_cut = false;
+                (self.st.constant_cut, self.st.speed_kept) = (false, false);
                 let limited = self.limited(s.value, self.limit_of_turns(), s.span);
                 self.st.turns = Some(limited);
                 self.send_spindle(self.st.master, Spindle::Speed(limited));
@@ -252,20 +281,27 @@ impl Run<'_> {
         if n == self.st.master {
             return Ok(());
         }
-        if self.st.constant_cut {
+        if self.st.constant_cut && self.st.turn.is_some() {
             return self.fail_help(
                 codes::S2045,
                 0,
                 span,
                 "the master spindle changes while it turns at a constant cutting speed",
-                "program G97 with a speed in front of SETMS",
+                "stop it by M5, or program G97 with a speed, in front of SETMS",
             );
         }
         let st = &mut self.st;
-        let old = SpindleState { speed: st.speed, turn: st.turn, limit: st.speed_limit, highest: st.highest_speed };
+        let old = SpindleState {
+            speed: st.speed.filter(|_| !st.constant_cut),
+            turn: st.turn,
+            limit: st.speed_limit,
+            highest: st.highest_speed,
+            kept: st.constant_cut,
+        };
         st.spindles.insert(st.master, old);
         let new = st.spindles.remove(&n).unwrap_or_default();
         (st.speed, st.turn, st.speed_limit, st.highest_speed) = (new.speed, new.turn, new.limit, new.highest);
+        (st.constant_cut, st.speed_kept) = (new.kept, new.kept);
         st.master = n;
         (st.spindle_angle, st.turns) = (None, None);
         self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));

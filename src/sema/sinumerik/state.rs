@@ -46,6 +46,8 @@ pub(super) struct State {
     /// F word in mm, with the kind of feed under which it was written.
     pub feed: Option<Feed>,
     pub feed_lost: bool,
+    /// No block has said what F counts, and lathes differ in what it does at the start.
+    pub feed_kind_open: bool,
     pub rndm: f64,
     pub frcm: Option<Feed>,
     pub speed: Option<f64>,
@@ -56,6 +58,8 @@ pub(super) struct State {
     /// G26 S of the master spindle.
     pub highest_speed: Option<f64>,
     pub constant_cut: bool,
+    /// G97 took the speed over that G96 had given, and no S has named one since.
+    pub speed_kept: bool,
     /// Sense of rotation of the master spindle, while it turns.
     pub turn: Option<crate::ir::function::Turn>,
     /// Where the master spindle was stopped by SPOS, degrees.
@@ -91,6 +95,8 @@ pub(super) struct SpindleState {
     pub turn: Option<crate::ir::function::Turn>,
     pub limit: Option<f64>,
     pub highest: Option<f64>,
+    /// It was stopped under G96 and has got no speed since.
+    pub kept: bool,
 }
 
 /// The tool in use.
@@ -127,6 +133,10 @@ impl State {
                 groups[29] = Code::DIAMON.index;
             }
         }
+        let feed_at_start = settings.control.siemens.feed_per_revolution;
+        if feed_at_start == Some(true) {
+            groups[15] = Code::G95.index;
+        }
         if basic_unit == Unit::Inch {
             groups[13] = Code::G70.index;
         }
@@ -152,7 +162,9 @@ impl State {
             turns: None,
             speed_limit: None,
             highest_speed: None,
+            feed_kind_open: lathe && feed_at_start.is_none(),
             constant_cut: false,
+            speed_kept: false,
             turn: None,
             spindle_angle: None,
             master: MAIN_SPINDLE,

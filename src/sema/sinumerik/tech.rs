@@ -126,6 +126,14 @@ impl Run<'_> {
     }
 
     fn early_function(&mut self, m: MWord) -> Outcome {
+        if let Some(n) = m.spindle
+            && !matches!(m.number, 3..=5 | 19 | 40..=45 | 70)
+        {
+            // `M80=1` is M function 1 of address extension 80, which is neither M80 nor M1.
+            let message = format!("what M{n}={} does is up to the machine builder", m.number);
+            let help = "leave it out, or call what it does by an M function without `=`";
+            return self.fail_help(codes::S2044, 0, m.span, message, help);
+        }
         let spindle = match m.number {
             3 => Spindle::Start(Turn::Clockwise),
             4 => Spindle::Start(Turn::CounterClockwise),
@@ -139,6 +147,9 @@ impl Run<'_> {
         };
         if m.spindle.is_none_or(|n| n == self.st.master) {
             self.st.spindle_angle = None;
+        }
+        if turn.is_some() {
+            self.start_is_known(m.spindle.unwrap_or(self.st.master), m.span)?;
         }
         match m.spindle {
             Some(n) if n != self.st.master => {

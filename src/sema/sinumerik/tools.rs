@@ -150,12 +150,24 @@ impl Run<'_> {
                 return self.fail_help(codes::S9010, 0, span, message, "have the CAM system put out the centre path");
             }
             self.cutter_open = Some(span);
+            self.says_shape_of_compensation(span);
         } else {
             self.cutter_open = None;
         }
         self.compensation_starts = code.index != self.st.groups[7];
         self.st.groups[7] = code.index;
         Ok(())
+    }
+
+    /// The target rounds corners, enters and leaves the contour in its own way.
+    fn says_shape_of_compensation(&self, span: Span) {
+        let shapes = [17, 18, 48].into_iter().map(|group| Code { group, index: self.st.groups[usize::from(group)] });
+        if let Some(code) = shapes.into_iter().find(|code| code.index != 1) {
+            let word = super::vocabulary::word(code);
+            let message =
+                format!("{word} is left out: the target enters, leaves and rounds a compensated contour its way");
+            self.note_once(codes::S8043, span, message);
+        }
     }
 
     /// Tells the target which tool is compensated.

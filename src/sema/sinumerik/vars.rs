@@ -139,6 +139,11 @@ impl Vars {
         self.global.contains_key(&name).then_some(Slot::Global(name))
     }
 
+    /// Is it a variable of the main program?
+    pub fn in_main(&self, name: Symbol) -> bool {
+        self.scopes.first().is_some_and(|scope| scope.names.contains_key(&name))
+    }
+
     /// A variable of this level only.
     pub fn of_level(&self, name: Symbol) -> Option<&Var> {
         let id = self.scopes.last()?.names.get(&name)?;

@@ -147,9 +147,9 @@ code_names! {
     G18 = 6 2
     G40 = 7 1
     SUPD = 9 4
+    G95 = 15 3
     G70 = 13 1
     G91 = 14 2
-    G97 = 15 5
     DIAMOF = 29 1  DIAMON = 29 2  DIAMCYCOF = 29 4
 }
 

@@ -225,6 +225,7 @@ impl Run<'_> {
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
         }
+        self.speed_is_known()?;
         if self.st.per_revolution() {
             self.master_is_main(args.span, "a feed per revolution")?;
         }
@@ -335,11 +336,15 @@ impl Run<'_> {
 
     /// The feed in force, for a cycle.
     fn cycle_feed(&mut self, args: &Arguments) -> Outcome<Feed> {
+        self.speed_is_known()?;
         if self.st.feed_lost {
             return Err(Reported);
         }
         match self.st.feed {
-            Some(feed) => Ok(feed),
+            Some(feed) => {
+                self.feed_kind_is_said();
+                Ok(feed)
+            }
             None => {
                 self.st.feed_lost = true;
                 self.fail_help(codes::S2040, 10860, args.span, "the cycle has no feed", "program F before the cycle")
