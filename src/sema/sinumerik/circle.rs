@@ -153,6 +153,11 @@ impl Run<'_> {
     fn checked_center(&self, start: Point2, to: Point2, center: Point2, ccw: bool, span: Span) -> Outcome<Point2> {
         let (r1, r2) = (crate::geo::distance(start, center), crate::geo::distance(to, center));
         let off = (r2 - r1).abs();
+        if r1 <= SAME || r2 <= SAME {
+            let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
+            let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say";
+            return self.fail_help(codes::S3003, 14040, span, message, help);
+        }
         if off > self.circle_tolerance(r1) + 1e-9 {
             let message = format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm");
             return self.fail_help(

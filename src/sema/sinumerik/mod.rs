@@ -410,6 +410,10 @@ impl<'a> Run<'a> {
             Stmt::Words => return self.words_block(block, text),
             Stmt::Header => return self.header(),
             Stmt::Bad => {
+                // A declaration that cannot be read is followed by others.
+                if declares(block.span.of(text)) {
+                    return Err(Reported);
+                }
                 self.begins_executing();
                 // Without the head of a loop or branch nobody knows where the program goes on.
                 if scan(text, &mut self.symbols).structure.is_some() {
@@ -569,6 +573,12 @@ impl<'a> Run<'a> {
     fn words_again(&mut self, w: &mut Words, block: &Block) -> Outcome {
         self.run_words_of(w, block)
     }
+}
+
+/// Does a statement that cannot be read begin like a declaration?
+fn declares(text: &[u8]) -> bool {
+    let len = text.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    ["DEF", "PROC", "EXTERN", "DEFINE", "REDEF"].iter().any(|word| text[..len].eq_ignore_ascii_case(word.as_bytes()))
 }
 
 /// Does executing the block need more of its text than the spans of its words?

@@ -62,6 +62,8 @@ impl Run<'_> {
             );
             return;
         }
+        // What is printed with G53 and what the program writes itself count from different places.
+        self.st.offsets_printed = true;
         let machine = self.st.ctx.frame.apply(end);
         let mv = Move { end: EndPoint::Cartesian(machine), path, feed, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);

@@ -29,6 +29,12 @@ impl Run<'_> {
             return Ok(());
         }
         let mapped = self.job.settings.datums.words.get(&offset_word(number)).copied();
+        if number == 0 && mapped.is_none() && self.st.offsets_resolved {
+            // Offsets that the program wrote are printed in the basic system, which is what G500 leaves.
+            self.st.machine_coordinates = false;
+            self.switch_offset(Some(FrameValue::default()));
+            return Ok(());
+        }
         let printed = match (mapped, number) {
             (Some(printed), _) => Some(printed),
             (None, 0) => None,

@@ -283,7 +283,8 @@ struct Lead {
 /// A word that does not belong between two threads, and the alarm for it.
 fn breaks_chain(w: &Words) -> Option<(Span, u32)> {
     let dwell = w.code_of(2).filter(|(code, _)| *code == Code::G4).map(|(_, span)| span);
-    if let Some(span) = dwell.or(standstill_behind(w)) {
+    let stop = w.get(Address::Spos).or(w.get(Address::Sposa)).map(|given| given.span);
+    if let Some(span) = dwell.or(stop).or(standstill_behind(w)) {
         return Some((span, STANDSTILL));
     }
     let auxiliary = w.m.first().map(|m| m.span).or(w.s.first().map(|s| s.span)).or(w.h);
