@@ -195,6 +195,8 @@ pub enum JumpTarget {
     Number(u32),
     /// A text that is computed.
     Text(Formula),
+    /// GOTOS: the start of the program, where the machine asks for it.
+    Start,
 }
 
 /// `IF c GOTOF L`, `10 GOTOF L` of a CASE, or its DEFAULT.

@@ -226,6 +226,7 @@ impl Run<'_> {
                 let value = self.eval(formula, block, text)?;
                 self.named_target(&value, from, jump)?
             }
+            JumpTarget::Start => return Ok(None),
         };
         if found.is_some() || jump.search == Search::BothQuiet {
             return Ok(found);
@@ -272,7 +273,7 @@ impl Run<'_> {
         let elsewhere = match jump.target {
             JumpTarget::Label(name) => skeleton.label(name, self.here.at, Search::Both),
             JumpTarget::Number(n) => skeleton.number(n, self.here.at, Search::Both),
-            JumpTarget::Text(_) => None,
+            JumpTarget::Text(_) | JumpTarget::Start => None,
         };
         let way = match jump.search {
             Search::Forward => " behind this block",

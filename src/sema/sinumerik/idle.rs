@@ -181,7 +181,7 @@ impl<'a> Idle<'a> {
             JumpTarget::Label(name) => {
                 (skeleton.label(name, at, jump.search), format!("label `{}`", self.symbols.name(name)))
             }
-            JumpTarget::Text(_) => return None,
+            JumpTarget::Text(_) | JumpTarget::Start => return None,
         };
         if found.is_some() {
             return None;
