@@ -4,9 +4,10 @@
 //! blocks that are there, or to take their place where they are missing. What the records leave open is not guessed.
 
 mod generator;
+mod material;
 mod solver;
 
-use crate::geo::{Point2, distance};
+use crate::geo::{Point2, arc, distance};
 use crate::ir::undercut::{Surface, Undercut};
 use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::Record;
@@ -24,6 +25,8 @@ pub struct Block {
     pub end: Point2,
     /// Centre and sense of an arc.
     pub arc: Option<(Point2, bool)>,
+    /// The radius of an arc that was written by it, negative for the longer one.
+    pub radius: Option<f64>,
     pub corner: Option<CornerWord>,
     /// Index of the record that made it.
     pub record: usize,
@@ -53,6 +56,9 @@ pub struct Contour {
     pub chosen: Vec<usize>,
     /// Records of undercuts, and which facts they rest on that are not confirmed.
     pub doubts: Vec<(usize, String)>,
+    /// Records of undercuts where nothing else tells that the material lies inside of the corner, and the side of the
+    /// part that follows from it.
+    pub assumed: Vec<(usize, Surface)>,
 }
 
 /// Why records make no contour. Each names the index of its record.
@@ -88,6 +94,10 @@ pub enum NoUndercut {
     Free,
     /// The corner or its lines do not take it.
     Corner,
+    /// A convex edge: the contour reaches the turning centre, so that it tells where the material lies.
+    Convex,
+    /// The material would lie on the other side than by an undercut before.
+    Contradicts,
 }
 
 /// Where the blocks of a program and those of its records differ.
@@ -116,12 +126,8 @@ pub fn compare(start: Point2, written: &[Block], made: &Contour, tol: f64) -> Re
         if distance(there.end, here.end) > tol {
             return Err(Difference::End(i));
         }
-        let same = match (there.arc, here.arc) {
-            (None, None) => true,
-            (Some((a, ccw)), Some((b, sense))) => ccw == sense && distance(a, b) <= tol,
-            _ => false,
-        };
-        if !same {
+        let from = i.checked_sub(1).and_then(|before| made.blocks.get(before)).map_or(made.start, |before| before.end);
+        if !same_arc(from, there, here, tol) {
             return Err(Difference::Arc(i));
         }
         let same = match (there.corner, here.corner) {
@@ -135,6 +141,23 @@ pub fn compare(start: Point2, written: &[Block], made: &Contour, tol: f64) -> Re
         }
     }
     if written.len() == made.blocks.len() { Ok(()) } else { Err(Difference::Count) }
+}
+
+/// A line, or an arc by the same centre, or by the same radius where that is what was written.
+fn same_arc(from: Point2, there: &Block, here: &Block, tol: f64) -> bool {
+    match (there.arc, there.radius, here.arc) {
+        (None, None, None) => true,
+        (Some((a, ccw)), None, Some((b, sense))) => ccw == sense && distance(a, b) <= tol,
+        (_, Some(radius), Some((center, sense))) => {
+            let ccw = there.arc.is_none_or(|(_, ccw)| ccw == sense);
+            let sweep = arc::sweep(from, here.end, center, sense).abs();
+            // Rounded points make a half circle a little shorter or longer.
+            let half = distance(from, here.end) >= 2.0 * (radius.abs() - tol);
+            let long = half || (sweep > core::f64::consts::PI) == (radius < 0.0);
+            ccw && long && (radius.abs() - distance(center, here.end)).abs() <= tol
+        }
+        _ => false,
+    }
 }
 
 impl Unsolved {

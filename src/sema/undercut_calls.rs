@@ -23,6 +23,13 @@ pub fn proposed_index(tables: &Undercuts, surface: Surface, diameter: f64) -> Op
     PITCHES.iter().position(|known| *known == pitch).map(|at| (pitch, at))
 }
 
+/// The size of DIN 509 that belongs to a diameter as a rule, and its index in the cycle's list.
+pub fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<(String, u32)> {
+    let size = tables.size_for(diameter)?;
+    let at = (0..PITCHES.len() as u32).find(|at| tables.cycle_size(*at).is_some_and(|(known, _)| known == size))?;
+    Some((format!("{:?}x{:?}", size.radius, size.depth), at))
+}
+
 /// Arguments of CYCLE940; `None` for an empty one. `_PTAB`, `_PTABA` and `_DMODE` say nothing about the path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Cycle940 {
@@ -94,7 +101,9 @@ pub enum CallFault {
     Size,
     /// No pitch is given; the index of the pitch that belongs to a diameter is [`proposed_index`].
     Pitch,
-    /// An allowance along Z for roughing, which only shifts the floor here.
+    /// No size of DIN 509 is given; the index of the one that belongs to a diameter is [`proposed_size`].
+    SizeMissing,
+    /// An allowance along Z or on all sides for roughing, which only shifts the floor here.
     RoughingAllowance,
 }
 
@@ -106,7 +115,7 @@ pub fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutCycle, R
     let need = |value: Option<f64>, name| value.ok_or(CallFault::Missing(name));
     let (spd, spl) = (need(call.spd, "_SPD")?, need(call.spl, "_SPL")?);
     let form = call.form.ok_or(CallFault::Missing("_FORM"))?.to_ascii_uppercase();
-    let orientation = position940(call.lage.unwrap_or(0.0)).ok_or(CallFault::Position)?;
+    let orientation = position940(need(call.lage, "_LAGE")?).ok_or(CallFault::Position)?;
     let clearance = call.sdis.filter(|v| *v > 0.0).ok_or(CallFault::Range("_SDIS"))?;
     let feed = call.ffp.filter(|v| *v > 0.0).ok_or(CallFault::Range("_FFP"))?;
     let mut rests = Rests::default();
@@ -154,13 +163,13 @@ fn roughing(call: &Cycle940, cycle: &mut UndercutCycle, rests: &mut Rests) -> Re
     };
     cycle.finishing = finish;
     if rough {
-        if call.falz.unwrap_or(0.0) != 0.0 {
+        if call.falz.unwrap_or(0.0) != 0.0 || call.fal.unwrap_or(0.0) != 0.0 {
             return Err(CallFault::RoughingAllowance);
         }
         rests.roughing = true;
         cycle.step = Some(call.mid.filter(|v| *v > 0.0).ok_or(CallFault::Range("_MID"))?);
         let allowance = |v: Option<f64>| v.filter(|v| *v != 0.0);
-        cycle.finish = allowance(call.fal).or(allowance(call.falx)).unwrap_or(0.0).abs();
+        cycle.finish = allowance(call.falx).unwrap_or(0.0).abs();
     }
     Ok(())
 }
@@ -179,6 +188,9 @@ fn shape940(
     };
     match form {
         b'E' | b'F' => {
+            if call.piti.is_none() {
+                return Err(CallFault::SizeMissing);
+            }
             let index = index().ok_or(CallFault::Range("_PITI"))?;
             let place = u32::try_from(index).ok().and_then(|index| tables.cycle_size(index));
             let (size, sure) = place.ok_or(CallFault::Size)?;
@@ -205,10 +217,6 @@ fn shape940(
             if depth <= 0.0 {
                 return Err(CallFault::Range("_EPD"));
             }
-            // No standard proposes one for the free form.
-            if call.sta.is_none() {
-                return Err(CallFault::Missing("_STA"));
-            }
             let length = if width_incremental { z.abs() } else { (z - call.spl.unwrap_or(0.0)) * side.first };
             if length <= 0.0 {
                 return Err(CallFault::Range("_EPL"));
@@ -225,9 +233,9 @@ fn shape940(
     }
 }
 
-/// Entry angle, 30 to 90 degrees; 30 as in DIN 76 if none is given.
+/// Entry angle, 30 to 90 degrees.
 fn entry(angle: Option<f64>) -> Result<Deg, CallFault> {
-    match angle.unwrap_or(30.0) {
+    match angle.ok_or(CallFault::Missing("_STA"))? {
         angle if (30.0..=90.0).contains(&angle) => Ok(Deg(angle)),
         _ => Err(CallFault::Range("_STA")),
     }
@@ -352,7 +360,8 @@ mod tests {
             lage: Some(1.0),
             sdis: Some(1.0),
             ffp: Some(0.1),
-            piti: matches!(form, b'A'..=b'D').then_some(0.0),
+            piti: (form != b'T').then_some(0.0),
+            sta: (form != b'T').then_some(30.0),
             ..Cycle940::default()
         }
     }

@@ -6,6 +6,7 @@ use crate::ir::undercut::{Surface, ThreadForm, Undercut, form_e, form_f, thread,
 use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::{Record, Undercut as Form};
 
+use super::material::Material;
 use super::solver::{Begin, Solved};
 use super::{Block, Contour, CornerWord, NoUndercut, Unsolved};
 
@@ -32,6 +33,7 @@ impl Generator<'_> {
             .map_or(corner, |first| if first.typed.keys.dst.is_some() { first.from } else { corner });
         let mut contour = Contour { start: corner, start_record: begin.record, ..Contour::default() };
         self.start_transition(begin, &mut contour)?;
+        let mut material = Material::beside(&self.elements);
         for i in 0..self.elements.len() {
             let Some(element) = self.elements.get(i).copied() else { break };
             let next = self.elements.get(i + 1).copied();
@@ -41,6 +43,13 @@ impl Generator<'_> {
                 _ => None,
             });
             if let Some((record, undercut, next)) = undercut {
+                if let (Some(u), Some(w)) = (element.end_direction(), next.start_direction()) {
+                    let sure = material.take(u, w).map_err(|why| Unsolved::Undercut(record, why))?;
+                    if !sure {
+                        let corner = Corner { from: element.from, at: element.to, to: next.to };
+                        contour.assumed.push((record, surface(&corner)));
+                    }
+                }
                 self.undercut(&element, record, undercut, &next, &mut contour)?;
                 continue;
             }
@@ -51,6 +60,7 @@ impl Generator<'_> {
             contour.blocks.push(Block {
                 end: element.to,
                 arc: element.arc,
+                radius: None,
                 corner,
                 record: element.typed.record,
                 corner_record: transition.map_or(element.typed.record, |(record, _)| record),
@@ -78,7 +88,14 @@ impl Generator<'_> {
         let u = Deg(begin.keys.ase.unwrap_or(0.0)).unit();
         let corner = contour.start;
         contour.start = corner - u * back;
-        contour.blocks.push(Block { end: corner, arc: None, corner: Some(word), record, corner_record: record });
+        contour.blocks.push(Block {
+            end: corner,
+            arc: None,
+            radius: None,
+            corner: Some(word),
+            record,
+            corner_record: record,
+        });
         Ok(())
     }
 
@@ -113,8 +130,14 @@ impl Generator<'_> {
         let along = element.to - element.from;
         let (reference, other) = if along.x.abs() >= along.y.abs() { (first, second) } else { (second, first) };
         made.allowance = Allowance { reference, other };
-        let block =
-            Block { end: corner.at, arc: None, corner: None, record: element.typed.record, corner_record: record };
+        let block = Block {
+            end: corner.at,
+            arc: None,
+            radius: None,
+            corner: None,
+            record: element.typed.record,
+            corner_record: record,
+        };
         if !self.expanded {
             contour.doubts.extend(self.doubts(undercut, &corner).map(|doubts| (record, doubts)));
             contour.blocks.push(Block { corner: Some(CornerWord::Undercut(made)), ..block });

@@ -5,7 +5,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Arc, ArcShape, Corner, CornerShape, Path};
-use crate::ir::undercut::usual_pitch;
+use crate::ir::undercut::{Surface, usual_pitch};
 use crate::ir::{Feed, Pos};
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
 use crate::sema::records::{Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, compare, outline, solve};
@@ -13,6 +13,7 @@ use crate::text::{Loc, Span};
 
 use super::state::Diameter;
 use super::stored_difference::Told;
+use super::tangent::Heading;
 use super::{Outcome, Reported, Run};
 
 /// How far blocks and records may differ, in mm.
@@ -27,6 +28,8 @@ pub(super) struct Stored {
     blocks: Vec<Block>,
     /// Where each block stands.
     places: Vec<Loc>,
+    /// Centre of the arc that is on its way as it was programmed, before it is fitted to start and end.
+    centre: Option<crate::geo::Point2>,
     /// The first element that runs at rapid traverse.
     rapid: Option<usize>,
     records: Vec<Record>,
@@ -62,6 +65,7 @@ impl Run<'_> {
                     start: None,
                     blocks: Vec::new(),
                     places: Vec::new(),
+                    centre: None,
                     rapid: None,
                     records: Vec::new(),
                     record_places: Vec::new(),
@@ -126,6 +130,13 @@ impl Run<'_> {
         }
     }
 
+    /// Notes the centre of an arc that follows.
+    pub(super) fn note_stored_centre(&mut self, center: crate::geo::Point2) {
+        if let Some(stored) = self.stored.as_mut() {
+            stored.centre = Some(center);
+        }
+    }
+
     /// Notes a move of a stored contour.
     pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
         let plane = self.st.plane();
@@ -133,7 +144,20 @@ impl Run<'_> {
         all.update(end);
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
+        let (arc, radius) = match path {
+            Path::Arc(arc) => match (self.heading_of(arc, &all), arc.shape) {
+                (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
+                (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
+                    (Some((center, ccw)), Some(radius))
+                }
+                (Heading::Arc { center, ccw, .. }, _) => (Some((center, ccw)), None),
+                _ => (None, None),
+            },
+            _ => (None, None),
+        };
         let Some(stored) = self.stored.as_mut() else { return };
+        let programmed = stored.centre.take();
+        let arc = arc.map(|(center, ccw)| (programmed.unwrap_or(center), ccw));
         let Some(to) = all.in_plane(plane) else { return };
         if stored.start.is_none() {
             stored.start = Some(to);
@@ -142,14 +166,10 @@ impl Run<'_> {
         if stored.blocks.len() > MOST_BLOCKS {
             return;
         }
-        let arc = match path {
-            Path::Arc(Arc { shape: ArcShape::Center { center, ccw, .. }, .. }) => Some((*center, *ccw)),
-            _ => None,
-        };
         if matches!(path, Path::Rapid) && stored.rapid.is_none() {
             stored.rapid = Some(stored.blocks.len());
         }
-        stored.blocks.push(Block { end: to, arc, corner: None, record: 0, corner_record: 0 });
+        stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.here.origin.loc);
     }
 
@@ -299,6 +319,16 @@ impl Run<'_> {
                 ("an undercut stands between two straight lines".to_owned(), "move or delete it".to_owned())
             }
             NoUndercut::Corner => ("the corner does not take the undercut".to_owned(), accept.to_owned()),
+            NoUndercut::Convex => (
+                "the undercut stands at a convex edge: the contour reaches the turning centre, so the material lies on \
+                 the other side"
+                    .to_owned(),
+                "move it into an inner corner, or delete it".to_owned(),
+            ),
+            NoUndercut::Contradicts => (
+                "the undercuts contradict each other: one of them stands at a convex edge".to_owned(),
+                "an undercut belongs into an inner corner; move or delete the other one".to_owned(),
+            ),
             NoUndercut::Free => (
                 "how a free undercut is stored is not known".to_owned(),
                 "write it as blocks, or by CYCLE940".to_owned(),
@@ -354,7 +384,21 @@ impl Run<'_> {
             );
             self.report(found.help("compare the element with the drawing"));
         }
-        for (record, doubts) in &made.doubts {
+        let doubted = |record: usize| made.doubts.iter().find(|(at, _)| *at == record).map(|(_, doubts)| doubts);
+        for (record, surface) in &made.assumed {
+            self.stand_at(stored, *record);
+            let side = match surface {
+                Surface::External => "outside on the part",
+                Surface::Internal => "in a bore",
+            };
+            // A second note at this place would not be seen.
+            let facts = doubted(*record).map(|doubts| format!("; not confirmed is {doubts}")).unwrap_or_default();
+            let message = format!(
+                "the contour does not tell the side of the material; the undercut is taken as one {side}{facts}"
+            );
+            self.report(Diagnostic::new(codes::S8022, self.here.origin.loc, message));
+        }
+        for (record, doubts) in made.doubts.iter().filter(|(at, _)| !made.assumed.iter().any(|(told, _)| told == at)) {
             self.stand_at(stored, *record);
             let message = format!("the undercut rests on facts that are not confirmed: {doubts}");
             self.note_once(codes::S8022, Span::default(), message);

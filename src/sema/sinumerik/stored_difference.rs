@@ -70,14 +70,17 @@ impl Told<'_> {
     fn arc(&self, i: usize) -> String {
         let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
         let apart = match (there.arc, here.arc) {
+            (Some((_, ccw)), Some((center, sense))) if ccw == sense && there.radius.is_some() => {
+                format!(" with radius {}", number(distance(center, here.end)))
+            }
             (Some((a, ccw)), Some((b, sense))) if ccw == sense => format!(": {} mm apart", number(distance(a, b))),
             _ => String::new(),
         };
         format!(
             "element {} is {}, by the records of the contour editor {}{apart}",
             i + 1,
-            self.shape(there.arc),
-            self.shape(here.arc)
+            self.shape(there),
+            self.shape(here)
         )
     }
 
@@ -91,10 +94,11 @@ impl Told<'_> {
         )
     }
 
-    fn shape(&self, arc: Option<(Point2, bool)>) -> String {
-        match arc {
-            None => "a straight line".to_owned(),
-            Some((center, ccw)) => format!("G{} about {}", if ccw { 3 } else { 2 }, self.point(center)),
+    fn shape(&self, block: &Block) -> String {
+        match (block.arc, block.radius) {
+            (None, _) => "a straight line".to_owned(),
+            (Some((_, ccw)), Some(radius)) => format!("G{} with CR={}", if ccw { 3 } else { 2 }, number(radius)),
+            (Some((center, ccw)), None) => format!("G{} about {}", if ccw { 3 } else { 2 }, self.point(center)),
         }
     }
 

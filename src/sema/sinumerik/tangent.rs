@@ -180,7 +180,7 @@ impl Run<'_> {
     }
 
     /// The direction behind an arc from where the tool stands.
-    fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
+    pub(super) fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
         let plane = arc.plane;
         let (Some(from), Some(to)) = (self.st.pos.in_plane(plane), end.in_plane(plane)) else { return Heading::Later };
         let found = match arc.shape {

@@ -8,7 +8,9 @@ use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::machine::undercut::proposed_pitch;
-use crate::sema::undercut_calls::{CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index};
+use crate::sema::undercut_calls::{
+    CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
+};
 
 use super::super::{Outcome, Run};
 use super::Arguments;
@@ -85,6 +87,9 @@ impl Run<'_> {
 
     /// Arguments that change the cut and are not known.
     fn undercut_arguments(&self, args: &Arguments) -> Outcome {
+        if args.text(3).is_none() {
+            return self.undercut_fault(args, CallFault::Missing("_FORM"));
+        }
         if args.text(20).is_some_and(|text| !text.is_empty()) {
             return self.not_built(args, 20, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
@@ -119,8 +124,8 @@ impl Run<'_> {
         if args.number(12) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
             return self.cycle_fault(args, args.span_of(12), 0, "the entry angle `_STA` is 0", "give 30 to 90 degrees");
         }
-        if args.or_zero(15) != 0.0 && args.or_zero(16) != 0.0 {
-            return self.not_built(args, 16, "two finishing allowances (`_FAL` and `_FALX`)");
+        if args.digit(7, 0) != 2 && "ABCDT".contains(form.as_str()) && args.or_zero(15) != 0.0 {
+            return self.not_built(args, 15, "an allowance on all sides while roughing (`_FAL`)");
         }
         let form_e = form == "E" || form == "F";
         for (place, name) in [(8, "_EPD"), (9, "_EPL")] {
@@ -212,7 +217,15 @@ impl Run<'_> {
         match fault {
             CallFault::Missing(name) => {
                 let message = format!("`{name}` is missing");
-                self.cycle_fault(args, args.span, 0, &message, "arguments are counted by their commas")
+                let help = match name {
+                    "_LAGE" => "0 is external +Z, 1 external -Z, 2 internal +Z, 3 internal -Z",
+                    "_STA" if new && matches!(one_letter(args), Some(b'A'..=b'D' | b'a'..=b'd')) => {
+                        "DIN 76 has 30 degrees: give 30 to 90"
+                    }
+                    "_FORM" => "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free",
+                    _ => "arguments are counted by their commas",
+                };
+                self.cycle_fault(args, args.span, 0, &message, help)
             }
             CallFault::Range(name) => {
                 let message = format!("`{name}` is out of range");
@@ -272,6 +285,13 @@ impl Run<'_> {
                 };
                 self.cycle_fault(args, args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
             }
+            CallFault::SizeMissing => {
+                let help = match proposed_size(&self.job.settings.undercut, args.or_zero(1)) {
+                    Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
+                    None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
+                };
+                self.cycle_fault(args, args.span, 61001, "the size `_PITI` (argument 18) is missing", &help)
+            }
             CallFault::RoughingAllowance => self.not_built(args, 17, "an allowance along Z while roughing (`_FALZ`)"),
         }
     }
@@ -282,12 +302,17 @@ impl Run<'_> {
             let message = format!("the undercut rests on facts that are not confirmed: {}", rests.thread);
             self.note_once(codes::S8022, args.span, message);
         } else if rests.size_index || rests.size_by_diameter || rests.convention {
-            let what = match (rests.convention, rests.size_index) {
-                (true, _) => "the reading of the position or of form T",
-                (false, true) => "the size by its index (`[undercut] din509_in_cycle`)",
-                (false, false) => "the size by the diameter (`[undercut] din509_by_diameter`)",
-            };
-            self.note_once(codes::S8022, args.span, format!("{what} is not confirmed: compare with the drawing"));
+            let what: Vec<&str> = [
+                (rests.convention, "the reading of the position or of form T"),
+                (rests.size_index, "the size by its index (`[undercut] din509_in_cycle`)"),
+                (rests.size_by_diameter, "the size by the diameter (`[undercut] din509_by_diameter`)"),
+            ]
+            .into_iter()
+            .filter_map(|(holds, text)| holds.then_some(text))
+            .collect();
+            let verb = if what.len() == 1 { "is" } else { "are" };
+            let message = format!("{} {verb} not confirmed: compare with the drawing", what.join(" and "));
+            self.note_once(codes::S8022, args.span, message);
         }
         if rests.roughing {
             self.note_once(
