@@ -410,6 +410,7 @@ impl<'a> Printer<'a> {
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
             tolerance: self.traits.arc_tolerance,
+            least_radius: self.traits.least_radius * scale,
         };
         let (offset, turns) = match arc::fit(&request) {
             Printed::Arc { offset, turns } => (offset, turns),

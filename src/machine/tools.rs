@@ -67,11 +67,20 @@ impl Tools {
         self.table.get(&ToolKey::Number(number, index))
     }
 
-    /// The tool of this name, upper or lower case, and its number.
+    /// The tool of this name and its number; one that differs in upper and lower case only if there is no other.
     pub fn by_name(&self, name: &str) -> Option<(Option<u32>, &Tool)> {
+        self.named(|other| other == name).or_else(|| self.named(|other| other.eq_ignore_ascii_case(name)))
+    }
+
+    /// The tool of exactly this name and its number.
+    pub fn by_exact_name(&self, name: &str) -> Option<(Option<u32>, &Tool)> {
+        self.named(|other| other == name)
+    }
+
+    fn named(&self, is_it: impl Fn(&str) -> bool) -> Option<(Option<u32>, &Tool)> {
         self.table.iter().find_map(|(key, tool)| match key {
-            ToolKey::Name(n) if n.eq_ignore_ascii_case(name) => Some((tool.number, tool)),
-            ToolKey::Number(n, 0) if tool.name.as_deref().is_some_and(|t| t.eq_ignore_ascii_case(name)) => {
+            ToolKey::Name(n) if is_it(n) => Some((tool.number, tool)),
+            ToolKey::Number(n, 0) if tool.name.as_deref().is_some_and(&is_it) => {
                 Some((Some(tool.number.unwrap_or(*n)), tool))
             }
             _ => None,

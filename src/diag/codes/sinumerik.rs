@@ -30,6 +30,10 @@ Put the label into the block before. The control shows alarm 12630."
 S1013 Error "siemens-modal-passes" "number of passes in a modal call"
 "MCALL calls the program once behind every positioning block; a number of passes cannot be given. The control shows alarm 12100."
 
+S1015 Error "siemens-block-in-comment" "comment hides a block behind a lone carriage return"
+"A comment holds a carriage return, and what follows reads as a block. Lines of this file end with a line feed, so for the control the rest still \
+belongs to the comment, while many editors show it as a block of its own. End the comment with a line feed, or remove the block."
+
 S1014 Error "siemens-name-length" "name is too long"
 "Labels and names have at most 32 characters; the control stops at a longer one with alarm 12420. Shorten it."
 
@@ -397,6 +401,14 @@ target's rotary axis goes there in its own way. A position of the axis in front 
 S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
 "What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
 An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
+
+S8046 Warning "siemens-speed-frozen" "constant cutting speed ends without a speed"
+"G97, G94 and G95 behind G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
+printed; on the machine it depends on where the control last adapted it. A cut at such a speed is refused. Program S with the word."
+
+S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spindle"
+"G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \
+A subprogram may have its spindle started by its caller; then all is well."
 
 S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \

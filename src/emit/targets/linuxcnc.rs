@@ -13,6 +13,8 @@ pub(super) const TRAITS: Traits = Traits {
     comment: ("(", ")"),
     line_length: 80,
     arc_tolerance: 1.5,
+    // Below its tolerance of 0.00127 mm the interpreter calls the radius zero.
+    least_radius: 0.0013,
     turns_in_one_block: true,
     own_m: &[
         (48, "switches the overrides on"),

@@ -23,6 +23,8 @@ pub struct Traits {
     pub line_length: usize,
     /// Largest difference of the radii at start and end of a printed arc, in units of the last place.
     pub arc_tolerance: f64,
+    /// Smallest radius of an arc, mm.
+    pub least_radius: f64,
     /// Several turns in one block by a `P` word; otherwise one block a turn.
     pub turns_in_one_block: bool,
     /// M functions that the target knows by itself, and what they do there.

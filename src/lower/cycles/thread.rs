@@ -36,6 +36,15 @@ pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Re
     let view = line.view;
     let retract = view.height(thread.retract);
     let park = view.point(thread.park);
+    let first = line.before(thread.run_in - passes.shift(1) + thread.start_angle.0 / 360.0 * line.first_lead());
+    let stands = view.point(from);
+    if stands.y < retract - 1e-9 && stands.x > line.start.x + 1e-9 {
+        return Err(Failure::new(
+            codes::G3046,
+            "the tool stands beside the thread at its height, from where no rapid to the start is safe",
+            "position the tool in front of the thread, or clear of its diameter, before the cycle",
+        ));
+    }
     let mut track = Track::new(view, from, out);
     // Whoever stands higher than the way back stays there until the start is reached.
     let approach = track.at().y.max(retract);
@@ -52,7 +61,15 @@ pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Re
             track.rapid(Point2::new(track.at().x, retract));
         }
     }
-    track.rapid(Point2::new(park.x, retract));
+    if park.x > line.start.x + 1e-9 {
+        // What stands behind the thread may be higher than the way back: the tool leaves as it came.
+        let high = park.y.max(retract);
+        track.rapid(Point2::new(first.x, retract));
+        track.rapid(Point2::new(first.x, high));
+        track.rapid(Point2::new(park.x, high));
+    } else {
+        track.rapid(Point2::new(park.x, retract));
+    }
     track.rapid(park);
     Ok(())
 }

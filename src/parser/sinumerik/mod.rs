@@ -45,6 +45,35 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
         Some(_) if literal::parse(text, from, block) => {}
         Some(_) => parse_statement(text, from, block, symbols, problems),
     }
+    if let Some(comment) = block.comment
+        && memchr::memchr(b'\r', comment.of(text)).is_some()
+    {
+        hidden_block(text, comment, problems);
+    }
+}
+
+/// A carriage return alone does not end a line in a file with line feeds; behind one in a comment a block may
+/// stand that some editors show as a line of its own.
+#[cold]
+fn hidden_block(text: &[u8], comment: Span, problems: &mut Vec<Problem>) {
+    let mut start = comment.start;
+    for piece in comment.of(text).split(|b| *b == b'\r') {
+        let span = Span::at(start, piece.len() as u32);
+        start = span.end + 1;
+        if span.start != comment.start && reads_as_block(piece) {
+            let shown = readable(piece.trim_ascii()).into_owned();
+            let message = format!("`{shown}` stands in a comment behind a lone carriage return");
+            let help = "end the line of the comment with a line feed, or remove the block";
+            problems.push(Problem::new(codes::S1015, span, message).help(help));
+            return;
+        }
+    }
+}
+
+fn reads_as_block(text: &[u8]) -> bool {
+    let (mut block, mut problems) = (Block::default(), Vec::new());
+    parse_block(text, &mut block, &mut Symbols::default(), &mut problems);
+    problems.is_empty() && !matches!(block.stmt, Stmt::Empty | Stmt::Bad | Stmt::Header)
 }
 
 /// The comment that starts at `at`.

@@ -28,6 +28,15 @@ impl Run<'_> {
         self.report(found.help("program G94 or G95, or set `[control] md20150 = \"g95\"`"));
     }
 
+    /// Says once that nothing turns the spindle that a feed per revolution waits for.
+    fn spindle_feeds(&self) {
+        if self.st.turn.is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047) {
+            let message = "no block in front of this feed per revolution starts the spindle";
+            let found = Diagnostic::new(codes::S8047, self.loc(Span::default()), message);
+            self.report(found.help("program M3 or M4 with a speed in front of it"));
+        }
+    }
+
     /// The feed of a path block.
     pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
         if let Some(fb) = w.take(Address::Fb) {
@@ -62,6 +71,7 @@ impl Run<'_> {
                 self.feed_kind_is_said();
                 if matches!(feed, Feed::PerRevolution(_)) {
                     self.master_is_main(Span::default(), "a feed per revolution")?;
+                    self.spindle_feeds();
                 }
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
                 if rotary_only && let Feed::PerMinute(f) = feed {

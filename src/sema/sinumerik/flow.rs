@@ -456,6 +456,11 @@ impl Run<'_> {
             let message = format!("RET goes back over {levels} levels, and there are {programs}");
             return self.fail_help(codes::S2020, 14091, span, message, "check the third argument of RET");
         }
+        if value.is_none() && levels == 1 {
+            // Like M17: passes that remain are run.
+            self.leave_program();
+            return Ok(());
+        }
         let mut site = self.here.at;
         for _ in 0..levels {
             site = self.leave_for_good();

@@ -369,7 +369,7 @@ impl<'a> Run<'a> {
         self.here.origin.loc.span =
             if self.expanded { Span::at(self.here.at, 1) } else { block.span.shifted(self.here.at) };
         if let Some(level) = block.skip
-            && self.job.settings.control.skip_blocks.contains(&level)
+            && self.job.settings.control.skip_blocks.iter().any(|on| *on == level || level == 0 && *on == 1)
         {
             return;
         }
@@ -481,7 +481,13 @@ impl<'a> Run<'a> {
             }
         }
         if self.levels.len() > 1 || self.program_level().executed {
+            let lost = self.blocks_behind_the_end();
             self.end_of_file();
+            if lost {
+                let message = "blocks stand behind the `%` that closes the program, and no program of theirs begins";
+                let help = "delete the `%`, or give them a head of their own: %_N_NAME_MPF";
+                return self.fail_help(codes::S2013, 0, Span::default(), message, help);
+            }
             return Ok(());
         }
         // Comments in front of the first header.
@@ -496,6 +502,16 @@ impl<'a> Run<'a> {
             self.level().unit = main;
         }
         Ok(())
+    }
+
+    /// Does the `%` of this line have no name, and a block behind it?
+    fn blocks_behind_the_end(&self) -> bool {
+        const AHEAD: u32 = 4096;
+        let bytes = self.job.sources.bytes(self.here.file, Span::at(self.here.at, AHEAD));
+        let mut lines = bytes.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
+        let bare = lines.next().is_some_and(|line| programs::header_name(line).is_none());
+        let next = lines.find(|line| !line.is_empty() && !line.starts_with(b";"));
+        bare && next.is_some_and(|line| !matches!(line[0], b'%' | 0 | 0x1a))
     }
 
     fn starts_program(&self) -> bool {

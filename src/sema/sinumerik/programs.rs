@@ -197,7 +197,9 @@ impl Programs {
             };
             if let Some(label) = mark.label {
                 let marks = made.labels.entry(label).or_default();
-                if let Some(first) = marks.first() {
+                if let Some(first) = marks.first()
+                    && !symbols.name(label).eq_ignore_ascii_case("ENDLABEL")
+                {
                     push_once(job, label_again(symbols.name(label), loc, first));
                 }
                 marks.push(Mark { place, after });

@@ -50,8 +50,9 @@ impl Run<'_> {
             if constant && self.st.speed_kept {
                 // G96 again: the speed that the spindle kept is none in m/min.
                 (self.st.constant_cut, self.st.speed_kept) = (false, false);
-            } else if !constant {
-                self.st.speed_kept = self.st.constant_cut;
+            } else if !constant && self.st.constant_cut && !self.st.speed_kept {
+                self.st.speed_kept = true;
+                self.freeze_speed(w.code_of(15).map(|(_, span)| span).unwrap_or_default())?;
             }
         }
         if let Some((code, span)) = w.code_of(15)
@@ -172,7 +173,35 @@ impl Run<'_> {
         }
     }
 
+    /// G97 without S: the spindle keeps turning as fast as G96 has it turn at this place.
+    fn freeze_speed(&mut self, span: Span) -> Outcome {
+        if self.st.turn.is_none() {
+            return Ok(());
+        }
+        let limits = [self.st.speed_limit, self.st.highest_speed];
+        let limit = limits.into_iter().flatten().reduce(f64::min);
+        let radius = self.job.settings.machine.diameter_axis.and_then(|axis| self.st.pos.get(axis)).map(f64::abs);
+        let free = match (self.st.speed, radius) {
+            (Some(speed), Some(radius)) if radius > 1e-3 => {
+                Some(libm::round(1000.0 * speed / (2.0 * std::f64::consts::PI * radius)))
+            }
+            _ => None,
+        };
+        let Some(turns) = [free, limit].into_iter().flatten().reduce(f64::min) else {
+            (self.st.constant_cut, self.st.speed_kept) = (false, false);
+            return self.unknown_speed(span, "G96 ends at a diameter at which its speed is not known");
+        };
+        let message = format!("G96 ends without S: the spindle goes on at about {turns} turns per minute");
+        let found = crate::diag::Diagnostic::new(codes::S8046, self.loc(span), message);
+        self.report(found.help("program S with G97"));
+        self.send_spindle(self.st.master, Spindle::Speed(turns));
+        Ok(())
+    }
+
     fn limit_changed(&mut self, span: Span) {
+        if self.st.speed_kept {
+            return;
+        }
         if self.st.constant_cut {
             return self.send_cutting_speed();
         }
@@ -251,6 +280,16 @@ impl Run<'_> {
     }
 
     fn check_limit(&self, lims: Given) -> Outcome {
+        if lims.value == 0.0 {
+            let help = "give the highest speed in turns per minute: LIMS=2500";
+            return self.fail_help(
+                codes::S2045,
+                0,
+                lims.span,
+                "the speed limit LIMS= is 0: the spindle would stand",
+                help,
+            );
+        }
         if lims.value < 0.0 {
             return self.fail(codes::S2045, 14820, lims.span, "the speed limit LIMS= is negative");
         }

@@ -44,7 +44,7 @@ impl Run<'_> {
 
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
         let tools = &self.job.settings.tools;
-        match tools.by_name(name) {
+        match tools.by_exact_name(name) {
             Some((Some(number), _)) => Ok(number),
             _ => {
                 self.st.tool.lost = true;

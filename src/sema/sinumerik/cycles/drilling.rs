@@ -50,6 +50,11 @@ fn modes(name: &str) -> [usize; 4] {
     }
 }
 
+/// An angle of the spindle within one turn.
+fn whole_turn(angle: f64) -> f64 {
+    angle - 360.0 * libm::floor(angle / 360.0)
+}
+
 impl Run<'_> {
     /// The hole that the arguments describe.
     pub(super) fn hole(&mut self, args: &Arguments) -> Outcome<Drilling> {
@@ -275,6 +280,10 @@ impl Run<'_> {
                 return self.cycle_fault(args, args.span_of(8), 0, "the degression factor is above 1", help);
             }
         };
+        if let Some(place) = [15, 17].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+            let help = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
+            return self.cycle_fault(args, args.span_of(place), 0, "a way back is below 0", help);
+        }
         let dwell = self.dwell_of(args, 9)?;
         let dwell_at_bottom = if args.or_zero(16) == 0.0 { dwell } else { self.dwell_of(args, 16)? };
         // Digits of the newest versions: 1 is the reading that was seen in stored calls, 0 the one of old calls.
@@ -414,6 +423,10 @@ impl Run<'_> {
         if args.or_zero(10) < 0.0 {
             return self.not_built(args, 10, "the start angle of the machine data (a negative POSS)");
         }
+        if let Some(place) = [11, 12].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+            let help = "the sign of the pitch makes the hand of the thread";
+            return self.cycle_fault(args, args.span_of(place), 16763, "a speed is below 0", help);
+        }
         let after = self.after(args, 7)?;
         Ok(Method::Tap(Tap {
             lead: Some(lead.abs()),
@@ -422,7 +435,7 @@ impl Run<'_> {
             dwell_reversed: false,
             speed_in,
             speed_out: speed(12).or(speed_in),
-            orient: args.number(10),
+            orient: args.number(10).map(whole_turn),
             step,
             after,
             speed_after: self.st.speed,
@@ -515,7 +528,7 @@ impl Run<'_> {
         Ok(Method::Bore(Bore {
             dwell: self.dwell_of(args, 6)?,
             turn: self.spindle_turn(args, 7)?,
-            orient: args.or_zero(11),
+            orient: whole_turn(args.or_zero(11)),
             back: None,
             lift,
         }))

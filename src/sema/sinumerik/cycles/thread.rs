@@ -66,6 +66,9 @@ const CYCLE99: Places = Places {
     starts: 15,
 };
 
+/// Half the flank angle of a metric thread, degrees.
+const METRIC_FLANK: f64 = 30.0;
+
 impl Run<'_> {
     pub(super) fn thread_cycle(&mut self, args: &Arguments) -> Outcome {
         self.in_turning_plane(args)?;
@@ -160,6 +163,30 @@ impl Run<'_> {
         Ok(vec![from, Point2::new(z, radius)])
     }
 
+    /// A thread waits for ever for a spindle that stands.
+    fn spindle_turns(&self, args: &Arguments) -> Outcome {
+        if self.st.turn.is_some() {
+            return Ok(());
+        }
+        let help = "program M3 or M4 with a speed in front of the cycle";
+        self.cycle_fault(args, args.span, 61102, "the spindle does not turn", help)
+    }
+
+    /// Lengths and depths that the classic cycles take without a sign.
+    fn without_signs(&self, args: &Arguments, places: &Places) -> Outcome {
+        if args.name == "CYCLE99" {
+            return Ok(());
+        }
+        let unsigned = [places.run_in, places.run_out, places.depth, places.finish];
+        match unsigned.into_iter().find(|place| args.or_zero(*place) < 0.0) {
+            Some(place) => {
+                let help = "give the depth, the allowance, run-in and run-out without a sign";
+                self.cycle_fault(args, args.span_of(place), 61001, "a length of the thread is below 0", help)
+            }
+            None => Ok(()),
+        }
+    }
+
     fn thread(&mut self, args: &Arguments, places: &Places, points: &[Point2], leads: &[f64]) -> Outcome {
         self.master_is_main(args.span, "the lead of a thread")?;
         let variant = if args.name == "CYCLE99" {
@@ -178,6 +205,8 @@ impl Run<'_> {
                 return self.cycle_fault(args, args.span_of(places.variant), 61002, "VARI is 1 to 4", help);
             }
         };
+        self.spindle_turns(args)?;
+        self.without_signs(args, places)?;
         let depth = self.needed_length(args, places.depth, "the thread depth TDEP")?.abs();
         let finish = self.length_of(args, places.finish).unwrap_or(0.0).abs();
         self.needed(args, places.passes, "the number of roughing passes NRC")?;
@@ -199,6 +228,11 @@ impl Run<'_> {
             return self.cycle_fault(args, args.span_of(places.start_angle), 0, &message, help);
         }
         let angle = args.or_zero(places.angle);
+        if args.name == "CYCLE97" && args.or_zero(2) != 0.0 && angle.abs() > METRIC_FLANK {
+            let message = format!("the infeed angle IANG is {angle}, over half of the 60 degrees of a metric thread");
+            let help = "give at most 30, below 0 for alternating flanks";
+            return self.cycle_fault(args, args.span_of(places.angle), 0, &message, help);
+        }
         let flank = if angle == 0.0 {
             Flank::Radial
         } else if angle > 0.0 {
