@@ -43,7 +43,8 @@ impl Generator<'_> {
                 _ => None,
             });
             if let Some((record, undercut, next)) = undercut {
-                if let (Some(u), Some(w)) = (element.end_direction(), next.start_direction()) {
+                let ways = element.end_direction().zip(next.start_direction()).filter(|_| self.is_turned());
+                if let Some((u, w)) = ways {
                     let sure = material.take(u, w).map_err(|why| Unsolved::Undercut(record, why))?;
                     if !sure {
                         let corner = Corner { from: element.from, at: element.to, to: next.to };
@@ -67,6 +68,15 @@ impl Generator<'_> {
             });
         }
         Ok(contour)
+    }
+
+    /// In the plane of Z and X; elsewhere lowering refuses undercuts.
+    fn is_turned(&self) -> bool {
+        let axes = self.records.iter().find_map(|record| match record {
+            Record::Header { axes } => *axes,
+            _ => None,
+        });
+        axes.is_none_or(|axes| axes == (b'Z', b'X'))
     }
 
     /// The start point moves back, and the corner becomes a block of its own.
