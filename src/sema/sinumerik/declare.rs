@@ -7,6 +7,7 @@ use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
 use crate::sema::exec::open_cursor;
+use crate::text::blocks::Place;
 use crate::text::{Next, Request};
 
 use super::functions;
@@ -178,22 +179,38 @@ impl Run<'_> {
         }
         let identity = self.job.sources.identity(self.job.main);
         let mut any = false;
+        let _ = self.programs.list(&self.job, 0);
         for name in DEFINITION_FILES {
+            // In an archive they lie between the programs.
+            if let Some((file, start, end)) = self.programs.definitions(name) {
+                any = true;
+                self.read_definitions(file, Some(start), end);
+                continue;
+            }
             let request = Request { from: &identity, name, extensions: &["DEF"] };
             let Ok(opened) = self.job.files.open(&request) else { continue };
             let Some(file) = self.job.sources.add(opened) else { continue };
             any = true;
-            self.read_definitions(file);
+            self.read_definitions(file, None, u32::MAX);
         }
         !any
     }
 
-    pub(super) fn read_definitions(&mut self, file: crate::text::FileId) {
+    /// Reads a definition file, or the part of an archive from `start` to the offset `end`.
+    fn read_definitions(&mut self, file: crate::text::FileId, start: Option<Place>, end: u32) {
         let Some(mut cursor) = open_cursor(&self.job, file, SPLIT, self.here.origin.loc) else { return };
+        if let Some(start) = start
+            && cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, start)).is_err()
+        {
+            return;
+        }
         let here = self.here;
         let mut block = Block::default();
         while let Ok(Next::Block(found)) = cursor.next(self.job.sources) {
             let (at, line, text) = (found.at, found.line, found.text.to_vec());
+            if at >= end {
+                break;
+            }
             parse_block(&text, &mut block, &mut self.symbols, &mut self.problems);
             self.here = crate::sema::here::Here::new(file, at, line, 1, here.origin.call);
             self.here.origin.loc.span = block.span.shifted(at);

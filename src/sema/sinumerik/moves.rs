@@ -103,6 +103,11 @@ impl Run<'_> {
                     "program the machine coordinate with AC(…) or under G90",
                 );
             }
+            if axis.is_rotary() && matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn) {
+                let letter = axis.letter();
+                let message = format!("the way of {letter} to a machine position is left to the target");
+                self.note_once(codes::S8044, given.span, message);
+            }
             let value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
             end.set(axis, value);
         }

@@ -160,6 +160,13 @@ impl Programs {
         of_file.find(|(_, unit)| unit.name == name).map(|(at, _)| at)
     }
 
+    /// Where the definitions `name` of the main file's archive lie: file, start and end.
+    pub fn definitions(&self, name: &str) -> Option<(FileId, Place, u32)> {
+        let unit =
+            self.units.iter().find(|unit| unit.file == 0 && unit.kind == UnitKind::Other && unit.name == name)?;
+        Some((self.files.first()?.file, unit.start, unit.end))
+    }
+
     /// The skeleton of a program, made on demand.
     pub fn skeleton(&mut self, job: &Job<'_>, unit: usize, symbols: &mut Symbols) -> std::io::Result<Rc<Skeleton>> {
         if let Some(known) = &self.units[unit].skeleton {

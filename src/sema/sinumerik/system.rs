@@ -60,6 +60,9 @@ impl Run<'_> {
             },
             "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge.unwrap_or(1)).unwrap_or(1)),
             "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.system.contains_key(&system_key(word, args)) => {
+                if let Some(written) = self.written_parameter(word, args) {
+                    return Ok(Some(written));
+                }
                 match self.table_value(word, args) {
                     Some(value) => Val::Real(value / self.st.feed_unit()),
                     None => return Ok(None),
@@ -124,6 +127,14 @@ impl Run<'_> {
             "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
+    }
+
+    /// `$P_AD[n]` is the `$TC_DPn` of the active edge, where the program wrote that.
+    fn written_parameter(&self, word: &str, args: &[Val]) -> Option<Val> {
+        let ("$P_AD", [parameter]) = (word, args) else { return None };
+        let parameter = parameter.number().and_then(whole)?;
+        let (tool, edge) = (self.st.tool.active?, self.st.tool.edge.unwrap_or(1));
+        self.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
     }
 
     /// Length and radius of a tool in the tool table: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`.
