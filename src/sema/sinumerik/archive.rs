@@ -1,0 +1,67 @@
+//! `%` lines: where the programs of an archive begin, and what may stand behind the last one.
+//!
+//! Source: reference section 1.1.
+
+use crate::diag::codes;
+use crate::text::Span;
+use crate::text::blocks::Place;
+
+use super::{Outcome, Run, programs};
+
+impl Run<'_> {
+    /// A `%` line: the program of an archive that follows is another one.
+    pub(super) fn header(&mut self) -> Outcome {
+        let unit = self.level().unit;
+        if self.here.at == self.programs.units[unit].start.at || !self.starts_program() {
+            return Ok(());
+        }
+        if self.levels.len() == 1 && self.program_level().executed && self.programs.units[unit].start.at == 0 {
+            let first = self.job.sources.bytes(self.here.file, Span::at(0, 4));
+            if !first.contains(&b'%') {
+                return self.fail_help(
+                    codes::S2013,
+                    0,
+                    Span::default(),
+                    "blocks stand in front of the first program of this archive",
+                    "delete them, or give them a head of their own: %_N_NAME_MPF",
+                );
+            }
+        }
+        if self.levels.len() > 1 || self.program_level().executed {
+            let lost = self.blocks_behind_the_end();
+            self.end_of_file();
+            if lost {
+                let message = "blocks stand behind the `%` that closes the program, and no program of theirs begins";
+                let help = "delete the `%`, or give them a head of their own: %_N_NAME_MPF";
+                return self.fail_help(codes::S2013, 0, Span::default(), message, help);
+            }
+            return Ok(());
+        }
+        // Comments in front of the first header.
+        let line = self.job.sources.bytes(self.here.file, Span::at(self.here.at, 200));
+        let line = line.split(|b| matches!(b, b'\n' | b'\r')).next().unwrap_or_default();
+        if let Some((name, kind)) = programs::header_name(line) {
+            let first = &mut self.programs.units[unit];
+            first.name = name;
+            first.kind = kind;
+            first.start = Place { at: self.here.at, line: self.here.line };
+            let main = self.main_unit(unit);
+            self.level().unit = main;
+        }
+        Ok(())
+    }
+
+    /// Does the `%` of this line have no name, and a block behind it?
+    fn blocks_behind_the_end(&self) -> bool {
+        const AHEAD: u32 = 4096;
+        let bytes = self.job.sources.bytes(self.here.file, Span::at(self.here.at, AHEAD));
+        let mut lines = bytes.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
+        let bare = lines.next().is_some_and(|line| programs::header_name(line).is_none());
+        let next = lines.find(|line| !line.is_empty() && !line.starts_with(b";"));
+        bare && next.is_some_and(|line| !matches!(line[0], b'%' | 0 | 0x1a))
+    }
+
+    fn starts_program(&self) -> bool {
+        self.job.sources.bytes(self.here.file, Span::at(self.here.at, 1)) == b"%"
+    }
+}
