@@ -410,6 +410,10 @@ S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spin
 "G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \
 A subprogram may have its spindle started by its caller; then all is well."
 
+S8048 Warning "siemens-via-diameter" "intermediate point of CIP in diameters"
+"Under DIAMON the intermediate point of a circle is read as the end point is: I1= along the diameter axis is a diameter. The manuals do not \
+list this word among the diameters. Where it is a radius on your control, program DIAMOF and radii for this circle."
+
 S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it."

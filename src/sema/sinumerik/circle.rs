@@ -2,7 +2,7 @@
 //!
 //! Source: reference sections 2.3 to 2.5.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::geo::angle::rotated;
 use crate::geo::arc::{center_by_radius, through};
 use crate::geo::{Deg, Plane, Point2};
@@ -11,6 +11,7 @@ use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
+use super::state::Diameter;
 use super::vocabulary::{Address, Code};
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
@@ -356,6 +357,23 @@ impl Run<'_> {
         Ok(usual)
     }
 
+    /// The manuals list the quantities that are diameters, and this one is not among them.
+    fn says_via_in_diameters(&self, w: &Words) {
+        if self.st.diameter_mode() == Diameter::Off {
+            return;
+        }
+        let across = self.parameters(VIA).into_iter().find(|(_, axis)| self.is_diameter_axis(*axis));
+        let given = across.and_then(|(address, _)| w.get(address));
+        if let Some(given) = given.filter(|given| !matches!(given.mode, Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric))
+        {
+            let message = "the intermediate point of CIP is read as a diameter, like the end point";
+            if self.job.diags.first_time(codes::S8048) {
+                let found = Diagnostic::new(codes::S8048, self.loc(given.span), message);
+                self.report(found.help("program DIAMOF for the circle if a radius is meant"));
+            }
+        }
+    }
+
     /// CIP
     pub(super) fn via_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.via_plane(w)?;
@@ -388,6 +406,7 @@ impl Run<'_> {
             }
             w.take(*address);
         }
+        self.says_via_in_diameters(w);
         let mut end = self.targets(w)?;
         let to = self.end_in(&end, plane, start);
         let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
