@@ -414,6 +414,9 @@ S8048 Warning "siemens-via-diameter" "intermediate point of CIP in diameters"
 "Under DIAMON the intermediate point of a circle is read as the end point is: I1= along the diameter axis is a diameter. The manuals do not \
 list this word among the diameters. Where it is a radius on your control, program DIAMOF and radii for this circle."
 
+S8049 Note "siemens-goto-start" "jump to the start of the program is left out"
+"GOTOS goes back to the start of the program where the machine (its PLC) asks for another run. The output is one run; start it again on the target."
+
 S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it."

@@ -217,6 +217,11 @@ impl Run<'_> {
         }
     }
 
+    /// GOTOS starts the program again where the machine asks for it, which nothing does here.
+    pub(super) fn says_goto_start(&self, span: Span) {
+        self.note_once(codes::S8049, span, "GOTOS is left out: the machine decides whether the program starts again");
+    }
+
     fn find_target(&mut self, jump: Jump, block: &Block, text: &[u8]) -> Outcome<Option<Mark>> {
         let from = self.here.at;
         let (found, what) = match jump.target {
@@ -226,7 +231,10 @@ impl Run<'_> {
                 let value = self.eval(formula, block, text)?;
                 self.named_target(&value, from, jump)?
             }
-            JumpTarget::Start => return Ok(None),
+            JumpTarget::Start => {
+                self.says_goto_start(jump.span);
+                return Ok(None);
+            }
         };
         if found.is_some() || jump.search == Search::BothQuiet {
             return Ok(found);

@@ -439,7 +439,10 @@ impl<'a> Run<'a> {
         match block.stmt {
             Stmt::IfJump => self.if_jumps(block, text),
             Stmt::Goto(jump) => self.jump(jump, block, text),
-            Stmt::GotoStart => Ok(()),
+            Stmt::GotoStart => {
+                self.says_goto_start(block.span);
+                Ok(())
+            }
             Stmt::Case(formula) => self.case_block(formula, block, text),
             Stmt::Repeat { from, to, times } => self.repeat(from, to, times, block, text),
             Stmt::RepeatBlock { label, times } => self.repeat_block(label, times, block, text),
