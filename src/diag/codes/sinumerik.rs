@@ -465,6 +465,14 @@ S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
 "The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
 
+S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
+"The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
+blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."
+
+S8161 Warning "siemens-contour-start-undercut" "contour starts with an undercut"
+"The NC blocks of a contour of the contour editor are missing, and its records put an undercut at its start. The contour is begun where the undercut \
+leaves the line in front of it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen."
+
 S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 "The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."
 

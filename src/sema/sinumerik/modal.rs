@@ -50,6 +50,9 @@ impl Run<'_> {
                 // DIAMCYCOF counts inside of cycles only.
                 if code != Code::DIAMCYCOF {
                     self.st.groups[29] = code.index;
+                    if let Some(stored) = self.stored.as_mut() {
+                        stored.diameter_said = true;
+                    }
                     self.st.diameter = None;
                 }
             }
