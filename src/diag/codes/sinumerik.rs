@@ -309,9 +309,9 @@ S8020 Note "siemens-thread-variant" "digits of a thread cycle"
 "What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
 those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
 
-S8021 Note "siemens-flank" "reference of the flank infeed"
+S8021 Warning "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
-the crest on. The finished thread is the same up to a shift along its axis."
+the crest on. The finished thread is the same up to a shift along its axis, which matters where a thread is cut anew. `[control] thread_flank` says it."
 
 S8022 Note "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
 "Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing."
@@ -472,6 +472,10 @@ blocks would be. No stored contour of inches is known to us: compare the size of
 S8161 Warning "siemens-contour-start-undercut" "contour starts with an undercut"
 "The NC blocks of a contour of the contour editor are missing, and its records put an undercut at its start. The contour is begun where the undercut \
 leaves the line in front of it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen."
+
+S8162 Warning "siemens-cycle-reading" "reading of a cycle argument that is not confirmed"
+"The argument has a meaning that follows from a few stored programs or from similar cycles, and no manual at hand says it. partc takes it as the \
+message says; compare with what the machine does."
 
 S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 "The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."
