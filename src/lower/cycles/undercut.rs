@@ -290,10 +290,26 @@ mod tests {
             UndercutCycle { step: Some(0.7), leave: Leave::Along { z: 0.0, x: 0.1 }, ..cycle(shape, 1, -30.0, 10.0) };
         let list = words(&rough, Point2::new(5.0, 30.0));
         let begins: Vec<_> = list.iter().filter(|line| line.contains("Z-21.2912")).collect();
-        // 1.7 in three steps of at most 0.7, then the finishing cut.
+        // 1.8 in three steps of at most 0.7 from X20.2, then the finishing cut.
         assert_eq!(begins.len(), 4, "{list:?}");
         let floors: Vec<_> = list.iter().filter(|line| line.starts_with("G1 Z-28.8")).cloned().collect();
-        assert_eq!(floors, ["X18.8667", "X17.7333", "X16.6", "X16.4"].map(|x| format!("G1 Z-28.8 {x} G42")));
+        assert_eq!(floors, ["X19", "X17.8", "X16.6", "X16.4"].map(|x| format!("G1 Z-28.8 {x} G42")));
+    }
+
+    /// Parallel lines: the slope meets the raised cylinder nearer to the corner by U·tan(A/2).
+    #[test]
+    fn an_allowance_on_all_sides() {
+        let tables = Undercuts::default();
+        let (shape, _) = thread(&tables, tables.thread(2.5).expect("a pitch"), ThreadForm::A, Deg(30.0));
+        let rough = UndercutCycle {
+            step: Some(2.0),
+            leave: Leave::Around(0.3),
+            finishing: false,
+            ..cycle(shape, 1, -30.0, 10.0)
+        };
+        let list = words(&rough, Point2::new(5.0, 30.0));
+        assert!(list.contains(&"G1 Z-21.3715 X20.6 G42".to_owned()), "{list:?}");
+        assert!(list.contains(&"G1 Z-28.5 X17 G42".to_owned()), "{list:?}");
     }
 
     #[test]
