@@ -4,7 +4,9 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
-use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path,
+};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
@@ -373,6 +375,7 @@ impl Run<'_> {
                 modal: false,
                 large: LargeCorner::Refuse,
                 at_arc: ArcChamfer::Refuse,
+                blocks: Blocks::Unconfirmed,
             },
             &self.st.ctx,
             &self.here.origin,
