@@ -255,6 +255,7 @@ impl Run<'_> {
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
         let end = w.axes;
+        self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;
             self.st.rotary_moved.insert(axis);
