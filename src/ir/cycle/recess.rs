@@ -281,7 +281,7 @@ pub(crate) mod tests {
             (RecessFault::Most, |r| r.most = 0.0),
             (RecessFault::Oversize, |r| r.oversize.y = -0.1),
             (RecessFault::OffsetWidth, |r| r.offset_width = -0.1),
-            (RecessFault::Compensation, |r| r.compensation = -0.1),
+            (RecessFault::Compensation, |r| r.compensation = f64::NAN),
             (RecessFault::Strokes, |r| r.passes = Passes::Strokes { width: 2.7, dwell: 0.0 }),
             (RecessFault::Strokes, |r| r.passes = Passes::Strokes { width: 2.0, dwell: -1.0 }),
             (RecessFault::Clearance, |r| r.clearance = 0.0),
