@@ -204,6 +204,9 @@ impl Reader {
                     _ => RepeatCount::Refuse,
                 };
             }
+            "open_subprogram" => control.klartext_choices.open_subprogram_ends = text(node) == "end",
+            "probing" => control.klartext_choices.probing_left_out = text(node) == "leave-out",
+            "cycle_19" => control.klartext_choices.cycle_19_axes = text(node) == "axes",
             "scaling" => control.scaling_in_plane = text(node) == "plane",
             "turning_arc_q" => {
                 let far = text(node) == "far";

@@ -154,6 +154,15 @@ pub const SECTIONS: &[Section] = &[
                 "number of repeats (CALL LBL REP) with decimals",
             )
             .or(r#""refuse""#),
+            key(
+                "open_subprogram",
+                Kind::Choice(&["refuse", "end"]),
+                "END PGM inside a called label without LBL 0: refused, or the end of the program file",
+            )
+            .or(r#""refuse""#),
+            key("probing", Kind::Choice(&["refuse", "leave-out"]), "touch probe cycles").or(r#""refuse""#),
+            key("cycle_19", Kind::Choice(&["space", "axes"]), "angles of cycle 19: space angles, or rotary axes")
+                .or(r#""space""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
             key(
                 "turning_arc_q",

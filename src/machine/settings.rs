@@ -150,6 +150,17 @@ pub enum RepeatCount {
     Round,
 }
 
+/// Klartext: what the machine or the manuals leave to the user to say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KlartextChoices {
+    /// END PGM inside a called label ends the program file instead of being refused.
+    pub open_subprogram_ends: bool,
+    /// Probing cycles are left out instead of being refused.
+    pub probing_left_out: bool,
+    /// Angles of cycle 19 are positions of the rotary axes, not space angles.
+    pub cycle_19_axes: bool,
+}
+
 /// Which of two solutions Q0 of an arc names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ArcChoice {
@@ -228,6 +239,7 @@ pub struct Control {
     pub cp_sign: CpSign,
     pub modulo: Modulo,
     pub repeat_count: RepeatCount,
+    pub klartext_choices: KlartextChoices,
     /// Scaling (cycle 11) leaves the tool axis alone.
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.

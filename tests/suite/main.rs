@@ -9,6 +9,7 @@ mod cli_files;
 mod cli_findings;
 mod cli_run;
 mod common;
+mod corners;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;

@@ -140,6 +140,10 @@ G3068 Note "undercut-radius-reduced" "radius in the undercut is reduced"
 "The rounding between the slope and the floor of the undercut is larger than the slope is long, which happens with steep entry angles. It is made \
 as large as fits. What the control does in this case is not documented; check the drawing, or take a smaller radius or entry angle."
 
+G3090 Warning "block-at-corner" "block of M functions between a corner and its element"
+"An M function stands in a block of its own between a chamfer or rounding and the element before or after it. No manual page says whether the \
+control still finds the corner; here it is cut, and the M function is printed in its place. Write it into the block of an element to be sure."
+
 G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
 "Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
 difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \

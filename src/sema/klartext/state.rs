@@ -70,6 +70,8 @@ pub(super) struct State {
     pub orientation: Option<f64>,
     /// A tool change was printed and no M6 belonged to it yet.
     pub change_printed: bool,
+    /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
+    pub tools_measured: bool,
     /// Something moved already.
     pub moved: bool,
     pub blank: Blank,
@@ -169,6 +171,7 @@ impl State {
             follows_tip: false,
             orientation: None,
             change_printed: false,
+            tools_measured: false,
             moved: false,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
@@ -210,7 +210,15 @@ impl Run<'_> {
             Transition::Chamfer(side) => CornerShape::Chamfer { side },
         };
         self.out.corner(
-            &Corner { shape, feed, early: false, modal: false, large: LargeCorner::Refuse, at_arc: ArcChamfer::Refuse },
+            &Corner {
+                shape,
+                feed,
+                early: false,
+                modal: false,
+                large: LargeCorner::Refuse,
+                at_arc: ArcChamfer::Refuse,
+                blocks: Blocks::PassedOver,
+            },
             &self.st.ctx,
             origin,
         );
