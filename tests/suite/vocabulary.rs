@@ -53,8 +53,8 @@ fn each_code_of_a_group_is_heard() {
 const WITH_OTHERS: &[(&str, &str, &str)] = &[
     ("SETMS", "SETMS(2)\n", ""),
     ("SETMS(1)", "SETMS(2)\n", ""),
-    ("DIAMCHAN", "DIAMONA[X]\n", ""),
-    ("DIAMCHAN()", "DIAMONA[X]\n", ""),
+    ("DIAMCHAN", "DIAMOFA[X]\n", ""),
+    ("DIAMCHAN()", "DIAMOFA[X]\n", ""),
     ("FA[X]=50", "", "POS[X]=3\n"),
     ("FRCM=3", "", "X50 RND=1\nY50\n"),
     ("LIMS=3", "", "G96 S100\nG1 X60 F1\n"),
