@@ -71,15 +71,25 @@ impl Reader {
                     s.machine.limits.insert(axis(name, node)?, range(node)?);
                 }
             }
-            ("machine", "reference_point" | "fixed_point" | "swivel_retract") => {
+            (
+                "machine",
+                "reference_point" | "fixed_point" | "fixed_point_2" | "fixed_point_3" | "fixed_point_4"
+                | "swivel_retract",
+            ) => {
                 let points = match name {
-                    "fixed_point" => &mut s.machine.fixed_point,
+                    "fixed_point" => &mut s.machine.fixed_point[0],
+                    "fixed_point_2" => &mut s.machine.fixed_point[1],
+                    "fixed_point_3" => &mut s.machine.fixed_point[2],
+                    "fixed_point_4" => &mut s.machine.fixed_point[3],
                     "swivel_retract" => &mut s.machine.swivel_retract,
                     _ => &mut s.machine.reference_point,
                 };
                 for (name, node) in table_of(node) {
                     points.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
                 }
+            }
+            ("machine", "modulo") => {
+                s.machine.modulo = rotary_axes(node)?;
             }
             ("machine", "kinematics") => s.machine.kinematics = text(node).to_owned(),
             ("control", _) => return self.set_control(name, node),
@@ -210,6 +220,8 @@ impl Reader {
             }
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
             "md20150" => control.siemens.feed_per_revolution = Some(text(node) == "g95"),
+            "md10760" => control.siemens.machine_moves_without_tool = flag(node),
+            "md30455" => control.siemens.modulo_shortest = text(node) == "shortest",
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ if self.set_turning(name, node)? => {}

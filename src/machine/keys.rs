@@ -104,6 +104,10 @@ pub const SECTIONS: &[Section] = &[
             key("reference_point", Kind::Free, "machine coordinates of the reference point (G74): X = 0.0"),
             key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0"),
             key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0"),
+            key("fixed_point_2", Kind::Free, "the same of the second fixed point (G75 FP=2)"),
+            key("fixed_point_3", Kind::Free, "the same of the third fixed point (G75 FP=3)"),
+            key("fixed_point_4", Kind::Free, "the same of the fourth fixed point (G75 FP=4)"),
+            key("modulo", Kind::Texts, "SINUMERIK: rotary axes that count modulo 360 degrees").or("[]"),
         ],
     },
     Section {
@@ -264,6 +268,18 @@ pub const SECTIONS: &[Section] = &[
             )
             .or(r#""refuse""#),
             key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94"),
+            key(
+                "md10760",
+                Kind::Flag,
+                "SINUMERIK: G53, G153 and SUPA suppress the tool length, too, so that they place the spindle, not the tip",
+            )
+            .or("false"),
+            key(
+                "md30455",
+                Kind::Choice(&["absolute", "shortest"]),
+                "SINUMERIK: way of a modulo axis to an absolute position: inside its turn, or the shortest",
+            )
+            .or(r#""absolute""#),
             key(
                 "arc_chamfers",
                 Kind::Choice(&["refuse", "bisector"]),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::axis::Axis;
+use super::axis::{Axis, AxisSet};
 use super::mtc200::Mtc200;
 use super::tools::Tools;
 use super::undercut::Undercuts;
@@ -45,8 +45,10 @@ pub struct Machine {
     pub kinematics: String,
     /// Machine coordinates of the reference point, by axis (G74).
     pub reference_point: BTreeMap<Axis, f64>,
-    /// Machine coordinates of the fixed point, by axis (G75).
-    pub fixed_point: BTreeMap<Axis, f64>,
+    /// Machine coordinates of the fixed points 1 to 4, by axis (G75, MD 30600).
+    pub fixed_point: [BTreeMap<Axis, f64>; 4],
+    /// Rotary axes that count modulo 360 degrees.
+    pub modulo: AxisSet,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
 }
@@ -61,7 +63,8 @@ impl Default for Machine {
             limits: BTreeMap::new(),
             kinematics: "3axis".to_owned(),
             reference_point: BTreeMap::new(),
-            fixed_point: BTreeMap::new(),
+            fixed_point: Default::default(),
+            modulo: AxisSet::EMPTY,
             swivel_retract: BTreeMap::new(),
         }
     }
@@ -279,6 +282,10 @@ pub struct Siemens {
     pub main_variables_visible: bool,
     /// Feed at the start of a program is per revolution (MD 20150).
     pub feed_per_revolution: Option<bool>,
+    /// G53, G153 and SUPA suppress the length of the tool, too (MD 10760).
+    pub machine_moves_without_tool: bool,
+    /// An absolute position of a modulo axis takes the shortest way (MD 30455 bit 2).
+    pub modulo_shortest: bool,
     /// A chamfer or rounding that does not fit is made as large as it fits.
     pub shorten_corners: bool,
     /// A chamfer beside an arc stands across the bisector of the corner.
@@ -294,6 +301,8 @@ impl Default for Siemens {
             tool_change_by_t: None,
             main_variables_visible: false,
             feed_per_revolution: None,
+            machine_moves_without_tool: false,
+            modulo_shortest: false,
             shorten_corners: false,
             arc_chamfers: false,
         }
