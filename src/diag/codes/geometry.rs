@@ -61,6 +61,11 @@ G3013 Note "center-adjusted" "arc centres were adjusted"
 Controls that check more strictly would refuse them. The centre was moved to the nearest point that fits both; \
 start and end are as programmed. The largest shift is stated."
 
+G8101 Warning "center-moved-far" "arc centre was moved far"
+"Start and end of the arc have slightly different distances from its centre, within the tolerance of the control, and lie so close together \
+that the point which fits both is more than ten times that tolerance away. The bow of the printed arc is the programmed one within the tolerance, \
+but its centre and direction are not: most often a coordinate is rounded too coarsely, or wrong."
+
 G3014 Error "arc-without-radius" "centre of the arc lies on its start or end"
 "The centre of the arc lies on its start or on its end, so the arc has no radius. Most often the circle centre was taken over from \
 another place, or the tool stands on the centre when the arc begins. Check the circle centre and the position in front of the arc."

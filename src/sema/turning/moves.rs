@@ -187,9 +187,11 @@ impl Run<'_> {
         let path = match (solved.arc, tag.feed) {
             (None, None) => Path::Rapid,
             (None, Some(_)) => Path::Line,
-            (Some((center, ccw)), _) => {
-                Path::Arc(Arc { plane: Plane::Zx, shape: ArcShape::Center { center, ccw, tol: AGREES }, turns: 0 })
-            }
+            (Some((center, ccw)), _) => Path::Arc(Arc {
+                plane: Plane::Zx,
+                shape: ArcShape::Center { center, ccw, tol: self.arc_tolerance() },
+                turns: 0,
+            }),
         };
         let mv = Move { end: EndPoint::Cartesian(end), path, feed: tag.feed, side: tag.side, coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &tag.origin);
