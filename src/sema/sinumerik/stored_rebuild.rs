@@ -1,7 +1,7 @@
 //! Contours of the contour editor of which only the records are left: their blocks are made anew.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Arc, ArcShape, Corner, CornerShape, Path};
+use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
 use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
@@ -163,6 +163,7 @@ impl Run<'_> {
             modal,
             large: self.large_corner(),
             at_arc: self.arc_chamfer(),
+            blocks: Blocks::PassedOver,
         }));
     }
 
