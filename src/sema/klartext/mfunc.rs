@@ -164,6 +164,14 @@ impl Run<'_> {
                     let (what, help) = refusal(m.number);
                     return self.fail_help(codes::K9008, m.span, format!("M{} {what}", m.number), help);
                 }
+                Some(_) if m.number == 130 && self.st.transform.turn.0 != 0.0 => {
+                    return self.fail_help(
+                        codes::K9008,
+                        m.span,
+                        "M130 takes this block out of the working plane that PLANE or cycle 19 turned",
+                        "reset the plane before the block, and program it again after",
+                    );
+                }
                 Some((Act::CompensationOnly | Act::LookAhead, _)) if compensated && acts(m) => {
                     return self.fail_help(
                         codes::K9008,

@@ -4,7 +4,9 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
-use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path,
+};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
@@ -255,6 +257,7 @@ impl Run<'_> {
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
         let end = w.axes;
+        self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;
             self.st.rotary_moved.insert(axis);
@@ -375,6 +378,7 @@ impl Run<'_> {
                 modal: false,
                 large: LargeCorner::Refuse,
                 at_arc: ArcChamfer::Refuse,
+                blocks: Blocks::Unconfirmed,
             },
             &self.st.ctx,
             &self.here.origin,

@@ -73,6 +73,8 @@ pub(super) struct State {
     pub change: Change,
     /// Number of the tool that the last change printed.
     pub in_spindle: Option<u32>,
+    /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
+    pub tools_measured: bool,
     /// Something moved already.
     pub moved: bool,
     pub blank: Blank,
@@ -175,6 +177,7 @@ impl State {
             orientation: None,
             change: Change::None,
             in_spindle: None,
+            tools_measured: false,
             moved: false,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),
