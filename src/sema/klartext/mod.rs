@@ -405,6 +405,11 @@ impl Run<'_> {
     }
 
     fn function(&mut self, function: Function) {
+        if let Some(approach) = &mut self.approach
+            && approach.held.len() < approach::MOST_HELD
+        {
+            return approach.held.push((function, self.here.origin));
+        }
         self.out.function(&function, &self.st.ctx, &self.here.origin);
     }
 

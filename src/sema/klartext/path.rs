@@ -155,8 +155,15 @@ impl Run<'_> {
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
         let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
         if side == self.st.side {
+            self.st.side_lost &= side != Side::None;
             return Ok(());
         }
+        let switched = self.switch_side_to(w, side, arc);
+        self.st.side_lost = switched.is_err();
+        switched
+    }
+
+    fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
         if arc {
             return self.fail_help(
                 codes::K2601,

@@ -41,6 +41,8 @@ pub(super) struct State {
     /// M103: highest share of the feed in the negative tool axis.
     pub plunge_share: Option<f64>,
     pub side: Side,
+    /// RL or RR was refused: a contour that lacks it is not worth another error.
+    pub side_lost: bool,
     pub tool: Option<ActiveTool>,
     pub tool_axis: Option<Axis>,
     pub transform: Transformation,
@@ -158,6 +160,7 @@ impl State {
             per_revolution: false,
             plunge_share: None,
             side: Side::None,
+            side_lost: false,
             tool: None,
             tool_axis: None,
             transform: Transformation::none(settings.control.klartext_readings.mirror_last),
