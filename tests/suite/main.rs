@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod boundaries;
 mod captured;
 mod cli;
 mod cli_config;
@@ -9,6 +10,9 @@ mod cli_files;
 mod cli_findings;
 mod cli_run;
 mod common;
+mod compensation_entry;
+mod corners;
+mod cycle_digits;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;
@@ -16,7 +20,9 @@ mod golden;
 mod hostile;
 mod hostile_turning;
 mod idle;
+mod klartext_words;
 mod layering;
+mod line_ends;
 mod mtc200;
 mod oracle;
 mod peer;
@@ -30,4 +36,5 @@ mod sweep;
 mod turning_parameters;
 mod undercut;
 mod undercut_conditions;
+mod vocabulary;
 mod worked_examples;
