@@ -61,9 +61,13 @@ impl Reader {
             ("machine", "kind") => {
                 s.machine.kind = if text(node) == "lathe" { MachineKind::Lathe } else { MachineKind::Mill };
             }
-            ("machine", "geometry_axes") => s.machine.geometry_axes = geometry_axes(node)?,
+            // The keys come in the order of the alphabet, so the names are known where others use them.
+            ("machine", "axes") => s.machine.axes = axis_names(node)?,
+            ("machine", "geometry_axes") => s.machine.geometry_axes = geometry_axes(node, &s.machine.axes)?,
             ("machine", "diameter_axis" | "md20100") => {
-                s.machine.diameter_axis = if text(node).is_empty() { None } else { Some(axis(text(node), node)?) };
+                let name = text(node);
+                s.machine.diameter_axis =
+                    if name.is_empty() { None } else { Some(named_axis(name, node, &s.machine.axes)?) };
             }
             ("machine", "power_on_diameter") => s.machine.power_on_diameter = flag(node),
             ("machine", "limits") => {
@@ -109,7 +113,11 @@ impl Reader {
                 for (name, node) in table_of(node) {
                     values.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
                 }
-                s.datums.offsets.insert(name.to_ascii_uppercase(), values);
+                if name.eq_ignore_ascii_case("basic") {
+                    s.datums.basic = Some(values);
+                } else {
+                    s.datums.offsets.insert(name.to_ascii_uppercase(), values);
+                }
             }
             ("include", _) => {
                 for (prefix, node) in table_of(node) {
@@ -238,6 +246,7 @@ impl Reader {
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
             "md20150" => control.siemens.feed_per_revolution = Some(text(node) == "g95"),
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
+            "md10617" => control.siemens.save_restores_offset = Some(whole(node) & 1 != 0),
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ => return self.set_mtc200(name, node),
         }

@@ -211,6 +211,10 @@ S2091 Error "siemens-cycle-contour" "contour of a cycle is wrong"
 "What CYCLE62, CYCLE95, CYCLE72 and others call is no contour that the cycle can take: it has no start point, moves at rapid traverse inside, \
 leaves its plane, crosses itself, holds functions or cycles, or is not closed where it has to be. The number is the alarm of the control."
 
+S2130 Error "siemens-axis-twice" "two names of one printed axis"
+"Two axes of the machine, such as Z and Z2, would be printed with one letter, so that a move of the one would move the other. Give one of them \
+another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis."
+
 S3001 Error "siemens-radius" "arc by radius does not reach its end"
 "CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value behind it."
 
@@ -275,9 +279,10 @@ S8010 Note "siemens-edges" "tool data of the control are not printed"
 "A tool of the target has one set of offsets, in a table of its own. Edges D2 and higher, and lengths that the program writes ($TC_DP3), are \
 not printed; the target has to be told them. Under G41 and G42 the radius of the edge counts: where it is not known the block is refused."
 
-S8011 Note "siemens-g500" "G500 is printed in machine coordinates"
-"G500 switches the work offset off, so positions count in machine coordinates. The target does that by G53, for straight moves only. If G500 \
-stands for a work offset on your machine, name it: `[datums] G500 = \"G54\"`."
+S8011 Note "siemens-g500" "how positions under G500 are printed"
+"G500 switches the work offset off, so that positions count from the basic system: the machine zero, shifted by the basic frame. Where the program uses no offset \
+of the machine they are printed as they stand; the offset that is active on the target has to be zero or to lie there. Beside offsets of the machine they are \
+printed with G53 through `[datums] basic`, or through the values of the offset in `[datums]`. If G500 stands for a work offset, name it: `[datums] G500 = \"G54\"`."
 
 S8012 Note "siemens-written-offset" "work offset of the program is in the coordinates"
 "The program writes the work offset itself ($P_UIFR). It is put into the printed coordinates, which count from the basic system; no G54 is \
@@ -421,6 +426,18 @@ S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it."
 
+S8130 Note "siemens-axis-left-out" "axis that is left out"
+"`[machine] axes` says that the target has no such axis. Its words are left out of every block; other words of the blocks are printed. See to it that \
+the axis stands where the program needs it."
+
+S8131 Warning "siemens-moves-before-offset" "moves in front of the first work offset"
+"In front of the first G54 a control counts from its basic system (G500), unless a machine datum (MD 20150) says otherwise. On the target these moves run under \
+the offset that is active there at the start. Select the work offset in front of the first move; a retraction in machine coordinates is SUPA or G53."
+
+S8132 Warning "siemens-centre-moved" "centre of an arc is moved far"
+"Start and end of the arc differ in their distance from the centre within the tolerance (MD 21000, MD 21010), and the control moves the centre onto the \
+perpendicular bisector of the two. For a short arc of a large radius, or nearly a full circle, that is far. Give more decimals."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -476,9 +493,9 @@ S9017 Error "siemens-mixed-offsets" "work offset of the program beside one of th
 "A work offset that the program writes ($P_UIFR) is put into the coordinates, which then count from the basic system. Offsets that it only \
 selects are those of the machine, whose values are not known. Between the two no way can be computed. Use the one kind or the other."
 
-S9018 Error "siemens-save-offset" "SAVE and a changed work offset"
-"Whether the return from a program with SAVE brings the work offset back depends on machine datum 10617. Select the offset again in the calling \
-program before the next move, or leave it alone in the subprogram."
+S9018 Warning "siemens-save-offset" "SAVE and a changed work offset"
+"A program with SAVE changed the frame of the work offset that is in force before and after it. Bit 0 of machine datum 10617 decides whether the frame of the \
+call comes back; it is read as 0: the frame stays. Set `[control] md10617`, or select the offset again in the calling program."
 
 S9019 Error "siemens-contour-open" "stored contour cannot be made"
 "The NC blocks of a contour of the contour editor are missing, and its hidden records leave elements open. Open the contour in the editor \
@@ -487,5 +504,14 @@ of the control and accept it again."
 S9020 Error "siemens-contour-cycle" "contour cycle is not supported"
 "The arguments of the cycle were read and its contour was run and checked, so what is reported about them is true. But the tracks of the cycle are \
 computed inside the control and are not published. Replace it by plain moves, or have the CAM system put them out."
+
+S9130 Error "siemens-left-out-position" "position that only an axis that is left out makes"
+"Under MCALL each block that moves an axis calls the program or cycle. Here the axis is left out by `[machine] axes`, so that every call would work at one \
+place. Print the axis, or end the modal call before."
+
+S9131 Error "siemens-g500-unrelated" "G500 beside a work offset of the machine"
+"Positions under G500 count from the basic system, those under G54 from where the machine has that offset. The way between the two is known on the machine only. \
+Give the basic frame (`[datums] basic`), the values of the offset (`[datums] G54 = { X = … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`). \
+A retraction in machine coordinates is SUPA or G53."
 
 }

@@ -9,6 +9,7 @@ use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
 
+use super::offsets::Outer;
 use super::vocabulary::{Address, Code};
 use super::words::{Mode, Words};
 use super::{Outcome, Reported, Run};
@@ -92,8 +93,13 @@ impl Run<'_> {
                     let axis = if self.st.pos.get(first).is_none() { first } else { second };
                     return self.unknown_axis(axis, given.span);
                 }
-                if self.st.machine_coordinates {
-                    return self.fail(codes::S9011, 0, given.span, "under G500 contour definitions cannot be printed");
+                match self.st.outer {
+                    Outer::Machine => {
+                        let message = "a contour definition cannot be printed in machine coordinates";
+                        return self.in_machine_only_lines(given.span, message);
+                    }
+                    Outer::Unrelated => return self.unrelated(given.span, "G500 stands beside"),
+                    Outer::Basic | Outer::Printed(_) => {}
                 }
                 self.pair_lost = false;
                 self.pending = Some(Box::new(Pending {

@@ -6,7 +6,6 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Base, Binary, Block, Formula, Op, Unary};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -190,8 +189,9 @@ impl Run<'_> {
             return self.variable_value(slot, &[], span);
         }
         let word = self.symbols.name(name);
-        if let Some(axis) = axis_of(word) {
-            return Ok(Val::Axis(axis));
+        if let Some(named) = self.axis_names.find(word) {
+            self.printed_axis(named, span)?;
+            return Ok(Val::Axis(named));
         }
         if let Some(value) = constant(word) {
             return Ok(value);
@@ -209,7 +209,7 @@ impl Run<'_> {
             return Some(slot);
         }
         let word = self.symbols.name(name);
-        if self.definitions_read || axis_of(word).is_some() || constant(word).is_some() {
+        if self.definitions_read || self.axis_names.find(word).is_some() || constant(word).is_some() {
             return None;
         }
         self.definitions_known();
@@ -486,14 +486,6 @@ fn int_or_real(n: i64) -> Val {
 fn taken(stack: &mut Vec<Val>, count: u32) -> Vec<Val> {
     let from = stack.len().saturating_sub(count as usize);
     stack.split_off(from)
-}
-
-/// An axis by its name.
-pub(super) fn axis_of(name: &str) -> Option<Axis> {
-    match name.as_bytes() {
-        [letter] => Axis::of(*letter),
-        _ => None,
-    }
 }
 
 /// Names of frame components, as texts; they are words in `[X,TR]` only.

@@ -6,6 +6,7 @@
 
 mod archive;
 mod assign;
+mod axis_names;
 mod calls;
 mod capture;
 mod circle;
@@ -134,6 +135,7 @@ struct Run<'a> {
     symbols: Symbols,
     meanings: Vec<Option<Meaning>>,
     vocabulary: FxHashMap<&'static str, Meaning>,
+    axis_names: axis_names::AxisNames,
     gcodes: GCodes,
     programs: Programs,
     levels: Vec<Level>,
@@ -214,6 +216,7 @@ impl<'a> Run<'a> {
             symbols: Symbols::default(),
             meanings: Vec::new(),
             vocabulary: vocabulary::words(),
+            axis_names: axis_names::AxisNames::new(job.settings),
             gcodes: GCodes::new(),
             programs: Programs::default(),
             levels: Vec::new(),

@@ -3,13 +3,13 @@
 //! Source: reference sections 1.3 and 5.6.
 
 use crate::diag::codes;
-use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
 use crate::parser::symbols::Symbol;
 
+use super::axis_names::NamedAxis;
 use super::value::{Val, whole};
 use super::vocabulary::{Address, Code, Indexed, Meaning, Procedure};
-use super::words::{CallWord, Positioning, SWord, Words};
+use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
 use super::{Outcome, Run};
 
 /// Does the block set an interrupt? The program it names is not called here.
@@ -56,9 +56,9 @@ impl Run<'_> {
                     let given = self.given(word, block, text)?;
                     self.set_address(words, address, given)?;
                 }
-                Meaning::Axis(axis) => {
+                Meaning::Axis(named) => {
                     let given = self.given(word, block, text)?;
-                    self.set_axis(words, axis, given)?;
+                    self.axis_word(words, named, given)?;
                 }
                 Meaning::Procedure(Procedure::Refused(what)) => {
                     let message = format!("{} ({what}) is not supported", self.symbols.name(name));
@@ -248,7 +248,7 @@ impl Run<'_> {
     }
 
     /// The axis in brackets.
-    pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Axis> {
+    pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<NamedAxis> {
         let [formula] = *block.arguments(args) else {
             return self.fail(codes::S2031, 12040, block.span, "one axis is needed in brackets");
         };
@@ -272,28 +272,33 @@ impl Run<'_> {
     ) -> Outcome {
         match indexed {
             Indexed::Ax => {
-                let axis = self.axis_index(args, block, text)?;
+                let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                if words.axes.contains(axis) {
-                    let message = format!("the axis {} stands twice in the block", axis.letter());
+                if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
+                    let message = format!("the axis {} stands twice in the block", named.text());
                     return self.fail_help(codes::S2007, 16420, given.span, message, "delete one of the words");
                 }
-                self.set_axis(words, axis, given)
+                self.axis_word(words, named, given)
             }
             Indexed::Pos => {
-                let axis = self.axis_index(args, block, text)?;
+                let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                words.positioning.push(Positioning { axis, given });
+                match self.printed_axis(named, given.span)? {
+                    Some(axis) => words.positioning.push(Positioning { axis, given }),
+                    None => words.left_out.push((named, given.span)),
+                }
                 Ok(())
             }
             Indexed::Fa => {
-                let axis = self.axis_index(args, block, text)?;
+                let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if given.value <= 0.0 {
                     let message = format!("the feed {} of a positioning axis is not above 0", given.value);
                     return self.fail(codes::S2041, 14810, given.span, message);
                 }
-                words.axis_feeds.push((axis, given.value));
+                if let Some(axis) = named.axis {
+                    words.axis_feeds.push((axis, given.value));
+                }
                 Ok(())
             }
             Indexed::Override => {
@@ -312,17 +317,26 @@ impl Run<'_> {
                 Ok(())
             }
             Indexed::DiameterOn | Indexed::Diameter90 | Indexed::DiameterOff | Indexed::DiameterChannel => {
-                let axis = self.axis_index(args, block, text)?;
-                words.diameter = Some((indexed, axis, word.span));
+                match self.axis_index(args, block, text)?.axis {
+                    Some(axis) => words.diameter = Some((indexed, axis, word.span)),
+                    None => return self.no_diameter_axis(word.span),
+                }
                 Ok(())
             }
-            Indexed::Posa => self.fail_help(
-                codes::S9008,
-                0,
-                word.span,
-                "an axis that moves beside the path cannot be printed",
-                "move the axis in a path block, or by POS[…]",
-            ),
+            Indexed::Posa => {
+                let named = self.axis_index(args, block, text)?;
+                if self.printed_axis(named, word.span)?.is_none() {
+                    words.left_out.push((named, word.span));
+                    return Ok(());
+                }
+                self.fail_help(
+                    codes::S9008,
+                    0,
+                    word.span,
+                    "an axis that moves beside the path cannot be printed",
+                    "move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`",
+                )
+            }
             Indexed::Polynomial => self.fail_help(
                 codes::S9002,
                 0,
@@ -348,10 +362,18 @@ impl Run<'_> {
             self.assign_word(word, block, text)?;
             return Ok(true);
         }
-        if let Meaning::Address(address) = self.meaning(name) {
-            let given = self.given(word, block, text)?;
-            self.set_address(words, address, given)?;
-            return Ok(false);
+        match self.meaning(name) {
+            Meaning::Address(address) => {
+                let given = self.given(word, block, text)?;
+                self.set_address(words, address, given)?;
+                return Ok(false);
+            }
+            Meaning::Axis(named) => {
+                let given = self.given(word, block, text)?;
+                self.axis_word(words, named, given)?;
+                return Ok(false);
+            }
+            _ => {}
         }
         let spindle = u8::try_from(number).ok();
         match letter {
@@ -383,7 +405,7 @@ impl Run<'_> {
             }
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 self.given(word, block, text)?;
-                words.machine_axes.push((Axis::of(letter).unwrap_or(Axis::X), word.span));
+                words.machine_axes.push(MachineAxis { letter, number, span: word.span });
             }
             _ => return self.undefined(name, word.span),
         }

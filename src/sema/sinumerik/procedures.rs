@@ -379,7 +379,7 @@ impl Run<'_> {
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
             let same =
                 match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {
-                    (Some(known), Val::Axis(axis)) => known == axis,
+                    (Some(known), Val::Axis(named)) => named.axis == Some(known),
                     _ => false,
                 };
             if !same {

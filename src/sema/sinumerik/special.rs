@@ -41,12 +41,14 @@ impl Run<'_> {
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
                 self.send(&end, Path::Line, feed);
+                w.left_out.clear();
             }
             Code::G74 | Code::G75 => {
                 self.technology(w)?;
                 self.early_functions(w)?;
                 self.fixed_point(code, span, w)?;
                 w.machine_axes.clear();
+                w.left_out.clear();
             }
             _ => {
                 let message = format!("{} is not supported", word(code));
@@ -155,7 +157,10 @@ impl Run<'_> {
     fn fixed_point(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         self.pending_must_be_done(span)?;
         w.take(Address::Fp);
-        let named: Vec<Axis> = w.axes.iter().chain(w.machine_axes.iter().map(|(axis, _)| *axis)).collect();
+        let mut named: Vec<Axis> = w.axes.iter().collect();
+        for machine_axis in &w.machine_axes {
+            named.extend(self.machine_axis(*machine_axis)?);
+        }
         let machine = &self.job.settings.machine;
         let (points, key) = if code == Code::G74 {
             (&machine.reference_point, "reference_point")
@@ -181,7 +186,9 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, 14091, span, "a fixed point is approached under radius compensation");
         }
-        self.machine_rapid(end);
+        if !named.is_empty() {
+            self.machine_rapid(end);
+        }
         Ok(())
     }
 
@@ -198,6 +205,7 @@ impl Run<'_> {
                     }
                 }
                 w.s.clear();
+                w.left_out.clear();
                 self.note_once(
                     codes::S8013,
                     span,
@@ -217,6 +225,8 @@ impl Run<'_> {
     }
 
     fn frame_statement(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        // What a frame does to an axis that is left out moves nothing.
+        w.left_out.clear();
         let adds = matches!(code, Code::ATRANS | Code::AROT | Code::ASCALE | Code::AMIRROR);
         if self.st.side() != Side::None {
             return self.fail_help(
@@ -335,6 +345,7 @@ impl Run<'_> {
             return self.work_offset(number + 1, span);
         }
         self.pending_must_be_done(span)?;
+        w.left_out.clear();
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
             self.parameter_of_frame(given)?;

@@ -5,7 +5,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::machine::Axis;
+use super::axis_names::NamedAxis;
 
 /// A code of a G group: group number and index in it, both from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -215,7 +215,7 @@ pub(super) const ADDRESSES: usize = Address::Dynamics as usize + 1;
 /// What a name means as a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Meaning {
-    Axis(Axis),
+    Axis(NamedAxis),
     Code(Code),
     Address(Address),
     /// `X1`, `Z1`: machine axes, in G74 and G75 only.
