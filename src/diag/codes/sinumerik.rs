@@ -409,7 +409,7 @@ An F of 0.2 means two very different things. Program G94 or G95 in front of the 
 
 S8046 Warning "siemens-speed-frozen" "constant cutting speed ends without a speed"
 "G97, G94 and G95 behind G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
-printed; on the machine it depends on where the control last adapted it. A cut at such a speed is refused. Program S with the word."
+printed; on the machine it depends on where the control last adapted it. Program S with the word."
 
 S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spindle"
 "G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \
@@ -438,6 +438,10 @@ S8132 Warning "siemens-centre-moved" "centre of an arc is moved far"
 "Start and end of the arc differ in their distance from the centre within the tolerance (MD 21000, MD 21010), and the control moves the centre onto the \
 perpendicular bisector of the two. For a short arc of a large radius, or nearly a full circle, that is far. Give more decimals."
 
+S8133 Warning "siemens-thread-shifted" "start of a thread is shifted"
+"SF= begins a thread at an angle of the spindle, which the target cannot. It begins farther back by lead · angle / 360 instead and is the same thread from the \
+programmed start on. The tool goes to that place at rapid traverse: see that no shoulder and no tailstock stands there."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -465,7 +469,8 @@ S9008 Error "siemens-axis-motion" "axis motion that cannot be printed"
 given under [machine]."
 
 S9009 Error "siemens-feed-kind" "kind of feed that cannot be printed"
-"G93, G931 and the feeds that are kept at a switch cannot be printed. Program the feed by G94 or G95."
+"G931 and the feeds that are kept at a switch cannot be printed. Under G93 F is the time of its own block: roundings, chamfers, cycles and \
+radius compensation have no share of it. Program the feed by G94 or G95."
 
 S9010 Error "siemens-resolve" "tool-centre path is not built"
 "Computing the path of the tool centre is not built yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
@@ -474,7 +479,8 @@ S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordina
 "Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value behind it."
 
 S9012 Error "siemens-thread-start" "start angle of a thread"
-"The target starts every thread at the same angle of the spindle. Shift the start point along the thread instead."
+"The target starts every thread at the same angle of the spindle. SF= is made by a start that lies farther back along the thread by lead · angle / 360; \
+in a chain of threads, behind a chamfer or rounding and in a turned or scaled frame that cannot be done. Shift the start point in the program."
 
 S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 "Plain G-code has circles in the main planes only. Look at the word that is marked, and at the value behind it."
@@ -513,5 +519,9 @@ S9131 Error "siemens-g500-unrelated" "G500 beside a work offset of the machine"
 "Positions under G500 count from the basic system, those under G54 from where the machine has that offset. The way between the two is known on the machine only. \
 Give the basic frame (`[datums] basic`), the values of the offset (`[datums] G54 = { X = … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`). \
 A retraction in machine coordinates is SUPA or G53."
+
+S9132 Error "siemens-word-not-compiled" "word of the control that is not compiled"
+"The word belongs to the language and is no missing program: what it does has no word in plain G-code, or is not built. The text says what it is and what to write \
+instead. Nothing is left out in silence, so the program is refused."
 
 }

@@ -333,6 +333,11 @@ impl Run<'_> {
         if !self.has_corner_words(w) && self.st.rndm == 0.0 {
             return Ok(None);
         }
+        if self.st.is(Code::G93) {
+            let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
+            let span = corner.map(|given| given.span).unwrap_or_default();
+            return self.not_by_time(span, "a chamfer or rounding has no share of the time that G93 gives the blocks");
+        }
         let (rnd, chr, chf, frc) =
             (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
         for given in [rnd, chr, chf].into_iter().flatten() {
@@ -386,11 +391,7 @@ impl Run<'_> {
 
     /// FRCM, which counts as the feeds did where it was programmed.
     fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
-        let fits = match self.st.frcm {
-            Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
-            Some(Feed::PerMinute(_)) => !self.st.per_revolution(),
-            None => true,
-        };
+        let fits = self.st.frcm.is_none_or(|feed| self.st.counts_as(feed));
         if fits {
             return Ok(self.st.frcm);
         }

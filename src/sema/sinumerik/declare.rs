@@ -103,6 +103,8 @@ impl Run<'_> {
             Meaning::Unknown if is_address(&word) => Some("an address"),
             Meaning::Unknown if functions::NAMES.contains(&word.as_str()) => Some("a function"),
             Meaning::Unknown => None,
+            // Options of the language, whose names machines without them leave free.
+            Meaning::Known(_) => None,
             _ => Some("a word of the language"),
         };
         if let Some(what) = taken {

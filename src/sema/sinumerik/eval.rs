@@ -11,8 +11,10 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::functions::{self, NoResult};
+use super::known_words::Known;
 use super::value::{Val, to_text, whole};
 use super::vars::{MOST_R, Slot};
+use super::vocabulary::{Meaning, Procedure};
 use super::{Outcome, Reported, Run};
 
 /// Relative difference up to which two REAL values are equal.
@@ -216,6 +218,23 @@ impl Run<'_> {
         self.vars.find(name)
     }
 
+    /// A word that nothing is known of, or one of the language that is not compiled.
+    pub(super) fn undefined_word<T>(&mut self, name: Symbol, span: Span) -> Outcome<T> {
+        match self.meaning(name) {
+            Meaning::Known(known) => self.not_compiled(name, known, span),
+            Meaning::Procedure(Procedure::Refused(what)) => {
+                let message = format!("{} ({what}) is not supported", self.symbols.name(name));
+                self.fail_help(codes::S9005, 0, span, message, "replace it by plain moves")
+            }
+            _ => self.undefined(name, span),
+        }
+    }
+
+    pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
+        let message = format!("{} ({}) is not compiled", self.symbols.name(name), known.what);
+        self.fail_help(codes::S9132, 0, span, message, known.help)
+    }
+
     /// A name that nothing is known of.
     pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
         let word = self.symbols.name(name);
@@ -335,6 +354,7 @@ impl Run<'_> {
         };
         use NoResult::{Count, Domain, Type, Unknown};
         match error {
+            Unknown if !matches!(self.meaning(name), Meaning::Unknown) => self.undefined_word(name, span),
             Unknown => self.fail_help(
                 codes::S2001,
                 12550,

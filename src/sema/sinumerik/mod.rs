@@ -20,6 +20,7 @@ mod flow;
 mod frames;
 mod functions;
 mod idle;
+mod known_words;
 mod macros;
 mod modal;
 mod motion;
@@ -530,6 +531,9 @@ impl<'a> Run<'a> {
             Stmt::Empty => Ok(()),
             Stmt::Bad => Err(Reported),
             Stmt::Call(form) => self.call_form(form, &block, &line),
+            // The program goes on at the target, as behind a jump that stands there.
+            Stmt::IfJump => self.if_jumps(&block, &line),
+            Stmt::Goto(jump) => self.jump(jump, &block, &line),
             _ => {
                 self.fail(codes::S2013, 12080, span, "a control structure or declaration cannot be executed as a text")
             }

@@ -66,7 +66,7 @@ impl Run<'_> {
                 }
                 _ => {
                     if self.definitions_known() {
-                        return self.undefined(name, word.span);
+                        return self.undefined_word(name, word.span);
                     }
                     return self.name_word(words, name, word, block, text);
                 }
@@ -140,7 +140,7 @@ impl Run<'_> {
         }
         match self.meaning(name) {
             Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
-            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa | Address::Svc) => {
+            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa) => {
                 let spindle = self.spindle_index(args, block, text)?;
                 if spindle == self.st.master
                     && let Meaning::Address(address) = self.meaning(name)
@@ -167,9 +167,13 @@ impl Run<'_> {
                 words.dynamics.get_or_insert(word.span);
                 Ok(false)
             }
+            Meaning::Address(address @ (Address::Toff | Address::Toffl | Address::Toffr)) => {
+                let given = self.given(word, block, text)?;
+                self.set_address(words, address, given).map(|()| false)
+            }
             _ => {
                 if self.definitions_known() {
-                    return self.undefined(name, word.span);
+                    return self.undefined_word(name, word.span);
                 }
                 self.indexed_word(words, base, args, word, block, text)
             }
@@ -337,6 +341,15 @@ impl Run<'_> {
                     "move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`",
                 )
             }
+            Indexed::CutAxis => {
+                let named = self.axis_index(args, block, text)?;
+                if named.axis.is_some() && named.axis == self.job.settings.machine.diameter_axis {
+                    return Ok(());
+                }
+                let message = format!("SCC refers G96 to {}, which is not the diameter axis", named.text());
+                let help = "name it: `[machine] diameter_axis`, or program S in turns under G97";
+                self.fail_help(codes::S9132, 0, word.span, message, help)
+            }
             Indexed::Polynomial => self.fail_help(
                 codes::S9002,
                 0,
@@ -407,7 +420,7 @@ impl Run<'_> {
                 self.given(word, block, text)?;
                 words.machine_axes.push(MachineAxis { letter, number, span: word.span });
             }
-            _ => return self.undefined(name, word.span),
+            _ => return self.undefined_word(name, word.span),
         }
         Ok(false)
     }

@@ -226,6 +226,15 @@ impl State {
         matches!(self.groups[15], 3..=5)
     }
 
+    /// Does a feed count as the kind of feed in force?
+    pub fn counts_as(&self, feed: Feed) -> bool {
+        match feed {
+            Feed::PerRevolution(_) => self.per_revolution(),
+            Feed::InverseTime(_) => self.is(Code::G93),
+            Feed::PerMinute(_) => !self.per_revolution() && !self.is(Code::G93),
+        }
+    }
+
     pub fn side(&self) -> Side {
         match self.groups[7] {
             2 => Side::Left,

@@ -84,6 +84,7 @@ impl Run<'_> {
             "$P_AXN2" => Val::Axis(self.axis_names.of(self.st.roles()[1])),
             "$P_AXN3" => Val::Axis(self.axis_names.of(self.st.roles()[2])),
             "$P_F" => match self.st.feed {
+                Some(feed @ crate::ir::Feed::InverseTime(_)) => Val::Real(feed.value()),
                 Some(feed) => Val::Real(feed.value() / self.st.feed_unit()),
                 None => Val::Real(0.0),
             },

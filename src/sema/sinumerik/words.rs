@@ -51,6 +51,11 @@ impl Mode {
     }
 }
 
+/// Is the name one of AC, IC, DC and their kin?
+pub(super) fn is_modifier(name: &str) -> bool {
+    Mode::of(name).is_some()
+}
+
 /// A number with its place.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Given {
@@ -110,6 +115,8 @@ pub(super) struct Words {
     pub m: Vec<MWord>,
     pub s: Vec<SWord>,
     pub h: Option<Span>,
+    /// F stands in the block.
+    pub feed_given: bool,
     /// Tool by name.
     pub tool_name: Option<String>,
     pub call: Option<CallWord>,
@@ -146,6 +153,7 @@ impl Words {
             m: Vec::new(),
             s: Vec::new(),
             h: None,
+            feed_given: false,
             tool_name: None,
             call: None,
             l: None,
@@ -170,6 +178,7 @@ impl Words {
         self.m.clear();
         self.s.clear();
         self.h = None;
+        self.feed_given = false;
         self.tool_name = None;
         self.call = None;
         self.l = None;

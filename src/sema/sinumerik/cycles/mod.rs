@@ -227,6 +227,10 @@ impl Run<'_> {
             Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
             Outer::Basic | Outer::Printed(_) => self.note_outer(),
         }
+        if self.st.is(super::vocabulary::Code::G93) {
+            return self
+                .not_by_time(args.span, "the moves of a cycle have no share of the time that G93 gives the blocks");
+        }
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
         }
