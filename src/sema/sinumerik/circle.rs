@@ -201,9 +201,9 @@ impl Run<'_> {
 
     /// A centre that has to move much for a small difference of the radii makes another arc.
     fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
-        if moved > 10.0 * tolerance {
+        if moved > 10.0 * tolerance && self.job.diags.first_time(codes::G8101) {
             let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
-            let found = Diagnostic::new(codes::S8132, self.loc(span), message);
+            let found = Diagnostic::new(codes::G8101, self.loc(span), message);
             self.report(found.help("program the end point and the centre with more decimals, or the arc by CR="));
         }
     }

@@ -72,7 +72,11 @@ impl Run<'_> {
         let follows = self.thread_chain.is_some();
         self.chain_is_whole(span)?;
         let end = self.targets(w)?;
-        let start_angle = w.take(Address::Sf).filter(|start| start.value != 0.0);
+        let start_angle = w.take(Address::Sf);
+        if start_angle.is_none() {
+            self.no_start_angle_by_setting(span)?;
+        }
+        let start_angle = start_angle.filter(|start| start.value != 0.0);
         if let Some(given) = self.lead_words(w)? {
             if given.lead < 0.0 {
                 let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
@@ -150,6 +154,20 @@ impl Run<'_> {
         self.report(found.help("see that nothing stands there"));
         self.send(&shifted, Path::Rapid, None);
         Ok(())
+    }
+
+    /// A thread without SF= starts at the angle of SD 42000.
+    pub(super) fn no_start_angle_by_setting(&self, span: Span) -> Outcome {
+        match super::system::system_number(&self.system, "$SC_THREAD_START_ANGLE") {
+            Some(angle) if angle != 0.0 => self.fail_help(
+                codes::S9012,
+                0,
+                span,
+                format!("`$SC_THREAD_START_ANGLE` starts this thread at {angle} degrees, which cannot be printed"),
+                "shift the start point along the thread instead: lead · angle / 360",
+            ),
+            _ => Ok(()),
+        }
     }
 
     /// Whether a control cuts corners off threads is not documented.
