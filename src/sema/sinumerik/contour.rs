@@ -390,7 +390,7 @@ impl Run<'_> {
     }
 
     /// FRCM, which counts as the feeds did where it was programmed.
-    fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
+    pub(super) fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
         let fits = self.st.frcm.is_none_or(|feed| self.st.counts_as(feed));
         if fits {
             return Ok(self.st.frcm);
