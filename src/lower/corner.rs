@@ -39,6 +39,8 @@ pub struct Corners {
     behind: Vec<(Function, Origin)>,
     /// What came after the corner.
     between: Vec<(Function, Origin)>,
+    /// The element before was refused: that a corner misses it is not worth another error.
+    orphaned: bool,
     /// The element that waits was shortened by the corner before it.
     trimmed: bool,
 }
@@ -62,6 +64,7 @@ impl Corners {
             return;
         }
         self.trimmed = false;
+        self.orphaned = false;
         if self.held {
             out(Event::Step(&self.steps[self.waiting]));
             send(&mut self.behind, out);
@@ -72,7 +75,7 @@ impl Corners {
 
     pub fn corner(&mut self, corner: Corner, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         if !self.held {
-            if corner.modal {
+            if corner.modal || self.orphaned {
                 return;
             }
             diags.push(at(codes::G3007, origin, "no contour element stands before this chamfer or rounding"));
@@ -113,6 +116,7 @@ impl Corners {
 
     /// Sends what is held after an error: a corner that waits goes with it.
     pub fn abandon(&mut self, out: &mut impl FnMut(Event<'_>)) {
+        self.orphaned = true;
         self.drop_corner(out);
     }
 

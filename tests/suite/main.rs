@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod boundaries;
 mod captured;
 mod cli;
 mod cli_config;
@@ -9,6 +10,7 @@ mod cli_files;
 mod cli_findings;
 mod cli_run;
 mod common;
+mod compensation_entry;
 mod corners;
 mod cycle_parameters;
 mod damage;
@@ -17,6 +19,7 @@ mod golden;
 mod hostile;
 mod hostile_turning;
 mod idle;
+mod klartext_words;
 mod layering;
 mod line_ends;
 mod mtc200;

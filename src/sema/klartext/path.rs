@@ -91,8 +91,10 @@ impl Run<'_> {
             );
             self.spindle_speed(speed, w.speed_span)?;
         }
-        if machine {
+        if machine && moves {
             self.machine_move(w)?;
+        } else if machine {
+            w.any_m(&[91]).into_iter().for_each(|m| self.note_m(m));
         } else if moves {
             match function {
                 PathFn::Line => match w.comp {
@@ -153,8 +155,15 @@ impl Run<'_> {
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
         let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
         if side == self.st.side {
+            self.st.side_lost &= side != Side::None;
             return Ok(());
         }
+        let switched = self.switch_side_to(w, side, arc);
+        self.st.side_lost = switched.is_err();
+        switched
+    }
+
+    fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
         if arc {
             return self.fail_help(
                 codes::K2601,

@@ -30,13 +30,14 @@ struct Probe {
 impl Probe {
     /// Reads `TCH PROBE 419 NAME ~ Q263=+25 ;…` with all its lines.
     fn read(code: &[u8]) -> Probe {
-        let text = readable(code).to_ascii_uppercase();
-        let body = text.split_once("PROBE").map_or("", |(_, body)| body);
+        let mut lines = code.split(|b| *b == b'\n').map(|line| readable(line).to_ascii_uppercase());
+        let first = lines.next().unwrap_or_default();
+        let body = first.split_once("PROBE").map_or("", |(_, body)| body);
         let digits: String = body.trim_start().chars().take_while(char::is_ascii_digit).collect();
         let part = body.trim_start()[digits.len()..].strip_prefix('.').unwrap_or_default();
         let goes_on = part.starts_with(|c: char| ('1'..='9').contains(&c));
         let mut probe = Probe { number: digits.parse().unwrap_or(u32::MAX), goes_on, parameters: Vec::new() };
-        for line in body.lines() {
+        for line in std::iter::once(body.to_owned()).chain(lines) {
             let line = line.split(';').next().unwrap_or_default();
             // What stands behind the sign is read, not written.
             let line = line.split('=').next().unwrap_or_default();
