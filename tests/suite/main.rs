@@ -12,6 +12,7 @@ mod cli_run;
 mod common;
 mod compensation_entry;
 mod corners;
+mod cycle_digits;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;
