@@ -73,7 +73,7 @@ impl Run<'_> {
         if off && !self.is_capturing() {
             return self.not_rebuilt("under D0 its points count without the tool", "select D1 in front of the contour");
         }
-        if self.st.machine_coordinates {
+        if self.st.in_machine() {
             return self.not_rebuilt("G500 is in force", "select a work offset in front of the contour");
         }
         let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
