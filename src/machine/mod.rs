@@ -19,5 +19,5 @@ pub use settings::{
     ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, Modulo,
     OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings, ShiftAxes, Unit,
 };
-pub use tools::{Tool, ToolKey, Tools};
+pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{CutterData, Spindle};
 use crate::ir::{Feed, Function, Side};
 use crate::lexer::klartext::Value;
-use crate::machine::{Axis, Tool};
+use crate::machine::{Axis, AxisSet, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
@@ -229,6 +229,7 @@ impl Run<'_> {
         self.st.spindle = None;
         let axis = self.st.axis();
         self.st.pos.forget(axis);
+        self.st.start.touch(AxisSet::of(axis));
         self.st.lost.remove(axis);
         self.st.polar = self.st.polar.filter(|last| !contains(last.plane, axis));
         self.function(Function::ToolChange { number });
@@ -361,6 +362,7 @@ impl Run<'_> {
                         format!("tool {tool} is not in the tool table"),
                     ));
                 }
+                self.proposed.borrow_mut().call(*number);
                 let data = data.cloned().unwrap_or_default();
                 match (data.number, index) {
                     (Some(printed), _) => Ok((printed, data)),
@@ -376,10 +378,9 @@ impl Run<'_> {
             Named::Name(name) => match tools.by_name(name) {
                 Some((Some(number), data)) => Ok((number, data.clone())),
                 _ => {
-                    self.report(
-                        Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"))
-                            .help(format!("add `[tools.{tool}]` with `number = …` to partc.toml")),
-                    );
+                    let help = self.proposed.borrow_mut().help(name, tools);
+                    let found = Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"));
+                    self.report(found.help(help));
                     Err(Reported)
                 }
             },

@@ -4,7 +4,6 @@
 
 use crate::diag::codes;
 use crate::ir::{Function, Side};
-use crate::machine::Axis;
 use crate::text::Span;
 
 use super::frames::FrameValue;
@@ -65,6 +64,11 @@ impl Run<'_> {
         if printed.is_some() || !was_machine {
             self.forget_all();
         }
+        if printed.is_some() {
+            // Axes that never moved stand where the configuration says, in the first work offset.
+            let start = self.st.ctx.frame.unapply(&self.st.start.position());
+            self.st.pos.update(&start);
+        }
         if printed.is_none() {
             self.note_once(
                 codes::S8011,
@@ -104,9 +108,8 @@ impl Run<'_> {
     }
 
     pub(super) fn forget_all(&mut self) {
-        for axis in Axis::ALL {
-            self.st.forget(axis);
-        }
+        self.st.pos.clear();
+        self.st.programmed.clear();
     }
 
     pub(super) fn resolved_offset_note(&self, span: Span) {

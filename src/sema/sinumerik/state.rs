@@ -7,6 +7,7 @@ use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
+use crate::sema::start::Start;
 
 use super::Run;
 use super::frames::FrameValue;
@@ -32,6 +33,8 @@ pub(super) struct State {
     pub ctx: CtxRef,
     /// Programmed position in the workpiece system of the program, mm and radius.
     pub pos: Pos,
+    /// Axes that stand where the configuration says.
+    pub start: Start,
     /// Axes whose position was lost by a reported error.
     pub lost: AxisSet,
     /// The way of the last block that travelled.
@@ -141,12 +144,14 @@ impl State {
             groups[13] = Code::G70.index;
         }
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
+        let start = Start::new(settings, groups[29] == Code::DIAMON.index);
         State {
             groups,
             geometry_axes: machine.geometry_axes,
             lathe,
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-            pos: Pos::UNKNOWN,
+            pos: start.position(),
+            start,
             lost: AxisSet::EMPTY,
             heading: super::tangent::Heading::None,
             programmed: Pos::UNKNOWN,
@@ -246,6 +251,7 @@ impl State {
 
     /// Forgets where an axis is; the program has to say it.
     pub fn forget(&mut self, axis: Axis) {
+        self.start.touch(AxisSet::of(axis));
         self.pos.forget(axis);
         self.programmed.forget(axis);
     }
