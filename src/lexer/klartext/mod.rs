@@ -68,7 +68,7 @@ pub enum Tok {
     PlaneReset(Span),
     #[regex(r"(?i)PLANE[ \t]+[A-Z]+", tail)]
     Plane(Span),
-    #[regex(r"(?i)TCH[ \t]+PROBE", tail)]
+    #[regex(r"(?i)TCH[ \t]+PROBE", all_lines)]
     TchProbe(Span),
     #[regex(r"(?i)PATTERN[ \t]+DEF", all_lines)]
     PatternDef(Span),

@@ -91,6 +91,7 @@ impl Run<'_> {
             let value = if axis.axis.is_rotary() { value } else { value * mm };
             next.shift_by(axis.axis, value, axis.incremental, turned);
         }
+        self.check_shift_under_turn(&mut next)?;
         let now = &self.st.transform;
         let changes = AxisSet::MAIN.iter().any(|axis| now.shift[axis.index()] != next.shift[axis.index()]);
         let clears = AxisSet::MAIN.iter().all(|axis| next.shift[axis.index()] == 0.0);
@@ -105,6 +106,23 @@ impl Run<'_> {
             );
         }
         self.set_transformation(next)
+    }
+
+    /// A datum shift that came before the turn of the working plane is measured along other axes than one after it.
+    fn check_shift_under_turn(&self, next: &mut Transformation) -> Outcome {
+        let now = &self.st.transform;
+        if now.turn.0 == 0.0 || now.shift[..2] == next.shift[..2] {
+            return Ok(());
+        }
+        if now.is_shifted_in_plane() && !now.shifted_in_turn {
+            self.error(
+                codes::K2852,
+                "the datum was shifted before the working plane was turned, and is shifted again now",
+            );
+            return Err(Reported);
+        }
+        next.shifted_in_turn = next.is_shifted_in_plane();
+        Ok(())
     }
 
     pub(super) fn mirror(&mut self, axes: AxisSet) -> Outcome {
@@ -202,18 +220,6 @@ impl Run<'_> {
         self.set_transformation(next)
     }
 
-    /// Cycle 19: only its reset can be compiled.
-    pub(super) fn tilt(&mut self, open: &Open) -> Outcome {
-        if open.axes.iter().all(|axis| axis.value.unwrap_or(0.0) == 0.0) {
-            for number in 120..=122 {
-                self.set_control_parameter(number, 0.0);
-            }
-            return Ok(());
-        }
-        self.error(codes::K9004, "cycle 19 tilts the working plane, which cannot be compiled for three axes");
-        Err(Reported)
-    }
-
     /// Cycle 247: a row of the preset table becomes a work offset.
     pub(super) fn preset(&mut self, open: &Open) -> Outcome {
         let Some(&(_, number)) = open.parameters.iter().find(|(q, _)| *q == 339) else {
@@ -240,6 +246,10 @@ impl Run<'_> {
                 self.here.origin.loc,
                 format!("preset {number} is printed as work offset {offset} ({})", offset_word(offset)),
             ));
+        }
+        if self.st.transform.turn.0 != 0.0 {
+            self.error(codes::K2852, "the datum is set while the working plane is turned");
+            return Err(Reported);
         }
         self.function(Function::WorkOffset(offset));
         self.set_transformation(Transformation::default())?;
@@ -317,7 +327,10 @@ impl Run<'_> {
         let mut next = self.st.transform.clone();
         let none = Transformation::default();
         match kind {
-            Transform::Datum => next.unshift(),
+            Transform::Datum => {
+                next.unshift();
+                self.check_shift_under_turn(&mut next)?;
+            }
             Transform::Mirror => next.mirror = none.mirror,
             Transform::Rotation => next.angle = none.angle,
             Transform::Scale => {

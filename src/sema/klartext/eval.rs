@@ -75,6 +75,16 @@ impl Run<'_> {
             Some(Slot::Number(n)) => Ok(Val::Number(*n)),
             Some(Slot::Text(text)) => Ok(Val::Text(Rc::clone(text))),
             Some(Slot::Lost) => Err(Reported),
+            Some(&Slot::AtMachine(set)) => {
+                let message =
+                    format!("{q} is set by the control at the machine, and nothing in the program says to what");
+                self.report(
+                    Diagnostic::new(codes::K2304, self.loc(span), message)
+                        .also(set, "set here")
+                        .help(format!("if the value is always the same, assign it behind that block: `{q} = …`")),
+                );
+                Err(Reported)
+            }
             None => self.undefined(q, span),
         }
     }

@@ -26,6 +26,7 @@ mod pattern_def;
 mod patterns;
 mod plane;
 mod polar;
+mod probing;
 mod rotary;
 mod state;
 mod system;
@@ -77,6 +78,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         selected: None,
         stack: Vec::new(),
         words: None,
+        skipped: None,
         here: Here::default(),
         problems: Vec::new(),
         scratch: None,
@@ -170,6 +172,8 @@ struct Run<'a> {
     selected: Option<String>,
     stack: Vec<Val>,
     words: Option<Box<words::Words>>,
+    /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
+    skipped: Option<u32>,
     here: Here,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed<Block>>>,
@@ -261,6 +265,10 @@ impl Run<'_> {
     fn execute(&mut self, block: &Block, text: &[u8]) {
         self.here.origin.loc.span = block.span.shifted(self.here.at);
         if block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1) {
+            self.skip(block, text);
+            return;
+        }
+        if self.skipped.is_some() && self.belongs_to_skipped(block) {
             return;
         }
         if self.job.settings.output.comments
@@ -376,10 +384,18 @@ impl Run<'_> {
     }
 
     fn comment(&mut self, text: &[u8]) {
-        let text = text.trim_ascii();
-        let text = text.strip_suffix(b"~").unwrap_or(text).trim_ascii();
-        if !text.is_empty() {
-            self.function(Function::Comment(text.to_vec()));
+        let mut whole = Vec::new();
+        // A long comment goes over several lines.
+        for line in text.split(|b| *b == b'\n') {
+            let line = line.trim_ascii();
+            let line = line.strip_suffix(b"~").unwrap_or(line).trim_ascii();
+            if !whole.is_empty() && !line.is_empty() {
+                whole.push(b' ');
+            }
+            whole.extend_from_slice(line);
+        }
+        if !whole.is_empty() {
+            self.function(Function::Comment(whole));
         }
     }
 
@@ -389,6 +405,11 @@ impl Run<'_> {
     }
 
     fn function(&mut self, function: Function) {
+        if let Some(approach) = &mut self.approach
+            && approach.held.len() < approach::MOST_HELD
+        {
+            return approach.held.push((function, self.here.origin));
+        }
         self.out.function(&function, &self.st.ctx, &self.here.origin);
     }
 

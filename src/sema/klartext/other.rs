@@ -174,7 +174,7 @@ impl Run<'_> {
         let (name, span) = self.block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
         match what {
             Refused::Plane => self.plane_block(block, text),
-            Refused::TouchProbe => self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine"),
+            Refused::TouchProbe => self.probe(block, text),
             Refused::Pattern => {
                 self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
             }
@@ -206,9 +206,9 @@ impl Run<'_> {
     }
 
     /// A parameter that the control sets itself.
-    pub(super) fn set_control_parameter(&mut self, number: u32, value: f64) {
+    pub(super) fn set_control_parameter(&mut self, q: QRef, value: Slot) {
         if let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) {
-            self.vars.set(locals, QRef { kind: QKind::Q, number }, Slot::Number(value));
+            self.vars.set(locals, q, value);
         }
     }
 }

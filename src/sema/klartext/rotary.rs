@@ -14,6 +14,7 @@ use super::{Outcome, Run};
 impl Run<'_> {
     #[cold]
     pub(super) fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
+        self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().without(AxisSet::MAIN).iter() {
             if !axis.is_rotary() {
                 if let Some(what) = self.st.transform.touches_parallel(axis) {

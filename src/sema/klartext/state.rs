@@ -43,6 +43,8 @@ pub(super) struct State {
     /// M103: highest share of the feed in the negative tool axis.
     pub plunge_share: Option<f64>,
     pub side: Side,
+    /// RL or RR was refused: a contour that lacks it is not worth another error.
+    pub side_lost: bool,
     pub tool: Option<ActiveTool>,
     pub tool_axis: Option<Axis>,
     pub transform: Transformation,
@@ -73,6 +75,8 @@ pub(super) struct State {
     pub orientation: Option<f64>,
     /// A tool change was printed and no M6 belonged to it yet.
     pub change_printed: bool,
+    /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
+    pub tools_measured: bool,
     /// Something moved already.
     pub moved: bool,
     pub blank: Blank,
@@ -156,6 +160,7 @@ impl State {
             per_revolution: false,
             plunge_share: None,
             side: Side::None,
+            side_lost: false,
             tool: None,
             tool_axis: None,
             transform: Transformation::default(),
@@ -174,6 +179,7 @@ impl State {
             follows_tip: false,
             orientation: None,
             change_printed: false,
+            tools_measured: false,
             moved: false,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),

@@ -22,6 +22,10 @@ pub(super) struct Transformation {
     /// About the datum, in `plane`.
     pub angle: Deg,
     pub plane: Plane,
+    /// About Z by PLANE or cycle 19, outside of the others.
+    pub turn: Deg,
+    /// The datum shift in X and Y was measured along the axes that `turn` turned.
+    pub shifted_in_turn: bool,
     /// Cycle 11.
     pub scale: f64,
     /// Cycle 11 leaves this axis alone.
@@ -39,6 +43,8 @@ impl Default for Transformation {
             mirror: AxisSet::EMPTY,
             angle: Deg(0.0),
             plane: Plane::Xy,
+            turn: Deg(0.0),
+            shifted_in_turn: false,
             scale: 1.0,
             unscaled: None,
             axis_scale: [1.0; 3],
@@ -49,10 +55,10 @@ impl Default for Transformation {
 
 impl Transformation {
     pub fn is_none(&self) -> bool {
-        self.is_shift_only() && self.shift.iter().all(|v| *v == 0.0)
+        self.is_shift_only() && self.turn.0 == 0.0 && self.shift.iter().all(|v| *v == 0.0)
     }
 
-    /// No mirror, rotation or scaling.
+    /// No mirror, rotation or scaling; a turn of the working plane may be in force.
     pub fn is_shift_only(&self) -> bool {
         self.mirror.is_empty() && self.angle.0 == 0.0 && self.scale == 1.0 && self.axis_scale == [1.0; 3]
     }
@@ -70,10 +76,18 @@ impl Transformation {
         if turned {
             let unscaled = Transformation { scale: 1.0, axis_scale: [1.0; 3], ..self.clone() };
             unit = unscaled.linear() * unit;
+        } else {
+            // A turned working plane takes the axes of the shift along.
+            unit = turn_about(Plane::Xy, self.turn) * unit;
         }
         self.parts[i] = if incremental { self.parts[i] + unit * value } else { unit * value };
         let sum = self.parts[0] + self.parts[1] + self.parts[2];
         self.shift[..3].copy_from_slice(sum.as_slice());
+    }
+
+    /// Is the datum shifted in X or Y?
+    pub fn is_shifted_in_plane(&self) -> bool {
+        self.shift[..2].iter().any(|v| *v != 0.0)
     }
 
     /// No datum shift.
@@ -94,7 +108,9 @@ impl Transformation {
             Some("scaling")
         } else if self.mirror.contains(main) {
             Some("mirror")
-        } else if self.angle.0 != 0.0 && (main.index() == first || main.index() == second) {
+        } else if self.angle.0 != 0.0 && (main.index() == first || main.index() == second)
+            || self.turn.0 != 0.0 && main != Axis::Z
+        {
             Some("rotation")
         } else {
             None
@@ -110,18 +126,11 @@ impl Transformation {
             let sign = if self.mirror.contains(axis) { -1.0 } else { 1.0 };
             linear[(i, i)] = sign * by_11 * self.axis_scale[i];
         }
-        self.rotation() * linear
+        turn_about(Plane::Xy, self.turn) * self.rotation() * linear
     }
 
     fn rotation(&self) -> Matrix3<f64> {
-        let (first, second, _) = self.plane.axes();
-        let (sin, cos) = self.angle.sin_cos();
-        let mut turn = Matrix3::identity();
-        turn[(first, first)] = cos;
-        turn[(first, second)] = -sin;
-        turn[(second, first)] = sin;
-        turn[(second, second)] = cos;
-        turn
+        turn_about(self.plane, self.angle)
     }
 
     /// The frame; `lift` is added to the coordinate of `tool_axis` (length oversize). `None` if it overflows.
@@ -130,13 +139,25 @@ impl Transformation {
         // p -> c + S (p - c), mirrored before and rotated behind.
         let c = Vector3::from(self.scale_center);
         let s = Vector3::from(self.axis_scale);
-        let rest = self.rotation() * (c - c.component_mul(&s));
+        let rest = turn_about(Plane::Xy, self.turn) * self.rotation() * (c - c.component_mul(&s));
         for i in 0..3 {
             shift[i] += rest[i];
         }
         shift[tool_axis.index()] += lift;
         Frame::new(self.linear(), shift)
     }
+}
+
+/// Turns about the third axis of `plane`.
+fn turn_about(plane: Plane, angle: Deg) -> Matrix3<f64> {
+    let (first, second, _) = plane.axes();
+    let (sin, cos) = angle.sin_cos();
+    let mut turn = Matrix3::identity();
+    turn[(first, first)] = cos;
+    turn[(first, second)] = -sin;
+    turn[(second, first)] = sin;
+    turn[(second, second)] = cos;
+    turn
 }
 
 #[cfg(test)]

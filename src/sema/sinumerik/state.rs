@@ -37,6 +37,8 @@ pub(super) struct State {
     pub start: Start,
     /// Axes whose position was lost by a reported error.
     pub lost: AxisSet,
+    /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
+    pub modulo: AxisSet,
     /// The way of the last block that travelled.
     pub heading: super::tangent::Heading,
     /// Coordinates as last programmed, before any change of the frame (SD 42440).
@@ -153,6 +155,7 @@ impl State {
             pos: start.position(),
             start,
             lost: AxisSet::EMPTY,
+            modulo: machine.modulo,
             heading: super::tangent::Heading::None,
             programmed: Pos::UNKNOWN,
             pole: Point2::origin(),
