@@ -14,7 +14,7 @@ use crate::text::{Loc, Span, number::decimal};
 
 use super::holes::Retract;
 use super::patterns::PLACES_A_STEP;
-use super::words::{Admits, FeedWord};
+use super::words::Admits;
 use super::{Outcome, Reported, Run};
 
 /// Most places of a definition.
@@ -306,13 +306,7 @@ impl Run<'_> {
         }
         self.budget.take(places.list.len() as u64 / PLACES_A_STEP);
         self.m_at_start(w, true)?;
-        let feed = match w.feed {
-            FeedWord::None | FeedWord::Max => None,
-            _ => {
-                self.set_feed(w)?;
-                self.st.feed
-            }
-        };
+        let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
         for (place, surface) in &places.list {
             self.goes_on()?;
