@@ -234,6 +234,11 @@ impl Reader {
             "md10760" => control.siemens.machine_moves_without_tool = flag(node),
             "md30455" => control.siemens.modulo_shortest = text(node) == "shortest",
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
+            "cycle86_lift" => control.siemens.cycle86_lift = Some(text(node) == "lift"),
+            "thread_flank" => {
+                let root = text(node) == "root";
+                control.siemens.thread_flank = Some(if root { FlankReference::Root } else { FlankReference::Crest });
+            }
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ if self.set_turning(name, node)? => {}
             _ => return self.set_mtc200(name, node),
@@ -411,6 +416,11 @@ impl Reader {
                 }
                 "length" => tool.length = number(node),
                 "corner_radius" => tool.corner_radius = number(node),
+                "tip_angle" => {
+                    let angle = number(node).filter(|angle| *angle > 0.0 && *angle < 180.0);
+                    tool.tip_angle =
+                        Some(angle.ok_or_else(|| node.fail("an angle at a tip is above 0 and below 180"))?);
+                }
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
                 "reference" => {
                     tool.reference = match text(node) {

@@ -72,6 +72,7 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     key("radius", Kind::Number, "cutter radius in mm; nose radius of turning and recessing tools"),
     key("length", Kind::Number, "length in mm"),
     key("corner_radius", Kind::Number, "corner radius in mm"),
+    key("tip_angle", Kind::Number, "angle at the tip of a drill or centre drill in degrees"),
     key("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
     key("width", Kind::Number, "cutting width of recessing tools in mm"),
     key(
@@ -296,6 +297,16 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
             )
             .or(r#""refuse""#),
+            key(
+                "cycle86_lift",
+                Kind::Choice(&["lift", "none"]),
+                "SINUMERIK: what CYCLE86 does under `_GMODE` 1 and 2: lift off at the bottom, or straight out; refused if not given",
+            ),
+            key(
+                "thread_flank",
+                Kind::Choice(&["crest", "root"]),
+                "SINUMERIK: what stands at the programmed start of a thread with a flank infeed; default: crest",
+            ),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",

@@ -307,6 +307,19 @@ pub struct Siemens {
     pub shorten_corners: bool,
     /// A chamfer beside an arc stands across the bisector of the corner.
     pub arc_chamfers: bool,
+    /// CYCLE86 lifts the tool off under `_GMODE` 1 and 2, or does not; `None` refuses them.
+    pub cycle86_lift: Option<bool>,
+    /// Which pass of a flank infeed stands at the programmed start.
+    pub thread_flank: Option<FlankReference>,
+}
+
+/// From where the flank infeed of a thread cycle counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FlankReference {
+    /// The crest stands at the programmed start; the last pass is shifted most.
+    Crest,
+    /// The last pass stands there.
+    Root,
 }
 
 impl Default for Siemens {
@@ -322,6 +335,8 @@ impl Default for Siemens {
             modulo_shortest: false,
             shorten_corners: false,
             arc_chamfers: false,
+            cycle86_lift: None,
+            thread_flank: None,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod boundaries;
 mod captured;
 mod cli;
 mod cli_config;
@@ -11,6 +12,7 @@ mod cli_run;
 mod common;
 mod compensation_entry;
 mod corners;
+mod cycle_digits;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;

@@ -288,8 +288,8 @@ S8012 Note "siemens-written-offset" "work offset of the program is in the coordi
 printed for it. So the work offset that is active on the target has to be zero, or to lie at the basic zero point."
 
 S8101 Warning "siemens-feed-words" "word that changes feeds or speeds"
-"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, GWPSON makes S a speed \
-of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
+"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, FGROUP lets \
+it count along some of the axes, GWPSON makes S a speed of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
 
 S8102 Warning "siemens-rapid-by-axis" "rapid traverse of each axis by itself"
 "Under RTLIOF each axis goes to its end at its own rapid traverse, so that the path between the points is no straight line. The target moves straight: \
@@ -345,9 +345,9 @@ S8020 Note "siemens-thread-variant" "digits of a thread cycle"
 "What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
 those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
 
-S8021 Note "siemens-flank" "reference of the flank infeed"
+S8021 Warning "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
-the crest on. The finished thread is the same up to a shift along its axis."
+the crest on. The finished thread is the same up to a shift along its axis, which matters where a thread is cut anew. `[control] thread_flank` says it."
 
 S8022 Note "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
 "Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing."
@@ -431,8 +431,8 @@ With `[output] compensation = \"control\"` the target computes that path by its 
 corners in its simulation."
 
 S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
-"C=DC(30) takes the shortest way to 30 degrees. No block before says where the axis stands, so the position is printed as it is, and the \
-target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+"C=DC(30) takes the shortest way to 30 degrees, and C30 of an axis that counts modulo 360 degrees stays inside its turn. No block before says where \
+the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
 
 S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
 "What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
@@ -514,6 +514,18 @@ S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 
 S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
 "The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
+
+S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
+"The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
+blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."
+
+S8161 Warning "siemens-contour-start-undercut" "contour starts with an undercut"
+"The NC blocks of a contour of the contour editor are missing, and its records put an undercut at its start. The contour is begun where the undercut \
+leaves the line in front of it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen."
+
+S8162 Warning "siemens-cycle-reading" "reading of a cycle argument that is not confirmed"
+"The argument has a meaning that follows from a few stored programs or from similar cycles, and no manual at hand says it. partc takes it as the \
+message says; compare with what the machine does."
 
 S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 "The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."

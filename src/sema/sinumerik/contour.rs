@@ -379,7 +379,7 @@ impl Run<'_> {
     }
 
     /// FRCM, which counts as the feeds did where it was programmed.
-    fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
+    pub(super) fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
         let fits = match self.st.frcm {
             Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
             Some(Feed::PerMinute(_)) => !self.st.per_revolution(),

@@ -38,6 +38,7 @@ mod spindle;
 mod state;
 mod stored;
 mod stored_difference;
+mod stored_rebuild;
 mod system;
 mod tangent;
 mod tech;

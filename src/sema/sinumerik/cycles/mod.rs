@@ -5,6 +5,7 @@
 mod alarms;
 mod contours;
 mod drilling;
+mod modes;
 mod pattern;
 mod signatures;
 mod thread;
@@ -405,6 +406,13 @@ impl Run<'_> {
         self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
     }
 
+    /// A reading of an argument that is not confirmed.
+    fn reading(&self, args: &Arguments, place: usize, what: &str) {
+        let message = format!("{}: {what}; this is not confirmed", args.name);
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(place)), message);
+        self.report(found.help("compare with what the machine does"));
+    }
+
     /// A number that has to be there.
     fn needed(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
         match args.number(place) {
@@ -438,11 +446,16 @@ impl Run<'_> {
     /// Seconds from a dwell that is negative for turns of the spindle.
     fn dwell_of(&self, args: &Arguments, place: usize) -> Outcome<f64> {
         let value = args.or_zero(place);
-        if value >= 0.0 {
-            return Ok(value);
+        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, place, -value) }
+    }
+
+    /// Seconds that so many turns of the spindle take.
+    fn spindle_turns_of(&self, args: &Arguments, place: usize, turns: f64) -> Outcome<f64> {
+        if turns == 0.0 {
+            return Ok(0.0);
         }
         match self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut) {
-            Some(speed) => Ok(-value * 60.0 / speed),
+            Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
                 args,
                 args.span_of(place),
