@@ -97,6 +97,11 @@ pub const SECTIONS: &[Section] = &[
                 "names of the first, second and third geometry axis (MD 20050, MD 20080)",
             )
             .or(r#"["X", "Y", "Z"]"#),
+            key(
+                "axes",
+                Kind::Free,
+                "SINUMERIK: names of channel axes (MD 20080) and the axis that is printed, or \"leave-out\": B1 = \"B\"",
+            ),
             key("diameter_axis", Kind::Text, "axis programmed in diameters (MD 20100); empty for none").or(r#""""#),
             key("md20100", Kind::Text, "same as diameter_axis"),
             key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)").or("true"),
@@ -297,6 +302,7 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
             )
             .or(r#""refuse""#),
+            key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset"),
             key(
                 "cycle86_lift",
                 Kind::Choice(&["lift", "none"]),
@@ -381,7 +387,12 @@ pub const SECTIONS: &[Section] = &[
         entry: TOOL_KEYS,
         keys: &[key("table", Kind::Text, "TOOL.T (HEIDENHAIN) or tool.tbl (LinuxCNC)")],
     },
-    Section { name: "datums", doc: "work offsets (G54 = { X = 0.0 }) and preset.N = \"G55\"", entry: &[], keys: &[] },
+    Section {
+        name: "datums",
+        doc: "work offsets (G54 = { X = 0.0 }), preset.N = \"G55\"; SINUMERIK: basic = { X = 0.0 }, the basic frame",
+        entry: &[],
+        keys: &[],
+    },
     Section {
         name: "include",
         doc: "where called programs may come from",

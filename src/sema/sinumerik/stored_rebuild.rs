@@ -67,7 +67,7 @@ impl Run<'_> {
         if self.modal_cycle.is_some() || self.modal.is_some() {
             return self.not_rebuilt("a modal call is active", "end it by MCALL in front of the contour");
         }
-        if self.st.machine_coordinates {
+        if self.st.in_machine() {
             return self.not_rebuilt("G500 is in force", "select a work offset in front of the contour");
         }
         let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));

@@ -21,6 +21,7 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
 use super::super::here::Here;
+use super::offsets::Outer;
 use super::state::Diameter;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
@@ -222,8 +223,16 @@ impl Run<'_> {
                 "program G40 before the cycle",
             );
         }
-        if self.st.machine_coordinates {
-            return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
+        match self.st.outer {
+            Outer::Machine => {
+                return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
+            }
+            Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => self.note_outer(),
+        }
+        if self.st.is(super::vocabulary::Code::G93) {
+            return self
+                .not_by_time(args.span, "the moves of a cycle have no share of the time that G93 gives the blocks");
         }
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
