@@ -182,9 +182,15 @@ impl Reader {
                 control.cc_missing = if text(node) == "previous" { CcMissing::Previous } else { CcMissing::Position };
             }
             "polar_missing" => {
-                control.polar_missing =
-                    if text(node) == "programmed" { PolarMissing::Programmed } else { PolarMissing::Position };
+                control.polar_missing = match text(node) {
+                    "programmed" => PolarMissing::Programmed,
+                    "position" => PolarMissing::Position,
+                    _ => PolarMissing::SamePole,
+                };
             }
+            "pattern_feed" => control.klartext_readings.pattern_at_rapid = text(node) == "rapid",
+            "mirror" => control.klartext_readings.mirror_last = text(node) == "last",
+            "scaling_center" => control.klartext_readings.keep_scaling_center = text(node) == "kept",
             "shift_axes" => {
                 control.shift_axes =
                     if text(node) == "transformed" { ShiftAxes::Transformed } else { ShiftAxes::Original };

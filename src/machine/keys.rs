@@ -131,10 +131,20 @@ pub const SECTIONS: &[Section] = &[
                 .or(r#""position""#),
             key(
                 "polar_missing",
-                Kind::Choice(&["position", "programmed"]),
-                "missing PR or PA after a block that is not polar",
+                Kind::Choice(&["same-pole", "position", "programmed"]),
+                "missing PR or PA after a block that is not polar; same-pole: from the position, but no PA about a new pole",
             )
-            .or(r#""position""#),
+            .or(r#""same-pole""#),
+            key("pattern_feed", Kind::Choice(&["last", "rapid"]), "CYCL CALL PAT and CYCL CALL POS without F")
+                .or(r#""last""#),
+            key("mirror", Kind::Choice(&["first", "last"]), "Klartext: mirror before or after the rotation of cycle 10")
+                .or(r#""first""#),
+            key(
+                "scaling_center",
+                Kind::Choice(&["datum", "kept"]),
+                "centre of a cycle 26 that names none where one before did",
+            )
+            .or(r#""datum""#),
             key(
                 "shift_axes",
                 Kind::Choice(&["original", "transformed"]),
@@ -312,7 +322,7 @@ pub const SECTIONS: &[Section] = &[
             key(
                 "tool_change",
                 Kind::Choice(&["m6", "t"]),
-                "word that changes the tool; default: t on a SINUMERIK lathe, else m6",
+                "word that changes the tool; default: t on a SINUMERIK lathe, TOOL CALL (t) of a Klartext program without M6, else m6",
             ),
             key("angles", Kind::Choice(&["degrees", "radians"]), "MTC200: unit of angles in formulas")
                 .or(r#""degrees""#),

@@ -109,7 +109,9 @@ pub enum CcMissing {
 /// What a missing PR or PA is after a block that was not polar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PolarMissing {
+    /// From the position, and refused where PA about a new pole is missing.
     #[default]
+    SamePole,
     Position,
     Programmed,
 }
@@ -237,6 +239,17 @@ pub struct Turning {
     pub arc_tolerance: Option<f64>,
 }
 
+/// Klartext: further readings that manuals leave open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KlartextReadings {
+    /// CYCL CALL PAT and CYCL CALL POS without F go at rapid traverse, not at the last feed.
+    pub pattern_at_rapid: bool,
+    /// The mirror acts on what cycle 10 has turned.
+    pub mirror_last: bool,
+    /// A cycle 26 without a centre keeps the one before.
+    pub keep_scaling_center: bool,
+}
+
 /// `[control]`
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Control {
@@ -253,6 +266,7 @@ pub struct Control {
     pub rapid_feed: Option<f64>,
     pub cc_missing: CcMissing,
     pub polar_missing: PolarMissing,
+    pub klartext_readings: KlartextReadings,
     pub shift_axes: ShiftAxes,
     pub cp_sign: CpSign,
     pub modulo: Modulo,

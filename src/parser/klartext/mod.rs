@@ -7,6 +7,8 @@ mod cycle;
 pub mod literal;
 pub mod problem;
 
+pub use problem::no_number;
+
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
     include!(concat!(env!("OUT_DIR"), "/klartext.rs"));

@@ -198,6 +198,9 @@ impl Run<'_> {
         let part = self.open_cycle().part;
         let old = number < 20 && holes::needed(number).is_some();
         match (nature, word.addr) {
+            // `HSC-MODE:1`
+            (Tolerance, Addr::Colon) => read.label() == "HSC-MODE",
+            (_, Addr::Colon) => false,
             (Machining, Addr::Name | Addr::Value) if old => none,
             (Machining, Addr::Feed) if old => none && read.label.is_none() && holes::feed_part(number) == part,
             (Machining, _) if old => false,

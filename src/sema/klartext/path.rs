@@ -91,8 +91,10 @@ impl Run<'_> {
             );
             self.spindle_speed(speed, w.speed_span)?;
         }
-        if machine {
+        if machine && moves {
             self.machine_move(w)?;
+        } else if machine {
+            w.any_m(&[91]).into_iter().for_each(|m| self.note_m(m));
         } else if moves {
             match function {
                 PathFn::Line => match w.comp {

@@ -10,6 +10,7 @@ use crate::machine::{Axis, AxisSet, Settings};
 use crate::text::Loc;
 
 use super::approach::Last;
+use super::change::Change;
 use super::transform::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
@@ -70,8 +71,10 @@ pub(super) struct State {
     pub follows_tip: bool,
     /// Angle of cycle 13.
     pub orientation: Option<f64>,
-    /// A tool change was printed and no M6 belonged to it yet.
-    pub change_printed: bool,
+    /// The tool change under way.
+    pub change: Change,
+    /// Number of the tool that the last change printed.
+    pub in_spindle: Option<u32>,
     /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
     pub tools_measured: bool,
     /// Something moved already.
@@ -86,6 +89,8 @@ pub(super) struct PoleState {
     pub plane: Plane,
     pub set: Loc,
     pub system: u32,
+    /// A polar block named or reached an angle about it.
+    pub used: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -158,7 +163,7 @@ impl State {
             side_lost: false,
             tool: None,
             tool_axis: None,
-            transform: Transformation::default(),
+            transform: Transformation::none(settings.control.klartext_readings.mirror_last),
             system: 0,
             spindle: None,
             spindle_used: None,
@@ -173,7 +178,8 @@ impl State {
             rotary_moved: AxisSet::EMPTY,
             follows_tip: false,
             orientation: None,
-            change_printed: false,
+            change: Change::None,
+            in_spindle: None,
             tools_measured: false,
             moved: false,
             blank: Blank::default(),

@@ -241,14 +241,7 @@ impl Run<'_> {
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),
         });
-        // The change stops the spindle, and a tool of another length has its tip elsewhere.
-        self.st.spindle = None;
-        let axis = self.st.axis();
-        self.st.pos.forget(axis);
-        self.st.lost.remove(axis);
-        self.st.polar = self.st.polar.filter(|last| !contains(last.plane, axis));
-        self.function(Function::ToolChange { number });
-        self.st.change_printed = true;
+        self.call_for_change(number);
         self.send_cutter();
         Ok(())
     }
@@ -277,9 +270,10 @@ impl Run<'_> {
     fn send_cutter(&mut self) {
         let Some(tool) = &self.st.tool else { return };
         let changed = tool.call_deltas[1] != 0.0;
-        let radius = if changed { tool.effective_radius() } else { None };
+        let known = tool.effective_radius();
+        let radius = if changed { known } else { None };
         let number = tool.number;
-        self.function(Function::Cutter(CutterData { number, radius }));
+        self.function(Function::Cutter(CutterData { number, radius, known }));
     }
 
     /// Before RL or RR: is there a tool, and is its radius what the target believes?
@@ -401,9 +395,4 @@ impl Run<'_> {
             },
         }
     }
-}
-
-fn contains(plane: crate::geo::Plane, axis: Axis) -> bool {
-    let (first, second, _) = plane.axes();
-    axis.index() == first || axis.index() == second
 }

@@ -194,7 +194,7 @@ impl Run<'_> {
         }
         let edge = self.st.tool.edge.unwrap_or(1);
         let radius = self.cutter_radius(number, edge, span)?;
-        self.function(Function::Cutter(CutterData { number, radius }));
+        self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         Ok(())
     }
 
