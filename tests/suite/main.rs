@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod boundaries;
 mod captured;
 mod cli;
 mod cli_config;

@@ -288,8 +288,8 @@ S8012 Note "siemens-written-offset" "work offset of the program is in the coordi
 printed for it. So the work offset that is active on the target has to be zero, or to lie at the basic zero point."
 
 S8101 Warning "siemens-feed-words" "word that changes feeds or speeds"
-"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, GWPSON makes S a speed \
-of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
+"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, FGROUP lets \
+it count along some of the axes, GWPSON makes S a speed of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
 
 S8102 Warning "siemens-rapid-by-axis" "rapid traverse of each axis by itself"
 "Under RTLIOF each axis goes to its end at its own rapid traverse, so that the path between the points is no straight line. The target moves straight: \
@@ -431,8 +431,8 @@ With `[output] compensation = \"control\"` the target computes that path by its 
 corners in its simulation."
 
 S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
-"C=DC(30) takes the shortest way to 30 degrees. No block before says where the axis stands, so the position is printed as it is, and the \
-target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+"C=DC(30) takes the shortest way to 30 degrees, and C30 of an axis that counts modulo 360 degrees stays inside its turn. No block before says where \
+the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
 
 S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
 "What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \

@@ -194,6 +194,9 @@ impl Run<'_> {
             if self.has_corner_words(w) {
                 return self.no_corner(block.span);
             }
+            if let Some((_, span)) = w.code_of(9).filter(|_| w.positioning.is_empty()) {
+                self.control_words_are_left_out(span);
+            }
             return Ok(false);
         }
         if interpolation != Code::G33 {

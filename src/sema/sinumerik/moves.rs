@@ -143,12 +143,12 @@ impl Run<'_> {
         if let Some(first) = w.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
-        if let Some((_, span)) = w.code_of(9).filter(|(code, _)| *code != Code::SUPD) {
+        if let Some((_, span)) = w.code_of(9) {
             return self.fail_help(
                 codes::S9011,
                 0,
                 span,
-                "a positioning axis in machine coordinates cannot be printed",
+                "a positioning axis in machine coordinates or without its tool offset cannot be printed",
                 "program the axis by G0 or G1 in this block",
             );
         }

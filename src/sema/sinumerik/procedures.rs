@@ -170,6 +170,7 @@ impl Run<'_> {
                 self.changes_feeds(message, call.span);
                 Ok(())
             }
+            Procedure::Dynamics if name == "FGROUP" => self.feed_axes(&formulas, call.span, block, text),
             Procedure::Dynamics => {
                 self.dynamics_are_left_out(call.span);
                 Ok(())

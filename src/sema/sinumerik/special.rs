@@ -20,6 +20,9 @@ impl Run<'_> {
     /// A code of group 2.
     pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let mut moved = false;
+        if let Some((_, suppressed)) = w.code_of(9) {
+            return self.not_alone(suppressed);
+        }
         if code != Code::G4 {
             self.thread_chain = None;
         }
@@ -31,9 +34,6 @@ impl Run<'_> {
                 self.dwell(span, w)?;
             }
             Code::G63 => {
-                if let Some((_, suppressed)) = w.code_of(9) {
-                    return self.not_alone(suppressed);
-                }
                 self.technology(w)?;
                 self.early_functions(w)?;
                 moved = true;
@@ -203,6 +203,9 @@ impl Run<'_> {
 
     /// A code of group 3.
     pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        if let Some((_, suppressed)) = w.code_of(9) {
+            return self.not_alone(suppressed);
+        }
         match code {
             Code::G110 | Code::G111 | Code::G112 => self.pole_block(code, span, w)?,
             Code::G25 | Code::G26 => {
