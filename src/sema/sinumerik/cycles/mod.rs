@@ -5,6 +5,7 @@
 mod alarms;
 mod contours;
 mod drilling;
+mod modes;
 mod pattern;
 mod signatures;
 mod thread;
@@ -20,6 +21,7 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
 use super::super::here::Here;
+use super::offsets::Outer;
 use super::state::Diameter;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
@@ -42,6 +44,8 @@ pub(super) struct ModalCycle {
     feed_of_block: bool,
     /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
     under: (Plane, f64),
+    /// Why it cannot be drilled was reported.
+    refused: bool,
 }
 
 /// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn.
@@ -219,8 +223,16 @@ impl Run<'_> {
                 "program G40 before the cycle",
             );
         }
-        if self.st.machine_coordinates {
-            return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
+        match self.st.outer {
+            Outer::Machine => {
+                return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
+            }
+            Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => self.note_outer(),
+        }
+        if self.st.is(super::vocabulary::Code::G93) {
+            return self
+                .not_by_time(args.span, "the moves of a cycle have no share of the time that G93 gives the blocks");
         }
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
@@ -256,7 +268,9 @@ impl Run<'_> {
                 let feed_of_block = !matches!(name, "CYCLE85");
                 let under = (self.st.plane(), self.st.length_unit());
                 let (here, spindle) = (self.here, self.spindle_state());
-                self.modal_cycle = Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under }));
+                let refused = false;
+                self.modal_cycle =
+                    Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under, refused }));
                 Ok(())
             });
             return Some(result);
@@ -273,9 +287,19 @@ impl Run<'_> {
         }
     }
 
-    /// Drills the modal hole where the tool stands.
+    /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
+    /// the other places of a pattern are worth no other finding.
     pub(super) fn drill_modal(&mut self) -> Outcome {
-        let Some(modal) = self.modal_cycle.clone() else { return Ok(()) };
+        let Some(modal) = self.modal_cycle.clone().filter(|modal| !modal.refused) else { return Ok(()) };
+        if self.drill_here(modal).is_err()
+            && let Some(modal) = &mut self.modal_cycle
+        {
+            modal.refused = true;
+        }
+        Ok(())
+    }
+
+    fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
         self.speed_is_known()?;
         if self.st.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
@@ -391,6 +415,13 @@ impl Run<'_> {
         self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
     }
 
+    /// A reading of an argument that is not confirmed.
+    fn reading(&self, args: &Arguments, place: usize, what: &str) {
+        let message = format!("{}: {what}; this is not confirmed", args.name);
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(place)), message);
+        self.report(found.help("compare with what the machine does"));
+    }
+
     /// A number that has to be there.
     fn needed(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
         match args.number(place) {
@@ -424,11 +455,16 @@ impl Run<'_> {
     /// Seconds from a dwell that is negative for turns of the spindle.
     fn dwell_of(&self, args: &Arguments, place: usize) -> Outcome<f64> {
         let value = args.or_zero(place);
-        if value >= 0.0 {
-            return Ok(value);
+        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, place, -value) }
+    }
+
+    /// Seconds that so many turns of the spindle take.
+    fn spindle_turns_of(&self, args: &Arguments, place: usize, turns: f64) -> Outcome<f64> {
+        if turns == 0.0 {
+            return Ok(0.0);
         }
         match self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut) {
-            Some(speed) => Ok(-value * 60.0 / speed),
+            Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
                 args,
                 args.span_of(place),
