@@ -7,6 +7,7 @@ use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
 
+use super::axis_names::NamedAxis;
 use super::value::Val;
 use super::vocabulary::{Code, word};
 use super::{Outcome, Run};
@@ -86,7 +87,7 @@ impl Run<'_> {
     pub(super) fn feed_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let mut named = AxisSet::EMPTY;
         for formula in formulas.iter().filter(|formula| !formula.is_missing()) {
-            if let Val::Axis(axis) = self.eval(*formula, block, text)? {
+            if let Val::Axis(NamedAxis { axis: Some(axis), .. }) = self.eval(*formula, block, text)? {
                 named.insert(axis);
             }
         }

@@ -24,10 +24,10 @@ const DESCENDING_SHARE: f64 = 0.5;
 const ON_LINE: f64 = 1e-6;
 
 /// Where the tool is, seen from the contour.
-struct Stance {
-    left: bool,
-    into: Towards,
-    away: Vec2,
+pub(super) struct Stance {
+    pub left: bool,
+    pub into: Towards,
+    pub away: Vec2,
 }
 
 impl Run<'_> {
@@ -155,13 +155,10 @@ impl Run<'_> {
             );
             return Ok(None);
         };
-        let tip = match known.and_then(|tool| tool.orientation) {
-            Some(1) => Vec2::new(1.0, 1.0),
-            Some(2) => Vec2::new(-1.0, 1.0),
-            Some(3) => Vec2::new(-1.0, -1.0),
-            Some(4) => Vec2::new(1.0, -1.0),
-            _ if radius == 0.0 => return Ok(None),
-            _ => {
+        let tip = match self.tip_of_tool() {
+            Some(tip) => tip,
+            None if radius == 0.0 => return Ok(None),
+            None => {
                 return self.fail_help(
                     codes::T2024,
                     self.block_span(),
@@ -173,6 +170,17 @@ impl Run<'_> {
         Ok(Some(Nose { radius, tip }))
     }
 
+    /// Where the edge of the tool points to.
+    pub(super) fn tip_of_tool(&self) -> Option<Vec2> {
+        match self.known_tool()?.orientation? {
+            1 => Some(Vec2::new(1.0, 1.0)),
+            2 => Some(Vec2::new(-1.0, 1.0)),
+            3 => Some(Vec2::new(-1.0, -1.0)),
+            4 => Some(Vec2::new(1.0, -1.0)),
+            _ => None,
+        }
+    }
+
     /// What partc.toml says of the tool in the cutting position.
     pub(super) fn known_tool(&self) -> Option<&Tool> {
         let active = self.st.tool.as_ref()?;
@@ -182,7 +190,7 @@ impl Run<'_> {
     }
 
     /// On which side of the contour the tool works: told by its edge, else by where it stands.
-    fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
+    pub(super) fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
         let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
             return self.fail(codes::T3003, self.block_span(), "the contour has no element");
         };
