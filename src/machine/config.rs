@@ -237,6 +237,7 @@ impl Reader {
             "md10760" => control.siemens.machine_moves_without_tool = flag(node),
             "md30455" => control.siemens.modulo_shortest = text(node) == "shortest",
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
+            "g40_without_motion" => control.siemens.g40_needs_motion = text(node) == "error",
             "md10617" => control.siemens.save_restores_offset = Some(whole(node) & 1 != 0),
             "cycle86_lift" => control.siemens.cycle86_lift = Some(text(node) == "lift"),
             "thread_flank" => {

@@ -302,6 +302,12 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
             )
             .or(r#""refuse""#),
+            key(
+                "g40_without_motion",
+                Kind::Choice(&["warn", "error"]),
+                "SINUMERIK: G40 in front of a move that leaves the plane alone: its offset waits for the next one in the plane, or alarm 10754",
+            )
+            .or(r#""warn""#),
             key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset"),
             key(
                 "cycle86_lift",

@@ -309,6 +309,8 @@ pub struct Siemens {
     pub tool_change_by_t: Option<bool>,
     /// Bit 0 of MD 10617: SAVE brings back the frame that the work offset had at the call.
     pub save_restores_offset: Option<bool>,
+    /// G40 in front of a move that leaves the plane alone is refused, as alarm 10754 has it.
+    pub g40_needs_motion: bool,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
     /// Feed at the start of a program is per revolution (MD 20150).
@@ -344,6 +346,7 @@ impl Default for Siemens {
             circle_error_factor: 0.001,
             tool_change_by_t: None,
             save_restores_offset: None,
+            g40_needs_motion: false,
             main_variables_visible: false,
             feed_per_revolution: None,
             machine_moves_without_tool: false,
