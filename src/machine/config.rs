@@ -1,6 +1,6 @@
 //! Turns the tree of a `partc.toml` into [`Settings`]. Every key is in [`SECTIONS`]; others are errors.
 
-use super::keys::{SECTIONS, Section, TOOL_KEYS};
+use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
 use super::mtc200::{Centres, G52, InchSpeed};
 use super::settings::*;
 use super::tools::{Corner, Tool};
@@ -134,6 +134,10 @@ impl Reader {
                     let Value::Text(folder) = &node.value else { return Err(node.fail("a root is a folder")) };
                     s.include.roots.insert(prefix.clone(), folder.into());
                 }
+            }
+            ("programs", _) => {
+                let stand_in = self.stand_in(table_of(node), node)?;
+                self.settings.programs.insert(name.to_ascii_uppercase(), stand_in);
             }
             ("undercut", _) => s.undercut.set(name, node)?,
             ("variables", _) => {
@@ -372,6 +376,28 @@ impl Reader {
             _ => return Err(node.fail(format!("`{name}` has no place in [output]"))),
         }
         Ok(())
+    }
+
+    /// `{ tool = 1 }`, `{ ignore = true }` or `{ file = "stubs/TC.SPF" }`
+    fn stand_in(&mut self, table: &Table, at: &Node) -> Result<StandIn, ConfigError> {
+        for (name, node) in table {
+            match PROGRAM_KEYS.iter().find(|key| key.name == name) {
+                Some(key) => fits(key, node)?,
+                None => self.unknown(name, node, PROGRAM_KEYS.iter().map(|key| key.name)),
+            }
+        }
+        let mut entries = table.iter();
+        match (entries.next(), entries.next()) {
+            (Some((name, node)), None) if name == "tool" => match usize::try_from(whole(node)) {
+                Ok(n @ 1..=127) => Ok(StandIn::Tool(n)),
+                _ => Err(node.fail("arguments are counted from 1")),
+            },
+            (Some((name, node)), None) if name == "ignore" && flag(node) => Ok(StandIn::Ignored),
+            (Some((name, node)), None) if name == "file" && !text(node).is_empty() => {
+                Ok(StandIn::File(text(node).to_owned()))
+            }
+            _ => Err(at.fail("a program needs one of `tool = 1`, `ignore = true`, `file = \"…\"`")),
+        }
     }
 
     fn tool(&mut self, table: &Table, at: &Node) -> Result<Tool, ConfigError> {

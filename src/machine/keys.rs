@@ -82,6 +82,12 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     ),
 ];
 
+pub(super) const PROGRAM_KEYS: &[Key] = &[
+    key("tool", Kind::Whole, "argument that names the tool, from 1: the call changes to it"),
+    key("ignore", Kind::Flag, "the call is left out, with a note"),
+    key("file", Kind::Text, "program that runs instead, beside the program or in an include root"),
+];
+
 /// All of `partc.toml`.
 pub const SECTIONS: &[Section] = &[
     Section {
@@ -380,6 +386,12 @@ pub const SECTIONS: &[Section] = &[
         doc: "where called programs may come from",
         entry: &[],
         keys: &[key("roots", Kind::Free, "path prefix of the control and folder of this computer")],
+    },
+    Section {
+        name: "programs",
+        doc: "SINUMERIK: programs of the machine builder that are called and found nowhere: TC = { tool = 1 }",
+        entry: PROGRAM_KEYS,
+        keys: &[],
     },
     Section {
         name: "undercut",

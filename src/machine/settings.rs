@@ -17,6 +17,8 @@ pub struct Settings {
     pub datums: Datums,
     pub include: Include,
     pub undercut: Undercuts,
+    /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
+    pub programs: BTreeMap<String, StandIn>,
     /// Start values of parameters, by upper-case name (`Q50`, `R1`, `@50`).
     pub variables: BTreeMap<String, f64>,
     pub output: OutputSettings,
@@ -29,6 +31,17 @@ pub enum MachineKind {
     #[default]
     Mill,
     Lathe,
+}
+
+/// What stands for a program that is found nowhere.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum StandIn {
+    /// It changes to the tool that this argument names, counted from 1.
+    Tool(usize),
+    /// Nothing that is printed.
+    Ignored,
+    /// Another program.
+    File(String),
 }
 
 /// What the name of a channel axis stands for.

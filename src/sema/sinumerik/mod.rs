@@ -37,6 +37,7 @@ mod report;
 mod rotary;
 mod special;
 mod spindle;
+mod stand_in;
 mod state;
 mod stored;
 mod stored_difference;
