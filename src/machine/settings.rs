@@ -19,6 +19,9 @@ pub struct Settings {
     pub undercut: Undercuts,
     /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
     pub programs: BTreeMap<String, StandIn>,
+    /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins
+    /// under diameter programming: the diameter) and degrees.
+    pub start: BTreeMap<Axis, f64>,
     /// Start values of parameters, by upper-case name (`Q50`, `R1`, `@50`).
     pub variables: BTreeMap<String, f64>,
     pub output: OutputSettings,

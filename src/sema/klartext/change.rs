@@ -7,7 +7,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Function, Pos};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::text::{FileId, Loc, Next, Span};
@@ -48,6 +48,7 @@ impl State {
     pub(super) fn forget_tip(&mut self) {
         let axis = self.axis();
         self.pos.forget(axis);
+        self.start.touch(AxisSet::of(axis));
         self.nominal.forget(axis);
         self.lost.remove(axis);
         self.polar = self.polar.filter(|last| !plane_axes(last.plane).contains(axis));
