@@ -21,6 +21,7 @@ mod golden;
 mod hostile;
 mod hostile_turning;
 mod idle;
+mod klartext_bounds;
 mod klartext_words;
 mod layering;
 mod line_ends;

@@ -419,7 +419,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if self.st.change != change::Change::None {
+        if !matches!(self.st.change, change::Change::None) {
             self.watch_move(mv);
         }
         self.out.movement(mv, &self.st.ctx, &self.here.origin);

@@ -22,7 +22,7 @@ use crate::text::Span;
 
 use super::super::here::Here;
 use super::offsets::Outer;
-use super::state::Diameter;
+use super::state::{Diameter, State};
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
@@ -48,8 +48,9 @@ pub(super) struct ModalCycle {
     refused: bool,
 }
 
-/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn.
-type SpindleState = (Option<f64>, Option<Turn>, bool, bool);
+/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn; and
+/// the tool and its edge, whose tip a depth may count for.
+type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
 
 /// The arguments of a call, counted from 1 as the manuals do.
 #[derive(Debug, Clone)]
@@ -323,7 +324,8 @@ impl Run<'_> {
     }
 
     fn spindle_state(&self) -> SpindleState {
-        (self.st.speed, self.st.turn, self.st.constant_cut, self.st.per_revolution())
+        let State { speed, turn, constant_cut, ref tool, .. } = self.st;
+        (speed, turn, constant_cut, self.st.per_revolution(), tool.active, tool.edge)
     }
 
     /// The hole of the modal call under the spindle of now.
