@@ -463,7 +463,7 @@ impl Run<'_> {
         self.st.motion_lost = true;
         for word in &block.words {
             let (Target::Letter(b'G'), Value::Literal(number)) = (word.target, word.value) else { continue };
-            if number < 0.0 || number > 999.0 || number.fract() != 0.0 {
+            if !(0.0..=999.0).contains(&number) || number.fract() != 0.0 {
                 continue;
             }
             match gfunc::entry(number as u32) {
