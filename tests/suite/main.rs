@@ -17,6 +17,7 @@ mod hostile;
 mod hostile_turning;
 mod idle;
 mod layering;
+mod meant;
 mod mtc200;
 mod oracle;
 mod peer;
@@ -27,6 +28,9 @@ mod rs274;
 mod sinumerik;
 mod sinumerik_alarms;
 mod sweep;
+mod tamper;
+#[allow(dead_code, reason = "the closing line of a run uses more of it")]
+mod tools;
 mod turning_parameters;
 mod undercut;
 mod undercut_conditions;
