@@ -12,6 +12,7 @@ mod common;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;
+mod fuzz;
 mod golden;
 mod hostile;
 mod hostile_turning;
@@ -29,6 +30,8 @@ mod sinumerik;
 mod sinumerik_alarms;
 mod sweep;
 mod tamper;
+#[path = "../../fuzz/src/targets.rs"]
+mod targets;
 #[allow(dead_code, reason = "the closing line of a run uses more of it")]
 mod tools;
 mod turning_parameters;
