@@ -38,8 +38,9 @@ fn compile(dialect: &str, name: &str, bytes: &[u8]) {
         let span = found.label.loc.span;
         let inside = span.start as usize <= bytes.len() && span.end as usize <= bytes.len() + 1;
         assert!(inside && found.label.loc.line >= 1, "no place: {found:?}");
-        // A quoted back quote is not nothing.
-        assert!(!found.message.replace("```", "").contains("``"), "an empty quote: {found:?}");
+        // What hides in a comment is shown.
+        let hidden = matches!(found.code.id, "K1016" | "S1015");
+        assert!(!(hidden && found.message.starts_with("``")), "an empty quote: {found:?}");
     }
 }
 
