@@ -5,6 +5,7 @@ mod config;
 mod disk;
 mod golden;
 mod output;
+mod pending;
 mod plot;
 mod report;
 mod run;

@@ -7,6 +7,7 @@ mod cli;
 mod cli_config;
 mod cli_files;
 mod cli_findings;
+mod cli_output;
 mod cli_run;
 mod common;
 mod cycle_parameters;
