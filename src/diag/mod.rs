@@ -181,6 +181,12 @@ impl Diags {
         }
     }
 
+    /// True the first time it is asked about `code` with this text.
+    pub fn first_text(&self, code: &'static Code, text: &str) -> bool {
+        let inner = self.inner.borrow();
+        !inner.list.iter().any(|found| found.code == code && found.message == text)
+    }
+
     /// True the first time it is asked about `code`.
     pub fn first_time(&self, code: &'static Code) -> bool {
         let inner = &mut *self.inner.borrow_mut();

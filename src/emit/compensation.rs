@@ -19,6 +19,20 @@ pub(super) enum Before {
     Refuse(Option<Box<Diagnostic>>),
 }
 
+/// What is known of the way of a move that may switch the compensation.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Way {
+    /// It changes an axis of its working plane.
+    pub in_plane: bool,
+    /// Length in the working plane, in mm, where the start is known.
+    pub length: Option<f64>,
+    /// Radius of the tool in mm, where it is known.
+    pub radius: Option<f64>,
+}
+
+/// How a length may miss the radius by the rounding of what was printed, in mm.
+const SAME_LENGTH: f64 = 1e-9;
+
 /// State of the target's compensation.
 #[derive(Debug, Default)]
 pub(super) struct Compensation {
@@ -40,17 +54,16 @@ impl Compensation {
         side == Side::None && self.side == Side::None && !self.leaving && !self.refused && self.ended_by.is_none()
     }
 
-    /// What `mv` needs. `selected` is the plane in force, `planes` those the target compensates in, and
-    /// `in_plane` tells whether the move changes an axis of its working plane.
+    /// What `mv` needs. `selected` is the plane in force, `planes` those the target compensates in.
     #[cold]
-    pub fn before(&mut self, mv: &Move, origin: &Origin, selected: Plane, planes: &[Plane], in_plane: bool) -> Before {
+    pub fn before(&mut self, mv: &Move, origin: &Origin, selected: Plane, planes: &[Plane], way: Way) -> Before {
         if mv.side == Side::None {
             self.refused = false;
             self.ended_by = None;
         } else if self.refused {
             return Before::Refuse(None);
         }
-        if let Some((message, help)) = self.obstacle(mv, selected, planes, in_plane) {
+        if let Some((message, help)) = self.obstacle(mv, selected, planes, way.in_plane) {
             self.refused = true;
             let mut found = Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call);
             if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
@@ -58,7 +71,31 @@ impl Compensation {
             }
             return Before::Refuse(Some(Box::new(found)));
         }
-        if mv.side == self.side { Before::Nothing } else { Before::Switch }
+        if mv.side == self.side {
+            return Before::Nothing;
+        }
+        match self.too_short(mv.side, way) {
+            Some(message) => {
+                self.refused = true;
+                let help =
+                    "begin farther from the contour, or end farther away, so that the whole tool stands beside it";
+                let found = Diagnostic::new(codes::O9100, origin.loc, message).help(help).called(origin.call);
+                Before::Refuse(Some(Box::new(found)))
+            }
+            None => Before::Switch,
+        }
+    }
+
+    /// The target refuses a way to the contour that is not longer than the radius. On a way from it that is shorter, the
+    /// tool would end over the contour that it has just left.
+    fn too_short(&self, side: Side, way: Way) -> Option<String> {
+        let (length, radius) = (way.length?, way.radius?);
+        let (what, short) = if side == Side::None {
+            ("leaves", length < radius - SAME_LENGTH)
+        } else {
+            ("leads to", length <= radius + SAME_LENGTH)
+        };
+        short.then(|| format!("the move that {what} the compensated contour is {length:.4} mm long, and the tool radius is {radius:.4} mm"))
     }
 
     /// What is wrong with `mv`, and what to do.

@@ -6,14 +6,15 @@ use std::io;
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Plane, Point2, turned};
+use crate::ir::function::CutterData;
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::axis::AXES;
-use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings};
+use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::text::Loc;
 
 use super::arc::{self, Printed};
-use super::compensation::{Before, Compensation};
+use super::compensation::{Before, Compensation, Way};
 use super::line::Text;
 use super::number::Places;
 use super::targets::Traits;
@@ -32,6 +33,7 @@ const MOST_CHORDS: f64 = 10_000.0;
 pub struct Printer<'a> {
     traits: &'static Traits,
     settings: &'a OutputSettings,
+    tools: &'a Tools,
     /// X words are diameters.
     diameter: bool,
     places: Places,
@@ -83,6 +85,7 @@ impl<'a> Printer<'a> {
         let mut printer = Printer {
             traits,
             settings: &settings.output,
+            tools: &settings.tools,
             diameter: lathe && settings.output.diameter,
             places: Places::new(settings.output.decimals),
             diags,
@@ -226,8 +229,9 @@ impl<'a> Printer<'a> {
 
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
         if !self.compensation.is_idle(mv.side) {
-            let in_plane = self.changes_plane(mv);
-            match self.compensation.before(mv, origin, self.plane, self.traits.compensation_planes, in_plane) {
+            let way =
+                Way { in_plane: self.changes_plane(mv), length: self.way_in_plane(mv), radius: self.known_radius() };
+            match self.compensation.before(mv, origin, self.plane, self.traits.compensation_planes, way) {
                 Before::Nothing => {}
                 Before::Switch => self.switch_side(mv, origin),
                 Before::Refuse(found) => {
@@ -254,6 +258,26 @@ impl<'a> Printer<'a> {
                 let units = mv.end.get(axis).and_then(|value| self.places.units(value));
                 !self.known.contains(axis) || units != Some(self.at[axis.index()])
             })
+    }
+
+    /// Length of a straight move in its working plane as printed, in mm; `None` where its start was not printed.
+    fn way_in_plane(&self, mv: &Move) -> Option<f64> {
+        let (first, second, _) = mv.plane.axes();
+        let mut way = [0.0; 2];
+        for (way, i) in way.iter_mut().zip([first, second]) {
+            let axis = Axis::ALL[i];
+            let end = mv.end.get(axis).filter(|_| mv.axes.contains(axis));
+            let Some(end) = end else { continue };
+            let to = self.places.units(end).filter(|_| self.known.contains(axis))?;
+            *way = (to - self.at[i]) as f64 / self.places.scale();
+        }
+        Some(libm::hypot(way[0], way[1]))
+    }
+
+    /// Radius of the compensated tool, where anybody told it.
+    fn known_radius(&self) -> Option<f64> {
+        let CutterData { number, radius, known } = self.compensation.cutter;
+        radius.or(known).or_else(|| self.tools.radius_of_printed(number))
     }
 
     fn switch_side(&mut self, mv: &Move, origin: &Origin) {

@@ -115,6 +115,16 @@ pub struct Corner {
     pub modal: bool,
     pub large: LargeCorner,
     pub at_arc: ArcChamfer,
+    pub blocks: Blocks,
+}
+
+/// What becomes of blocks between a corner and its elements that move nothing. Comments are no blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Blocks {
+    /// The control looks past them; how many of them is for the dialect to count.
+    PassedOver,
+    /// No manual allows them: M functions are passed over with a warning, anything else is refused.
+    Unconfirmed,
 }
 
 /// What becomes of a chamfer beside an arc.

@@ -65,6 +65,11 @@ impl Frame {
         self.kind != Kind::Affine
     }
 
+    /// What the frame adds along `axis`.
+    pub fn shift_of(&self, axis: Axis) -> f64 {
+        self.shift[axis.index()]
+    }
+
     pub fn linear(&self) -> &Matrix3<f64> {
         &self.linear
     }

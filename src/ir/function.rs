@@ -39,6 +39,8 @@ pub struct CutterData {
     pub number: u32,
     /// Radius in mm where the program changes it (oversizes), so that the target's own must not be used.
     pub radius: Option<f64>,
+    /// Radius in mm as far as the program or its surroundings tell it: for checks only.
+    pub known: Option<f64>,
 }
 
 /// Something other than a move.

@@ -22,6 +22,8 @@ const STRAIGHT: f64 = 1e-6;
 const MOST_TURN: f64 = 0.0316;
 /// Shifts of a centre up to this much are rounding of the source and not worth a note, in mm.
 const UNNOTED: f64 = 0.0005;
+/// Shifts above this many tolerances of the source are worth a warning: the arc is short and flat, or a coordinate wrong.
+const FAR: f64 = 10.0;
 
 /// Direction of the contour so far.
 #[derive(Debug, Default)]
@@ -63,33 +65,53 @@ impl Last {
     }
 }
 
-/// How far centres were moved, for one note at the end.
+/// How far centres were moved, for one note and one warning at the end.
 #[derive(Debug, Default)]
 pub struct Adjusted {
+    little: Moved,
+    /// By more than [`FAR`] times the tolerance of the source.
+    far: Moved,
+}
+
+#[derive(Debug, Default)]
+struct Moved {
     count: u32,
     largest: f64,
     origin: Option<Origin>,
 }
 
+impl Moved {
+    fn add(&mut self, shift: f64, origin: Origin) {
+        self.count += 1;
+        if shift > self.largest {
+            self.largest = shift;
+            self.origin = Some(origin);
+        }
+    }
+}
+
 impl Adjusted {
-    fn note(&mut self, shift: f64, origin: Origin) {
+    /// `tol` is what the source allows start and end to differ in their distance from the centre, in mm.
+    fn note(&mut self, shift: f64, tol: f64, origin: Origin) {
         if shift > UNNOTED {
-            self.count += 1;
-            if shift > self.largest {
-                self.largest = shift;
-                self.origin = Some(origin);
-            }
+            let moved = if shift > FAR * tol { &mut self.far } else { &mut self.little };
+            moved.add(shift, origin);
         }
     }
 
     pub fn report(&self, diags: &Diags) {
-        if let Some(origin) = self.origin {
-            let (count, largest) = (self.count, self.largest);
+        if let Some(origin) = self.little.origin {
+            let Moved { count, largest, .. } = self.little;
             diags.push(at(
                 codes::G3013,
                 origin,
                 format!("{count} arc centres were adjusted, this one most: by {largest:.4} mm"),
             ));
+        }
+        if let Some(origin) = self.far.origin {
+            let Moved { count, largest, .. } = self.far;
+            let message = format!("{count} arc centres were moved far, this one most: by {largest:.4} mm");
+            diags.push(at(codes::G8101, origin, message).help("check start, end and centre of the arc in the source"));
         }
     }
 }
@@ -156,7 +178,7 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
                 let help = format!("the radius has to be at least {:.4}", d / 2.0);
                 return Err(Some(Box::new(at(codes::G3002, step.origin, message).help(help))));
             };
-            adjusted.note((d / 2.0 - radius.abs()).max(0.0), step.origin);
+            adjusted.note((d / 2.0 - radius.abs()).max(0.0), tol, step.origin);
             step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
         }
         ArcShape::Opening { sweep } => {
@@ -268,13 +290,13 @@ fn by_center(
     // start in another direction.
     let same_size = (distance(from, moved) - r1).abs() <= tol && distance(moved, center) <= MOST_TURN * r1;
     if same_size && deviation(from, moved, sweep, center, r1, r2) <= tol {
-        adjusted.note(distance(moved, center), step.origin);
+        adjusted.note(distance(moved, center), tol, step.origin);
         step.mv.path = Path::Arc(Arc { plane, from, center: moved, sweep });
         return Ok(Extra::None);
     }
     // Nearly a full circle that does not close: no single arc fits. The arc about the programmed centre is
     // followed by the rest of the way to the programmed end, which is shorter than the tolerance.
-    adjusted.note(off, step.origin);
+    adjusted.note(off, tol, step.origin);
     let sweep = arc::sweep(from, to, center, ccw);
     let foot = center + (to - center) * (r1 / r2);
     let mut rest = step.clone();

@@ -3,7 +3,8 @@
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
-use crate::ir::contour::{ArcChamfer, Corner, CornerShape, LargeCorner};
+use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
+use crate::ir::function::Spindle;
 use crate::ir::motion::{Arc, Path};
 use crate::ir::undercut::Undercut;
 use crate::ir::{Feed, Function, Origin};
@@ -15,8 +16,8 @@ use super::{at, undercut};
 const SHORT: f64 = 1e-6;
 /// How much of a corner may be missing in any program, in mm: what a source rounded to three decimals loses.
 const HAIR: f64 = 1e-3;
-/// Functions that may stand between a corner and the element behind it.
-const MOST_BETWEEN: usize = 32;
+/// Functions and comments that may stand on either side of a corner.
+const MOST_BETWEEN: usize = 256;
 
 /// What comes out of the pass.
 #[derive(Debug)]
@@ -34,7 +35,12 @@ pub struct Corners {
     waiting: usize,
     held: bool,
     corner: Option<(Corner, Origin)>,
+    /// What came after the element that waits: a corner may follow.
+    behind: Vec<(Function, Origin)>,
+    /// What came after the corner.
     between: Vec<(Function, Origin)>,
+    /// The element before was refused: that a corner misses it is not worth another error.
+    orphaned: bool,
     /// The element that waits was shortened by the corner before it.
     trimmed: bool,
 }
@@ -58,8 +64,10 @@ impl Corners {
             return;
         }
         self.trimmed = false;
+        self.orphaned = false;
         if self.held {
             out(Event::Step(&self.steps[self.waiting]));
+            send(&mut self.behind, out);
         }
         self.waiting ^= 1;
         self.held = true;
@@ -67,7 +75,7 @@ impl Corners {
 
     pub fn corner(&mut self, corner: Corner, origin: Origin, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         if !self.held {
-            if corner.modal {
+            if corner.modal || self.orphaned {
                 return;
             }
             diags.push(at(codes::G3007, origin, "no contour element stands before this chamfer or rounding"));
@@ -89,8 +97,9 @@ impl Corners {
             function,
             Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Plane(_)
         );
-        if self.corner.is_some() && !breaks && self.between.len() < MOST_BETWEEN {
-            self.between.push((function.clone(), *origin));
+        let waiting = if self.corner.is_some() { &mut self.between } else { &mut self.behind };
+        if self.held && !breaks && waiting.len() < MOST_BETWEEN {
+            waiting.push((function.clone(), *origin));
             return;
         }
         self.flush(diags, out);
@@ -107,6 +116,7 @@ impl Corners {
 
     /// Sends what is held after an error: a corner that waits goes with it.
     pub fn abandon(&mut self, out: &mut impl FnMut(Event<'_>)) {
+        self.orphaned = true;
         self.drop_corner(out);
     }
 
@@ -115,9 +125,8 @@ impl Corners {
         if std::mem::take(&mut self.held) {
             out(Event::Step(&self.steps[self.waiting]));
         }
-        for (function, origin) in self.between.drain(..) {
-            out(Event::Function(&function, origin));
-        }
+        send(&mut self.behind, out);
+        send(&mut self.between, out);
     }
 
     /// The second neighbour is here.
@@ -129,14 +138,16 @@ impl Corners {
         }
         let (before, after) = (self.waiting, self.waiting ^ 1);
         let trimmed = std::mem::take(&mut self.trimmed);
-        match cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed, diags) {
+        let made = self
+            .admit_blocks(&corner, origin, diags)
+            .and_then(|()| cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed, diags));
+        match made {
             Ok((shortened, inserted, rest)) => {
                 self.trimmed = true;
                 out(Event::Step(&shortened));
+                send(&mut self.behind, out);
                 if corner.early {
-                    for (function, origin) in self.between.drain(..) {
-                        out(Event::Function(&function, origin));
-                    }
+                    send(&mut self.between, out);
                 }
                 if let Some(inserted) = inserted {
                     out(Event::Step(&inserted));
@@ -150,12 +161,46 @@ impl Corners {
                     diags.push(*found);
                 }
                 out(Event::Step(&self.steps[before]));
+                send(&mut self.behind, out);
             }
         }
-        for (function, origin) in self.between.drain(..) {
-            out(Event::Function(&function, origin));
-        }
+        send(&mut self.between, out);
         self.waiting = after;
+    }
+
+    /// Looks at the blocks between the corner and its elements that move nothing.
+    fn admit_blocks(&self, corner: &Corner, origin: Origin, diags: &Diags) -> Result<(), Box<Diagnostic>> {
+        match corner.blocks {
+            Blocks::PassedOver => return Ok(()),
+            Blocks::Unconfirmed => {}
+        }
+        let element = |step: &Step| step.origin.loc;
+        let (before, after) = (&self.steps[self.waiting], &self.steps[self.waiting ^ 1]);
+        let of_its_own = |(function, at): &&(Function, Origin)| {
+            let loc = at.loc;
+            loc != element(before)
+                && loc != element(after)
+                && loc != origin.loc
+                && !matches!(function, Function::Comment(_))
+        };
+        let found: Vec<_> = self.behind.iter().chain(&self.between).filter(of_its_own).collect();
+        let plain = |(function, _): &&&(Function, Origin)| {
+            matches!(
+                function,
+                Function::Coolant(_) | Function::Aux(_) | Function::Spindle(Spindle::Start(_) | Spindle::Stop)
+            )
+        };
+        if let Some((_, block)) = found.iter().find(|entry| !plain(entry)) {
+            let message = "a block that does not move stands between the chamfer or rounding and its element";
+            let found = at(codes::G3007, origin, message).also(block.loc, "this block");
+            return Err(Box::new(found.help("write it before the two elements, or after them")));
+        }
+        if let Some((_, block)) = found.first() {
+            let message = "a block of M functions stands between the chamfer or rounding and its element: the corner is cut all the same";
+            let found = at(codes::G3090, origin, message).also(block.loc, "this block");
+            diags.push(found.help("write the M function into the block of an element, or before them"));
+        }
+        Ok(())
     }
 }
 
@@ -175,6 +220,8 @@ impl Corners {
             Ok((steps, rest)) => {
                 for step in &steps {
                     out(Event::Step(step));
+                    // The first one is what is left of the element before.
+                    send(&mut self.behind, out);
                 }
                 self.trimmed = true;
                 self.steps[after] = rest;
@@ -184,10 +231,17 @@ impl Corners {
                 out(Event::Step(&self.steps[before]));
             }
         }
-        for (function, origin) in self.between.drain(..) {
-            out(Event::Function(&function, origin));
-        }
+        send(&mut self.behind, out);
+        send(&mut self.between, out);
         self.waiting = after;
+    }
+}
+
+/// Sends what waited, in its order.
+#[inline]
+fn send(waiting: &mut Vec<(Function, Origin)>, out: &mut impl FnMut(Event<'_>)) {
+    for (function, origin) in waiting.drain(..) {
+        out(Event::Function(&function, origin));
     }
 }
 

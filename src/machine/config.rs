@@ -71,15 +71,25 @@ impl Reader {
                     s.machine.limits.insert(axis(name, node)?, range(node)?);
                 }
             }
-            ("machine", "reference_point" | "fixed_point" | "swivel_retract") => {
+            (
+                "machine",
+                "reference_point" | "fixed_point" | "fixed_point_2" | "fixed_point_3" | "fixed_point_4"
+                | "swivel_retract",
+            ) => {
                 let points = match name {
-                    "fixed_point" => &mut s.machine.fixed_point,
+                    "fixed_point" => &mut s.machine.fixed_point[0],
+                    "fixed_point_2" => &mut s.machine.fixed_point[1],
+                    "fixed_point_3" => &mut s.machine.fixed_point[2],
+                    "fixed_point_4" => &mut s.machine.fixed_point[3],
                     "swivel_retract" => &mut s.machine.swivel_retract,
                     _ => &mut s.machine.reference_point,
                 };
                 for (name, node) in table_of(node) {
                     points.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
                 }
+            }
+            ("machine", "modulo") => {
+                s.machine.modulo = rotary_axes(node)?;
             }
             ("machine", "kinematics") => s.machine.kinematics = text(node).to_owned(),
             ("control", _) => return self.set_control(name, node),
@@ -172,9 +182,15 @@ impl Reader {
                 control.cc_missing = if text(node) == "previous" { CcMissing::Previous } else { CcMissing::Position };
             }
             "polar_missing" => {
-                control.polar_missing =
-                    if text(node) == "programmed" { PolarMissing::Programmed } else { PolarMissing::Position };
+                control.polar_missing = match text(node) {
+                    "programmed" => PolarMissing::Programmed,
+                    "position" => PolarMissing::Position,
+                    _ => PolarMissing::SamePole,
+                };
             }
+            "pattern_feed" => control.klartext_readings.pattern_at_rapid = text(node) == "rapid",
+            "mirror" => control.klartext_readings.mirror_last = text(node) == "last",
+            "scaling_center" => control.klartext_readings.keep_scaling_center = text(node) == "kept",
             "shift_axes" => {
                 control.shift_axes =
                     if text(node) == "transformed" { ShiftAxes::Transformed } else { ShiftAxes::Original };
@@ -194,37 +210,10 @@ impl Reader {
                     _ => RepeatCount::Refuse,
                 };
             }
+            "open_subprogram" => control.klartext_choices.open_subprogram_ends = text(node) == "end",
+            "probing" => control.klartext_choices.probing_left_out = text(node) == "leave-out",
+            "cycle_19" => control.klartext_choices.cycle_19_axes = text(node) == "axes",
             "scaling" => control.scaling_in_plane = text(node) == "plane",
-            "turning_arc_q" => {
-                let far = text(node) == "far";
-                control.turning.arc_choice = if far { ArcChoice::ZeroIsFar } else { ArcChoice::ZeroIsNear };
-            }
-            "recess_depth" => {
-                let radius = text(node) == "radius";
-                control.turning.recess_depth = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
-            }
-            "clearance" => {
-                let clearance =
-                    number(node).filter(|mm| *mm > 0.0).ok_or_else(|| node.fail("a clearance is above 0"))?;
-                control.turning.clearance = Some(clearance);
-            }
-            "recess_side" => {
-                let plus = text(node) == "plus";
-                control.turning.recess_side = Some(if plus { RecessSide::Plus } else { RecessSide::Minus });
-            }
-            "infeed" => control.turning.infeed_on_diameter = text(node) == "diameter",
-            "thread_left" => control.turning.left_is_plus = text(node) == "plus",
-            "recess_width" => {
-                let floor = text(node) == "floor";
-                control.turning.recess_width = if floor { RecessWidth::Floor } else { RecessWidth::Opening };
-            }
-            "recess_blank" => {
-                let radius = text(node) == "radius";
-                control.turning.recess_blank = if radius { RecessDepth::Radius } else { RecessDepth::Diameter };
-            }
-            "simple_thread" => control.turning.refuse_simple_thread = text(node) == "refuse",
-            "contour_words" => control.turning.refuse_contour_words = text(node) == "refuse",
-            "tool_change_point" => control.turning.change_point = Some(change_point(node)?),
             "retract_max" => control.retract_max = number(node),
             "sd42440" => control.siemens.frame_offset_incremental = Some(flag(node)),
             "md21000" | "md21010" => {
@@ -237,11 +226,58 @@ impl Reader {
             }
             "large_corners" => control.siemens.shorten_corners = text(node) == "shorten",
             "md20150" => control.siemens.feed_per_revolution = Some(text(node) == "g95"),
+            "md10760" => control.siemens.machine_moves_without_tool = flag(node),
+            "md30455" => control.siemens.modulo_shortest = text(node) == "shortest",
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
             "md11120" => control.siemens.main_variables_visible = flag(node),
+            _ if self.set_turning(name, node)? => {}
             _ => return self.set_mtc200(name, node),
         }
         Ok(())
+    }
+
+    /// True where `name` is a key of turning programs.
+    fn set_turning(&mut self, name: &str, node: &Node) -> Result<bool, ConfigError> {
+        let turning = &mut self.settings.control.turning;
+        let is = |wanted: &str| Some(text(node) == wanted);
+        let counts = || if text(node) == "radius" { RecessDepth::Radius } else { RecessDepth::Diameter };
+        match name {
+            "turning_arc_q" => {
+                let far = text(node) == "far";
+                turning.arc_choice = Some(if far { ArcChoice::ZeroIsFar } else { ArcChoice::ZeroIsNear });
+            }
+            "recess_depth" => turning.recess_depth = Some(counts()),
+            "clearance" => {
+                let clearance = number(node).filter(|mm| *mm > 0.0);
+                turning.clearance = Some(clearance.ok_or_else(|| node.fail("a clearance is above 0"))?);
+            }
+            "recess_side" => {
+                let plus = text(node) == "plus";
+                turning.recess_side = Some(if plus { RecessSide::Plus } else { RecessSide::Minus });
+            }
+            "infeed" => turning.infeed = Some(counts()),
+            "thread_left" => turning.left_is_plus = is("plus"),
+            "recess_width" => {
+                let floor = text(node) == "floor";
+                turning.recess_width = Some(if floor { RecessWidth::Floor } else { RecessWidth::Opening });
+            }
+            "recess_blank" => turning.recess_blank = Some(counts()),
+            "simple_thread" => turning.refuse_simple_thread = is("refuse"),
+            "contour_words" => turning.refuse_contour_words = is("refuse"),
+            "line_angle" => turning.angle_from_plus = is("plus-z"),
+            "undercut_limit" => turning.undercut_upper = is("upper"),
+            "thread_face" => turning.rear_face = is("rear"),
+            "turning_depth" => turning.towards_floor = is("towards"),
+            "offset_one_way" => turning.offset_one_way = is("end"),
+            "recess_oversize" => turning.oversize_on_floor = is("floor"),
+            "arc_tolerance" => {
+                let tolerance = number(node).filter(|mm| (0.0..=1.0).contains(mm));
+                turning.arc_tolerance = Some(tolerance.ok_or_else(|| node.fail("a tolerance is 0 to 1 mm"))?);
+            }
+            "tool_change_point" => turning.change_point = Some(change_point(node)?),
+            _ => return Ok(false),
+        }
+        Ok(true)
     }
 
     fn set_mtc200(&mut self, name: &str, node: &Node) -> Result<(), ConfigError> {

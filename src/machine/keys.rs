@@ -104,6 +104,10 @@ pub const SECTIONS: &[Section] = &[
             key("reference_point", Kind::Free, "machine coordinates of the reference point (G74): X = 0.0"),
             key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0"),
             key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0"),
+            key("fixed_point_2", Kind::Free, "the same of the second fixed point (G75 FP=2)"),
+            key("fixed_point_3", Kind::Free, "the same of the third fixed point (G75 FP=3)"),
+            key("fixed_point_4", Kind::Free, "the same of the fourth fixed point (G75 FP=4)"),
+            key("modulo", Kind::Texts, "SINUMERIK: rotary axes that count modulo 360 degrees").or("[]"),
         ],
     },
     Section {
@@ -127,10 +131,20 @@ pub const SECTIONS: &[Section] = &[
                 .or(r#""position""#),
             key(
                 "polar_missing",
-                Kind::Choice(&["position", "programmed"]),
-                "missing PR or PA after a block that is not polar",
+                Kind::Choice(&["same-pole", "position", "programmed"]),
+                "missing PR or PA after a block that is not polar; same-pole: from the position, but no PA about a new pole",
             )
-            .or(r#""position""#),
+            .or(r#""same-pole""#),
+            key("pattern_feed", Kind::Choice(&["last", "rapid"]), "CYCL CALL PAT and CYCL CALL POS without F")
+                .or(r#""last""#),
+            key("mirror", Kind::Choice(&["first", "last"]), "Klartext: mirror before or after the rotation of cycle 10")
+                .or(r#""first""#),
+            key(
+                "scaling_center",
+                Kind::Choice(&["datum", "kept"]),
+                "centre of a cycle 26 that names none where one before did",
+            )
+            .or(r#""datum""#),
             key(
                 "shift_axes",
                 Kind::Choice(&["original", "transformed"]),
@@ -150,6 +164,15 @@ pub const SECTIONS: &[Section] = &[
                 "number of repeats (CALL LBL REP) with decimals",
             )
             .or(r#""refuse""#),
+            key(
+                "open_subprogram",
+                Kind::Choice(&["refuse", "end"]),
+                "END PGM inside a called label without LBL 0: refused, or the end of the program file",
+            )
+            .or(r#""refuse""#),
+            key("probing", Kind::Choice(&["refuse", "leave-out"]), "touch probe cycles").or(r#""refuse""#),
+            key("cycle_19", Kind::Choice(&["space", "axes"]), "angles of cycle 19: space angles, or rotary axes")
+                .or(r#""space""#),
             key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)").or(r#""all""#),
             key(
                 "turning_arc_q",
@@ -201,6 +224,47 @@ pub const SECTIONS: &[Section] = &[
                 "contour in the words of G80: as in docs/turning.md, or refused",
             )
             .or(r#""documented""#),
+            key(
+                "line_angle",
+                Kind::Choice(&["minus-z", "plus-z"]),
+                "turning programs: direction from which the angle A or AN of a line counts",
+            )
+            .or(r#""minus-z""#),
+            key(
+                "undercut_limit",
+                Kind::Choice(&["lower", "upper"]),
+                "row of the table of G85 for a diameter of exactly 18 or 80 mm",
+            )
+            .or(r#""lower""#),
+            key(
+                "thread_face",
+                Kind::Choice(&["front", "rear"]),
+                "face that a transverse thread of G31 is cut in; if not given, the edge position of the tool tells",
+            ),
+            key(
+                "turning_depth",
+                Kind::Choice(&["away", "towards"]),
+                "turning depth compensation R or RB of G869: away from the floor, or towards it",
+            )
+            .or(r#""away""#),
+            key(
+                "offset_one_way",
+                Kind::Choice(&["none", "end"]),
+                "offset width B of G869 with U1: no effect, or each pass from the second on ends earlier",
+            )
+            .or(r#""none""#),
+            key(
+                "recess_oversize",
+                Kind::Choice(&["all", "floor"]),
+                "oversize of G86: left on the floor and the walls, or on the floor alone",
+            )
+            .or(r#""all""#),
+            key(
+                "arc_tolerance",
+                Kind::Number,
+                "turning programs: how far the radii at both ends of an arc may differ, in mm",
+            )
+            .or("0.02"),
             key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
             key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too"),
@@ -214,6 +278,18 @@ pub const SECTIONS: &[Section] = &[
             )
             .or(r#""refuse""#),
             key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94"),
+            key(
+                "md10760",
+                Kind::Flag,
+                "SINUMERIK: G53, G153 and SUPA suppress the tool length, too, so that they place the spindle, not the tip",
+            )
+            .or("false"),
+            key(
+                "md30455",
+                Kind::Choice(&["absolute", "shortest"]),
+                "SINUMERIK: way of a modulo axis to an absolute position: inside its turn, or the shortest",
+            )
+            .or(r#""absolute""#),
             key(
                 "arc_chamfers",
                 Kind::Choice(&["refuse", "bisector"]),
@@ -246,7 +322,7 @@ pub const SECTIONS: &[Section] = &[
             key(
                 "tool_change",
                 Kind::Choice(&["m6", "t"]),
-                "word that changes the tool; default: t on a SINUMERIK lathe, else m6",
+                "word that changes the tool; default: t on a SINUMERIK lathe, TOOL CALL (t) of a Klartext program without M6, else m6",
             ),
             key("angles", Kind::Choice(&["degrees", "radians"]), "MTC200: unit of angles in formulas")
                 .or(r#""degrees""#),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::axis::Axis;
+use super::axis::{Axis, AxisSet};
 use super::mtc200::Mtc200;
 use super::tools::Tools;
 use super::undercut::Undercuts;
@@ -45,8 +45,10 @@ pub struct Machine {
     pub kinematics: String,
     /// Machine coordinates of the reference point, by axis (G74).
     pub reference_point: BTreeMap<Axis, f64>,
-    /// Machine coordinates of the fixed point, by axis (G75).
-    pub fixed_point: BTreeMap<Axis, f64>,
+    /// Machine coordinates of the fixed points 1 to 4, by axis (G75, MD 30600).
+    pub fixed_point: [BTreeMap<Axis, f64>; 4],
+    /// Rotary axes that count modulo 360 degrees.
+    pub modulo: AxisSet,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
 }
@@ -61,7 +63,8 @@ impl Default for Machine {
             limits: BTreeMap::new(),
             kinematics: "3axis".to_owned(),
             reference_point: BTreeMap::new(),
-            fixed_point: BTreeMap::new(),
+            fixed_point: Default::default(),
+            modulo: AxisSet::EMPTY,
             swivel_retract: BTreeMap::new(),
         }
     }
@@ -106,7 +109,9 @@ pub enum CcMissing {
 /// What a missing PR or PA is after a block that was not polar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PolarMissing {
+    /// From the position, and refused where PA about a new pole is missing.
     #[default]
+    SamePole,
     Position,
     Programmed,
 }
@@ -147,6 +152,17 @@ pub enum RepeatCount {
     Round,
 }
 
+/// Klartext: what the machine or the manuals leave to the user to say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KlartextChoices {
+    /// END PGM inside a called label ends the program file instead of being refused.
+    pub open_subprogram_ends: bool,
+    /// Probing cycles are left out instead of being refused.
+    pub probing_left_out: bool,
+    /// Angles of cycle 19 are positions of the rotary axes, not space angles.
+    pub cycle_19_axes: bool,
+}
+
 /// Which of two solutions Q0 of an arc names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ArcChoice {
@@ -181,28 +197,57 @@ pub enum RecessSide {
     Minus,
 }
 
-/// What turning programs leave to the control.
+/// What turning programs leave to the control. `None`: nobody said, so the default holds and a program that depends on it is
+/// told so.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Turning {
-    pub arc_choice: ArcChoice,
-    pub recess_depth: RecessDepth,
+    /// Near, if nobody said.
+    pub arc_choice: Option<ArcChoice>,
+    /// What an incremental I of G22 counts: the diameter, if nobody said.
+    pub recess_depth: Option<RecessDepth>,
     /// Clearance of cycles in mm where the program sets none.
     pub clearance: Option<f64>,
     /// Machine coordinates of the tool change point: X as a diameter, Z, in mm.
     pub change_point: Option<(f64, f64)>,
     /// Where a recess of G86 lies that is wider than the tool; `None` refuses it.
     pub recess_side: Option<RecessSide>,
-    pub recess_width: RecessWidth,
-    /// The infeed I of G81 counts on the diameter, not on the radius.
-    pub infeed_on_diameter: bool,
+    /// Where K of G23 counts: at the opening, if nobody said.
+    pub recess_width: Option<RecessWidth>,
+    /// What the infeed I of G81 counts: the radius, if nobody said.
+    pub infeed: Option<RecessDepth>,
     /// A flank offset from the left (H1) starts a thread towards +Z, not towards -Z.
-    pub left_is_plus: bool,
-    /// What RI of G869 counts.
-    pub recess_blank: RecessDepth,
+    pub left_is_plus: Option<bool>,
+    /// What RI of G869 counts: the diameter, if nobody said.
+    pub recess_blank: Option<RecessDepth>,
     /// G32, whose words no manual at hand lists, is refused.
-    pub refuse_simple_thread: bool,
+    pub refuse_simple_thread: Option<bool>,
     /// A contour in the words of G80, which no manual at hand lists, is refused.
-    pub refuse_contour_words: bool,
+    pub refuse_contour_words: Option<bool>,
+    /// Angles of lines count from +Z, not from -Z.
+    pub angle_from_plus: Option<bool>,
+    /// An undercut of G85 at exactly 18 or 80 mm takes the row above, not the one below.
+    pub undercut_upper: Option<bool>,
+    /// The face that a transverse thread is cut in is the one towards -Z. `None`: the tool tells.
+    pub rear_face: Option<bool>,
+    /// R or RB of G869 moves the tool towards the floor, not away from it.
+    pub towards_floor: Option<bool>,
+    /// B of G869 shortens the passes of one-way turning at their ends.
+    pub offset_one_way: Option<bool>,
+    /// The oversize of G86 is left on the floor alone, not on the walls.
+    pub oversize_on_floor: Option<bool>,
+    /// How far the radii at both ends of an arc may differ, in mm.
+    pub arc_tolerance: Option<f64>,
+}
+
+/// Klartext: further readings that manuals leave open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KlartextReadings {
+    /// CYCL CALL PAT and CYCL CALL POS without F go at rapid traverse, not at the last feed.
+    pub pattern_at_rapid: bool,
+    /// The mirror acts on what cycle 10 has turned.
+    pub mirror_last: bool,
+    /// A cycle 26 without a centre keeps the one before.
+    pub keep_scaling_center: bool,
 }
 
 /// `[control]`
@@ -221,10 +266,12 @@ pub struct Control {
     pub rapid_feed: Option<f64>,
     pub cc_missing: CcMissing,
     pub polar_missing: PolarMissing,
+    pub klartext_readings: KlartextReadings,
     pub shift_axes: ShiftAxes,
     pub cp_sign: CpSign,
     pub modulo: Modulo,
     pub repeat_count: RepeatCount,
+    pub klartext_choices: KlartextChoices,
     /// Scaling (cycle 11) leaves the tool axis alone.
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
@@ -249,6 +296,10 @@ pub struct Siemens {
     pub main_variables_visible: bool,
     /// Feed at the start of a program is per revolution (MD 20150).
     pub feed_per_revolution: Option<bool>,
+    /// G53, G153 and SUPA suppress the length of the tool, too (MD 10760).
+    pub machine_moves_without_tool: bool,
+    /// An absolute position of a modulo axis takes the shortest way (MD 30455 bit 2).
+    pub modulo_shortest: bool,
     /// A chamfer or rounding that does not fit is made as large as it fits.
     pub shorten_corners: bool,
     /// A chamfer beside an arc stands across the bisector of the corner.
@@ -264,6 +315,8 @@ impl Default for Siemens {
             tool_change_by_t: None,
             main_variables_visible: false,
             feed_per_revolution: None,
+            machine_moves_without_tool: false,
+            modulo_shortest: false,
             shorten_corners: false,
             arc_chamfers: false,
         }

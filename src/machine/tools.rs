@@ -77,6 +77,18 @@ impl Tools {
         self.named(|other| other == name)
     }
 
+    /// Radius of the tool that is printed as `number`; `None` if it is not known, or edges of it differ.
+    pub fn radius_of_printed(&self, number: u32) -> Option<f64> {
+        let mut radii = self.table.iter().filter_map(|(key, tool)| match (key, tool.number) {
+            (_, Some(printed)) => (printed == number).then_some(tool),
+            (ToolKey::Number(own, _), None) => (*own == number).then_some(tool),
+            (ToolKey::Name(_), None) => None,
+        });
+        let radius = |tool: &Tool| tool.radius.map(|radius| radius + tool.deltas[1]);
+        let first = radii.next().and_then(radius)?;
+        radii.all(|tool| radius(tool) == Some(first)).then_some(first)
+    }
+
     fn named(&self, is_it: impl Fn(&str) -> bool) -> Option<(Option<u32>, &Tool)> {
         self.table.iter().find_map(|(key, tool)| match key {
             ToolKey::Name(n) if is_it(n) => Some((tool.number, tool)),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::axis::Axis;
+use super::axis::{Axis, AxisSet};
 use super::keys::{Key, Kind};
 use super::tools::ToolKey;
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
@@ -117,6 +117,19 @@ pub(super) fn geometry_axes(node: &Node) -> Result<[Axis; 3], ConfigError> {
     let axes = items.iter().map(|item| axis(text(item), item)).collect::<Result<Vec<_>, _>>()?;
     let distinct = |axes: &[Axis; 3]| axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2];
     <[Axis; 3]>::try_from(axes).ok().filter(distinct).ok_or_else(|| node.fail("needs three different axis names"))
+}
+
+pub(super) fn rotary_axes(node: &Node) -> Result<AxisSet, ConfigError> {
+    let Value::List(items) = &node.value else { return Err(node.fail("needs a list of axes")) };
+    let mut axes = AxisSet::EMPTY;
+    for item in items {
+        let axis = axis(text(item), item)?;
+        if !axis.is_rotary() {
+            return Err(item.fail("axes that count modulo 360 degrees are A, B and C"));
+        }
+        axes.insert(axis);
+    }
+    Ok(axes)
 }
 
 pub(super) fn range(node: &Node) -> Result<(f64, f64), ConfigError> {

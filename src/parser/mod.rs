@@ -5,6 +5,7 @@
 
 pub mod klartext;
 pub mod mtc200;
+pub mod not_a_number;
 pub mod problem;
 pub mod sinumerik;
 pub mod symbols;

@@ -6,7 +6,7 @@ use partc::diag::Diags;
 use partc::geo::{Element, Plane, Point2};
 use partc::ir::captured::{Captured, PieceKind, Unfit};
 use partc::ir::contour::{
-    ArcChamfer, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink,
+    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink,
 };
 use partc::ir::undercut::{Undercut, form_f};
 use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
@@ -52,6 +52,7 @@ fn shaft(out: &mut dyn Sink, ctx: &CtxRef) {
         modal: false,
         large: LargeCorner::Refuse,
         at_arc: ArcChamfer::Refuse,
+        blocks: Blocks::PassedOver,
     };
     out.movement(&Move { path: Path::Rapid, feed: None, ..line(0.0, 10.0) }, ctx, &origin);
     out.movement(&line(-20.0, 10.0), ctx, &origin);

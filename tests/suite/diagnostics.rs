@@ -76,6 +76,7 @@ const NEVER: &[(&str, &str)] = &[
     ("G3020", "dialects look for three points on a line themselves"),
     ("G3021", "dialects look for a lead without a way themselves"),
     ("O9001", "the only target has a word for everything that the dialects ask for"),
+    ("T2029", "retired: G86 is finished without an oversize, too"),
     ("G3043", "dialects ask for the position in front of a cycle themselves"),
 ];
 

@@ -9,7 +9,7 @@ use partc::emit::plot::Plot;
 use partc::geo::undercut::{Edge, Shape};
 use partc::geo::{Deg, Plane};
 use partc::ir::contour::{
-    ArcChamfer, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path as Way, Sink,
+    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path as Way, Sink,
 };
 use partc::ir::undercut::{ThreadForm, Undercut, form_e, form_f, thread};
 use partc::ir::{Feed, Function, Origin, Pos, Side};
@@ -58,6 +58,7 @@ fn draw(title: &str, shape: Shape, from: (f64, f64), corner: (f64, f64), to: (f6
             modal: false,
             large: LargeCorner::Refuse,
             at_arc: ArcChamfer::Refuse,
+            blocks: Blocks::PassedOver,
         },
         &ctx,
         &origin,

@@ -6,7 +6,8 @@ use partc::diag::Diags;
 use partc::geo::undercut::{Allowance, Shape};
 use partc::geo::{Deg, Plane};
 use partc::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path,
+    Sink,
 };
 use partc::ir::undercut::{Surface, Undercut, form_e, form_f, thread_by_contour};
 use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
@@ -81,6 +82,7 @@ fn lower(
             modal: false,
             large: LargeCorner::Refuse,
             at_arc: ArcChamfer::Refuse,
+            blocks: Blocks::PassedOver,
         },
         &ctx,
         &origin,

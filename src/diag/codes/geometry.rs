@@ -61,6 +61,11 @@ G3013 Note "center-adjusted" "arc centres were adjusted"
 Controls that check more strictly would refuse them. The centre was moved to the nearest point that fits both; \
 start and end are as programmed. The largest shift is stated."
 
+G8101 Warning "center-moved-far" "arc centre was moved far"
+"Start and end of the arc have slightly different distances from its centre, within the tolerance of the control, and lie so close together \
+that the point which fits both is more than ten times that tolerance away. The bow of the printed arc is the programmed one within the tolerance, \
+but its centre and direction are not: most often a coordinate is rounded too coarsely, or wrong."
+
 G3014 Error "arc-without-radius" "centre of the arc lies on its start or end"
 "The centre of the arc lies on its start or on its end, so the arc has no radius. Most often the circle centre was taken over from \
 another place, or the tool stands on the centre when the arc begins. Check the circle centre and the position in front of the arc."
@@ -134,6 +139,10 @@ standard, and the undercut begins where its slope meets the taper; its length an
 G3068 Note "undercut-radius-reduced" "radius in the undercut is reduced"
 "The rounding between the slope and the floor of the undercut is larger than the slope is long, which happens with steep entry angles. It is made \
 as large as fits. What the control does in this case is not documented; check the drawing, or take a smaller radius or entry angle."
+
+G3090 Warning "block-at-corner" "block of M functions between a corner and its element"
+"An M function stands in a block of its own between a chamfer or rounding and the element before or after it. No manual page says whether the \
+control still finds the corner; here it is cut, and the M function is printed in its place. Write it into the block of an element to be sure."
 
 G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
 "Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \

@@ -411,8 +411,8 @@ because the manuals leave open whether LEN counts from the contour or from the t
 not built. Program the approach as L and C blocks."
 
 K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
-"PLANE functions other than RESET, and cycle 19 with angles, turn the coordinate system in space. The output has no word for that on \
-three axes. Have the CAM system put out the tilted work for the target machine."
+"PLANE functions and cycle 19 turn the coordinate system in space, unless all they do is a turn about the tool axis Z. The output has no word \
+for that on three axes. Have the CAM system put out the tilted work for the target machine."
 
 K9005 Error "touch-probe" "touch probe cycles run only at the machine"
 "The block measures the workpiece or the tool; its result is known at the machine only. Remove it, or compile the part of the program after the setup."
@@ -451,6 +451,36 @@ K9014 Error "machine-function" "block talks to the machine"
 
 K9015 Error "spline-or-normal-vector" "3-D blocks with normal vectors or splines are not supported"
 "LN blocks carry surface normals for 3-D tool compensation, SPL blocks carry polynomials. Neither has a counterpart in plain G-code."
+
+K1850 Error "block-in-wrapped-comment" "line of a wrapped comment reads as a block"
+"A comment that ends with `~` goes on in the next line, which is text for the control. Here that line reads as a block of its own, so \
+the `~` may be meant as decoration, and then the block would be lost. Remove the `~`, or write the text on one line."
+
+K2850 Warning "open-subprogram" "END PGM inside a called label ends the program"
+"A label is called whose section runs to END PGM without LBL 0. The manuals do not say whether the control takes this for the end of the \
+program; `[control] open_subprogram = \"end\"` says that it does. Nothing behind the call runs then."
+
+K2851 Note "probing-left-out" "touch probe cycle is left out"
+"`[control] probing = \"leave-out\"` leaves touch probe cycles out. What they would have measured is unknown from there on: the results in \
+Q115 to Q199 and in the parameters they name, the positions of all axes, and the data of tools that were measured. A block that needs \
+one of these is refused. The datum and the rotation that the cycle sets have to be set up on the target machine."
+
+K2852 Error "shift-under-turned-plane" "datum shift and turned working plane are mixed"
+"A datum shift in front of PLANE or cycle 19 is measured along the axes of the part, one behind it along the turned ones. What becomes of the \
+one where the other is programmed anew, or where the plane turns back first, no manual page says. Reset the shift before the plane turns, and \
+the plane after the shift that belongs to it."
+
+K2853 Note "plane-turned" "turn about the tool axis is printed in the coordinates"
+"PLANE or cycle 19 turns the system about the tool axis only, so nothing is tilted. The control may turn the rotary table instead of the \
+coordinates; on the part it is the same. The output has turned coordinates, and the table of the target stays where it is."
+
+K8020 Warning "cycle-19-reading" "cycle 19 is read as space angles"
+"The machine's configuration decides whether the angles of cycle 19 are space angles or positions of the rotary axes. As a space angle C turns the \
+coordinates about Z; as the position of a table it says nothing about them. Set `[control] cycle_19 = \"axes\"` where it is the latter."
+
+K8021 Warning "system-data-reading" "system data is read as older programs use it"
+"FN 18: SYSREAD asks for data whose number is taken from programs for the iTNC 530, not from a manual page: tool axis and spindle speed (ID 20 NR 3 \
+and 4), length and radius of the active tool (ID 200). Check the value against the manual of the control."
 
 K9016 Error "system-data" "system data is known only at the machine"
 "FN 18: SYSREAD asks for something the program text does not determine. Supported are the active tool (ID 20), tool data (ID 50, ID 200), \

@@ -6,6 +6,7 @@
 mod general;
 mod geometry;
 mod klartext;
+mod klartext_readings;
 mod mtc200;
 mod output;
 mod sinumerik;
@@ -14,6 +15,7 @@ mod turning;
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
+pub use klartext_readings::*;
 pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
@@ -55,6 +57,7 @@ pub fn all() -> Vec<&'static Code> {
     let mut list: Vec<_> = [
         general::GENERAL,
         klartext::KLARTEXT,
+        klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
         output::OUTPUT,
         sinumerik::SINUMERIK,

@@ -39,4 +39,9 @@ machine coordinates, no change of plane or side, no arc outside the working plan
 work offset; and it compensates in some planes only. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
 or let partc compute the tool path with `compensation = \"resolve\"`."
 
+O9100 Error "compensation-way-too-short" "move to or from the compensated contour is shorter than the tool radius"
+"With `compensation = \"control\"` the target compensates the radius of the tool, and it takes the way to the contour only if that is longer \
+than the radius. A way from the contour shorter than the radius ends with the tool over the contour. The radius is known from `[tools]`, the tool \
+table, TOOL DEF or an oversize. Program the block farther from the contour."
+
 }

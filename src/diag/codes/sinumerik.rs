@@ -34,6 +34,10 @@ S1015 Error "siemens-block-in-comment" "comment hides a block behind a lone carr
 "A comment holds a carriage return, and what follows reads as a block. Lines of this file end with a line feed, so for the control the rest still \
 belongs to the comment, while many editors show it as a block of its own. End the comment with a line feed, or remove the block."
 
+S1101 Error "siemens-lone-return" "carriage return inside a block"
+"The lines of this file end with a line feed, and a carriage return alone stands between two words. Most often it is what is left of a line \
+end, so that two blocks would be read as one. End every line in the same way: with a line feed, or with a carriage return and a line feed."
+
 S1014 Error "siemens-name-length" "name is too long"
 "Labels and names have at most 32 characters; the control stops at a longer one with alarm 12420. Shorten it."
 
@@ -175,9 +179,9 @@ S2052 Error "siemens-polar-radius" "polar radius is negative"
 S2053 Error "siemens-polar-angle" "polar angle out of range"
 "AP= lies between -360 and 360 degrees: alarm 14210, in a pole block 14260. Look at the word that is marked, and at the value behind it."
 
-S2054 Warning "siemens-polar-missing" "polar word is taken from the position"
-"After a new pole or a change of plane AP= and RP= have to be programmed again; the manuals leave open what a missing one is. It is taken from \
-where the tool stands, seen from the pole. Program both words."
+S2054 Error "siemens-polar-missing" "polar word was not programmed"
+"After a new pole or a change of plane AP= has to be programmed again, and RP= once at all: the manuals demand the word, so its value is not \
+known. The same holds for an AP=IC(…) that has no angle to count from. Program both words in this block."
 
 S2060 Error "siemens-no-diameter-axis" "no diameter axis"
 "Diameter programming and constant cutting speed refer to the one transverse axis that machine datum 20100 names; without it they raise alarm \
@@ -281,7 +285,39 @@ stands for a work offset on your machine, name it: `[datums] G500 = \"G54\"`."
 
 S8012 Note "siemens-written-offset" "work offset of the program is in the coordinates"
 "The program writes the work offset itself ($P_UIFR). It is put into the printed coordinates, which count from the basic system; no G54 is \
-printed for it."
+printed for it. So the work offset that is active on the target has to be zero, or to lie at the basic zero point."
+
+S8101 Warning "siemens-feed-words" "word that changes feeds or speeds"
+"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, GWPSON makes S a speed \
+of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
+
+S8102 Warning "siemens-rapid-by-axis" "rapid traverse of each axis by itself"
+"Under RTLIOF each axis goes to its end at its own rapid traverse, so that the path between the points is no straight line. The target moves straight: \
+check that the way is free, or program RTLION."
+
+S8103 Note "siemens-control-words" "words that steer the control only are left out"
+"STOPRE, SBLOF, DISPLOF, WAITP and others act on the buffer, the display and the single block of the control; LFON and RMI on what happens behind an \
+interruption; CP, TRAFOOF, TOROTOF, CUTCONOF and others switch off what no block can switch on here. None of them moves an axis."
+
+S8104 Note "siemens-orientation-words" "words for tool orientation are left out"
+"ORIWKS, ORIMKS, ORIAXES, ORIC and others say how a control turns the tool. The output has no tool orientation: rotary axes are printed as they are \
+programmed, and tool directions (A3=, LEAD=) are refused."
+
+S8105 Note "siemens-length-added" "tool length is in a machine coordinate"
+"G53, G153 and SUPA place the tip of the tool on a SINUMERIK control (MD 10760 = 0), and the nose of the spindle on the target. The length of the \
+tool is added to the printed coordinate, so that the spindle stands where the control has it."
+
+S8106 Warning "siemens-tip-in-machine" "machine coordinate counts for the tip of the tool"
+"G53, G153 and SUPA suppress frames, not the length of the tool, unless MD 10760 says so: the tip goes to the machine coordinate, and the \
+spindle stands a tool length higher. The target places its spindle there. Write D0 in the block as most programs do, set `[control] md10760 = \
+true` if the machine suppresses the length, or print tool lengths (`tool_length = \"G43\"`) and give them."
+
+S8107 Warning "siemens-negative-half" "half of a negative number is rounded"
+"A negative number that ends in .5 becomes an INT here by rounding up (-2.5 is -2), and ROUND takes it away from zero (-3). The manuals say what \
+becomes of positive halves only. Keep the value off the half, or round it in the program."
+
+S8108 Note "siemens-file-error" "error variable of a file access is 0"
+"WRITE and DELETE report in a variable whether they worked. They are left out, so the variable gets 0: no error."
 
 S8013 Note "siemens-limits" "working-area limits are left out"
 "G25 and G26 set limits for axes or spindle speeds in the control. They are no moves and have no word on the target."
@@ -458,6 +494,20 @@ S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordina
 
 S9012 Error "siemens-thread-start" "start angle of a thread"
 "The target starts every thread at the same angle of the spindle. Shift the start point along the thread instead."
+
+S9101 Error "siemens-modulo-shift" "sense of a modulo axis under a shift"
+"An absolute position of a rotary axis that counts modulo 360 degrees is reached inside the turn in which the axis stands. Where its zero is shifted \
+(TRANS, `$P_UIFR`) the turn begins elsewhere in the program than on the machine, so the sense of rotation is not known. Write DC, ACP or ACN, or \
+set `[control] md30455 = \"shortest\"` if the machine takes the short way."
+
+S9102 Error "siemens-tool-length" "length of the tool is not known"
+"G53, G153 and SUPA place the tip of the tool on a SINUMERIK control (MD 10760 = 0), and the nose of the spindle on the target; SUPD does the \
+opposite. With `tool_length = \"G43\"` the length of the tool is added, so it has to be known: give it under [tools] or write `$TC_DP3`. On lathes \
+it is never known. Under D0, or with `[control] md10760 = true`, no length counts."
+
+S9103 Error "siemens-setting" "setting datum is changed"
+"Setting data (`$SC_…`, `$SN_…`) change what other words of the program do. Those that partc knows are followed; this one is not. If the machine has the \
+value anyhow, say so under [variables], and the block is left out."
 
 S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 "Plain G-code has circles in the main planes only. Look at the word that is marked, and at the value behind it."

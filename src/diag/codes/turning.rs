@@ -168,8 +168,11 @@ T2028 Note "turning-descending-feed" "feed on descending elements is partc's cho
 all of them. Program E to set it."
 
 T2029 Note "turning-strokes-only" "recess is cut in strokes only"
-"G86 finishes a recess, with chamfers at its rims, when an oversize is programmed (I of a radial recess, K of an axial one). Without one partc cuts the \
-strokes to their full depth and leaves the rims sharp."
+"Retired: G86 without an oversize was not finished. Its strokes reach the floor, and walls, floor and chamfers are finished with an oversize or without."
+
+T2050 Error "turning-lone-return" "carriage return inside a block"
+"A carriage return stands alone, without a line feed, in a file whose lines end with line feeds. Editors show what follows as a line of its own; \
+partc and the control would read it as part of the same line, or of its comment. End the line with a line feed."
 
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
@@ -193,6 +196,74 @@ a minus sign the width of the chamfer."
 T3006 Error "turning-contradiction" "values of an element contradict each other"
 "The block says the same thing twice, and the two do not agree: an angle and an end point, a radius and a centre, or a tangential arc that would \
 have to turn the other way."
+
+T3050 Error "turning-form-in-the-air" "recess or undercut lies on the air side of the contour"
+"An undercut relieves an inner corner, and a recess goes into the material. Here the tool works on the other side, where the undercut would be \
+a bead and the recess a ring that no cut makes, and the part would not come out as it is drawn. Move the undercut into an inner corner, or \
+correct the sign of the depth or the diameter of the floor."
+
+T3051 Error "turning-contour-arc" "arc of a contour is not closed"
+"The arc is given by its end and by its centre, and the distances of both ends from the centre differ by more than the controls accept \
+(0.02 mm, `[control] arc_tolerance`). Check start, end, I and K; on the 4110 I counts on the diameter, on later controls on the radius."
+
+T8001 Warning "turning-thread-left" "side of H of a thread is partc's reading"
+"H1 shifts the cuts of a thread to the left, H2 to the right; to which end of the axis the left one lies is shown in a picture only. The last cut is not \
+shifted, so the finished thread is the same either way, the load on the flanks is not."
+
+T8002 Warning "turning-thread-face" "face of a transverse thread is partc's reading"
+"G31 cuts threads in the front face and in the rear face with the same words. The edge position of the tool tells which one is meant; no manual at \
+hand says that the control decides by it."
+
+T8003 Warning "turning-simple-thread" "words of G32 are partc's reading"
+"No manual at hand lists the words of G32. They are read as docs/turning.md says. Program G31 where its words are known."
+
+T8004 Warning "turning-infeed" "infeed of G81 is partc's reading"
+"Whether I of G81 counts on the radius or on the diameter no manual at hand says. The number of cuts depends on it, the finished contour does not."
+
+T8005 Warning "turning-line-angle" "sense of an angle is partc's reading"
+"The manuals show the angle A of a line in pictures, and their texts disagree whether it counts from -Z or from +Z. A contour printed in one of them \
+is an ordinary shoulder only where it counts from -Z."
+
+T8006 Warning "turning-arc-q" "solution of an arc is partc's reading"
+"Where two arcs have the programmed values, Q chooses one. In earlier manuals Q0 is the far one, from software 7.1 on the near one."
+
+T8007 Warning "turning-undercut-limit" "size of an undercut is partc's reading"
+"The table of G85 has rows below and above 18 and 80 mm and none for these diameters themselves. Give the sizes of the drawing with I and K, \
+or say which row holds."
+
+T8008 Warning "turning-undercut-side" "side of an undercut is partc's reading"
+"G85 has no word for outside and inside. A tool above the cylinder cuts outside, one below inside; where it stands on the cylinder, its edge position \
+tells: 3, 4 and 8 outside, 1, 2 and 6 inside. No manual at hand says that the control decides by it."
+
+T8009 Warning "turning-contour-words" "contour in the words of G80 is partc's reading"
+"The words of G80 that describe a contour are shown in pictures only. They are read as docs/turning.md says: AC and WC lean the walls about \
+their rims, so that the recess opens."
+
+T8010 Warning "turning-recess-blank" "blank oversize of G869 is partc's reading"
+"RI says how far the blank stands above the rim of a recess. Whether it counts on the diameter, as the oversize I does, no manual at hand says. \
+A tool that expects too little material would plunge too deep at once: compare the first plunge with the drawing."
+
+T8011 Warning "turning-depth-compensation" "sense of R or RB of G869 is partc's reading"
+"The compensation counteracts the bending of the tool while it turns the floor. It is taken to lift the tool, which never cuts too deep; no \
+manual at hand gives the sign."
+
+T8012 Warning "turning-offset-one-way" "offset width of one-way turning is partc's reading"
+"B pulls the ends of turned cuts in where the tool changes from turning to plunging. One way (U1) there is no such change inside the material, \
+so B has no effect; no manual at hand says so."
+
+T8013 Warning "turning-recess-depth" "incremental I of G22 is partc's reading"
+"I of G22 is a diameter, so its increment is taken as a difference of diameters. No manual at hand says so: with the other reading the recess is twice \
+as deep."
+
+T8014 Warning "turning-recess-width" "width of G23 is partc's reading"
+"Where the flanks of a recess lean, K is its width at the surface or at its floor; this is shown in a picture only."
+
+T8015 Warning "turning-recess-oversize" "oversize of G86 is partc's reading"
+"The oversize of G86 is left until the finishing cut. Whether on the walls as well as on the floor no manual at hand says; on both never cuts too much."
+
+T8016 Warning "turning-blank-contour" "contour of the blank is not used"
+"The section BLANK draws the blank as a contour. The cycles of partc know bars, tubes and castings (G20, G21); of another blank they take that it reaches \
+to where the tool stands when the cycle begins."
 
 T9001 Error "turning-function" "G function is not supported"
 "The function is known by its name but not compiled, or it is not a function of these controls. Nothing is left out in silence: the program is refused."

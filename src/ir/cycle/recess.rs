@@ -31,7 +31,8 @@ pub struct RecessTurning {
     /// How much less far a turned cut ends at a wall, each time it is followed by a plunge there; 0 for none.
     /// Made smaller where the sum would exceed 80 % of the effective cutting width or half of the floor.
     pub offset_width: f64,
-    /// Height at which the floor is turned in finishing, above the floor: the tool bends under the side load.
+    /// Height at which the floor is turned in finishing, above the floor: the tool bends under the side load. Below it where it is
+    /// negative.
     pub compensation: f64,
     pub passes: Passes,
     pub operation: Operation,
@@ -70,6 +71,8 @@ pub enum Passes {
     /// In the direction of the contour; the tool lifts and goes back. There is no change from turning to
     /// plunging, so the offset width has no effect.
     OneWay,
+    /// The same, and each pass from the second on ends earlier than the one before by the offset width.
+    OneWayShorter,
     /// No turning: strokes side by side to the full depth, at most `width` apart (over 0). The first one cuts
     /// with the whole tool. The greatest depth of a cut and the offset width have no effect. The tool waits
     /// `dwell` seconds at the foot of each stroke and of each finishing cut down a wall.
@@ -136,7 +139,7 @@ impl fmt::Display for RecessFault {
             RecessFault::Most => "the greatest infeed must be over 0",
             RecessFault::Oversize => "the oversize must not be negative",
             RecessFault::OffsetWidth => "the offset width must not be negative",
-            RecessFault::Compensation => "the turning depth compensation must not be negative",
+            RecessFault::Compensation => "the turning depth compensation is no length",
             RecessFault::Strokes => {
                 "the distance of strokes must be over 0 and at most the effective cutting width, the dwell not negative"
             }
@@ -166,7 +169,7 @@ impl RecessTurning {
             (is_positive(self.most), RecessFault::Most),
             (is_length(self.oversize.x) && is_length(self.oversize.y), RecessFault::Oversize),
             (is_length(self.offset_width), RecessFault::OffsetWidth),
-            (is_length(self.compensation), RecessFault::Compensation),
+            (is_coordinate(self.compensation), RecessFault::Compensation),
             (self.strokes_fit(), RecessFault::Strokes),
             (is_positive(self.clearance), RecessFault::Clearance),
             (feeds.iter().all(|feed| is_positive(feed.value())), RecessFault::Feed),
@@ -177,7 +180,7 @@ impl RecessTurning {
     /// Between strokes further apart than the flat of the edge, ridges would stand.
     fn strokes_fit(&self) -> bool {
         match self.passes {
-            Passes::BothWays | Passes::OneWay => true,
+            Passes::BothWays | Passes::OneWay | Passes::OneWayShorter => true,
             Passes::Strokes { width, dwell } => {
                 is_positive(width) && width <= self.tool.width - 2.0 * self.tool.nose && is_length(dwell)
             }
@@ -278,7 +281,7 @@ pub(crate) mod tests {
             (RecessFault::Most, |r| r.most = 0.0),
             (RecessFault::Oversize, |r| r.oversize.y = -0.1),
             (RecessFault::OffsetWidth, |r| r.offset_width = -0.1),
-            (RecessFault::Compensation, |r| r.compensation = -0.1),
+            (RecessFault::Compensation, |r| r.compensation = f64::NAN),
             (RecessFault::Strokes, |r| r.passes = Passes::Strokes { width: 2.7, dwell: 0.0 }),
             (RecessFault::Strokes, |r| r.passes = Passes::Strokes { width: 2.0, dwell: -1.0 }),
             (RecessFault::Clearance, |r| r.clearance = 0.0),

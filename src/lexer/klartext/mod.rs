@@ -68,7 +68,7 @@ pub enum Tok {
     PlaneReset(Span),
     #[regex(r"(?i)PLANE[ \t]+[A-Z]+", tail)]
     Plane(Span),
-    #[regex(r"(?i)TCH[ \t]+PROBE", tail)]
+    #[regex(r"(?i)TCH[ \t]+PROBE", all_lines)]
     TchProbe(Span),
     #[regex(r"(?i)PATTERN[ \t]+DEF", all_lines)]
     PatternDef(Span),
@@ -86,6 +86,9 @@ pub enum Tok {
     #[token("POLARKIN", tail, ignore(case))]
     #[regex(r"(?i)(TABDATA|SECTION|MONITORING|PRESET)", tail)]
     Function(Span),
+    /// Cycle parameters for PREDEF, over all lines of the block.
+    #[regex(r"(?i)GLOBAL[ \t]+DEF", all_lines)]
+    GlobalDef(Span),
 
     // Path functions.
     #[token("L", ignore(case))]
@@ -198,6 +201,7 @@ pub enum Tok {
     /// A name, or a word of a cycle in any language.
     #[regex(r"[A-Za-z_\x80-\xff][A-Za-z_.\x80-\xff]*(-[A-Za-z_\x80-\xff][A-Za-z_.\x80-\xff]*)*", priority = 1)]
     #[regex(r"(?i)P[123][XYZ]", priority = 30)]
+    #[regex(r"(?i)CLSD[ \t]*[+\-]", priority = 30)]
     Name,
     /// A name directly followed by a parameter: `REPQ9`, `IDXQ11`.
     #[regex(r"(?i)[A-Z_]+Q[LRS]?[0-9]+", name_q, priority = 5)]

@@ -171,6 +171,7 @@ pub enum Refused {
     SelectTable,
     Contour,
     Function,
+    GlobalDef,
 }
 
 /// A label: its number, its name in quotes, or a parameter that holds either.
@@ -353,6 +354,8 @@ pub enum Addr {
     Hash,
     /// `/`
     Slash,
+    /// `:`
+    Colon,
     /// `Q200=`; its value follows in the word.
     Assign(QRef),
     /// `QS500=`

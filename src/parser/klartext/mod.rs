@@ -7,6 +7,8 @@ mod cycle;
 pub mod literal;
 pub mod problem;
 
+pub use problem::no_number;
+
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
     include!(concat!(env!("OUT_DIR"), "/klartext.rs"));
@@ -32,16 +34,15 @@ const MOST_DIGITS: usize = 16;
 /// How Klartext joins lines: by a `~` at the end, or in front of the comment.
 pub const SPLIT: SplitRules = SplitRules { mark: b'~', continues };
 
-fn continues(line: &[u8], continued: bool) -> bool {
+fn continues(line: &[u8], _: bool) -> bool {
     let mut quoted = false;
     let comment = line.iter().position(|b| {
         quoted ^= *b == b'"';
         *b == b';' && !quoted
     });
     let code = line[..comment.unwrap_or(line.len())].trim_ascii_end();
-    // A line that is nothing but a comment joins nothing, unless it stands inside a joined block.
-    let only_comment = comment.is_some() && head(code).from >= code.len();
-    code.ends_with(b"~") || (line.trim_ascii_end().ends_with(b"~") && (continued || !only_comment))
+    // Where a block holds nothing but a comment, it is the text that goes on.
+    code.ends_with(b"~") || line.trim_ascii_end().ends_with(b"~")
 }
 
 /// What stands in front of the statement.
@@ -106,9 +107,8 @@ pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) 
     block.skip = head.skip;
     let Some(&first) = text.get(head.from) else { return };
     match first {
-        b';' => block.comment = Some(comment_at(text, head.from + 1)),
-        // A heading, or a line of a set-up sheet.
-        b'*' | b'(' => block.comment = Some(comment_at(text, head.from + 1)),
+        // A remark, a heading, or a line of a set-up sheet.
+        b';' | b'*' | b'(' => whole_comment(text, head.from + 1, block, problems),
         _ if literal::parse(text, head.from, block) => {}
         _ => parse_statement(text, head.from, block, problems),
     }
@@ -156,9 +156,32 @@ fn reads_as_block(text: &[u8]) -> bool {
     !matches!(block.stmt, Stmt::Empty | Stmt::Bad) && problems.is_empty()
 }
 
-fn comment_at(text: &[u8], start: usize) -> Span {
-    let end = text[start..].iter().position(|b| *b == b'\n').map_or(text.len(), |n| start + n);
-    Span { start: start as u32, end: end as u32 }
+/// A block that is nothing but a comment: a `~` at the end of a line lets the text go on in the next one. What stands
+/// there is text; where it reads as a block all the same, the `~` may be decoration.
+fn whole_comment(text: &[u8], start: usize, block: &mut Block, problems: &mut Vec<Problem>) {
+    block.comment = Some(Span { start: start as u32, end: text.len() as u32 });
+    let mut at = start;
+    while let Some(feed) = memchr::memchr(b'\n', &text[at..]) {
+        at += feed + 1;
+        let line = &text[at..];
+        let line = &line[..memchr::memchr(b'\n', line).unwrap_or(line.len())];
+        let line = line.trim_ascii_end();
+        let line = line.strip_suffix(b"~").unwrap_or(line);
+        if reads_as_block(line) {
+            let lead = line.len() - line.trim_ascii_start().len();
+            let span = Span::at((at + lead) as u32, line.trim_ascii().len() as u32);
+            let shown = readable(span.of(text)).into_owned();
+            problems.push(
+                Problem::new(
+                    codes::K1850,
+                    span,
+                    format!("`{shown}` is text of the comment before, whose line ends with `~`, and reads as a block"),
+                )
+                .help("remove the `~` if this is a block; if it is text, write it on the line of the comment"),
+            );
+            return;
+        }
+    }
 }
 
 /// Reads the statement by the grammar, whatever it is. The only caller of the generated parser, so that it

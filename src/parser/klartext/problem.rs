@@ -9,6 +9,7 @@ use crate::text::{Span, decode::readable};
 
 use super::build::Refusal;
 use super::cycle::{begins_line, dangling};
+use crate::parser::not_a_number::is_no_number;
 use crate::parser::problem::Problem;
 
 /// How blocks look, by their first word.
@@ -71,6 +72,9 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return Problem::new(codes::K0001, span, format!("`{word}` has no place in a block"))
             .help("a comment starts with `;`");
     }
+    if is_no_number(span.of(text)) {
+        return no_number(&word, span);
+    }
     if span.start > from && begins_line(text, span.start) {
         return dangling(text, span.start, "the block");
     }
@@ -78,6 +82,12 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return no_statement(&word, span, text);
     }
     Problem::new(codes::K1001, span, format!("`{word}` cannot stand here")).form(text, from)
+}
+
+/// A word that some program wrote instead of a number.
+pub fn no_number(word: &str, span: Span) -> Problem {
+    Problem::new(codes::K0801, span, format!("`{word}` is no number: what wrote the program had no value here"))
+        .help("write the program anew in the CAM system; further words of this kind are not listed")
 }
 
 /// The characters that a span holds a part of, where the text is UTF-8.

@@ -36,6 +36,7 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
     if text.first() == Some(&b'%') {
         block.stmt = Stmt::Header;
         block.span = Span { start: 0, end: comment_start(text).unwrap_or(text.len()) as u32 };
+        carriage_returns(text, block, problems);
         return;
     }
     let from = head(text, block, symbols, problems);
@@ -45,11 +46,34 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
         Some(_) if literal::parse(text, from, block) => {}
         Some(_) => parse_statement(text, from, block, symbols, problems),
     }
-    if let Some(comment) = block.comment
-        && memchr::memchr(b'\r', comment.of(text)).is_some()
-    {
+    carriage_returns(text, block, problems);
+}
+
+/// A carriage return alone ends no line in a file with line feeds: what stands on both sides of it must not become one
+/// block.
+#[inline]
+fn carriage_returns(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
+    if memchr::memchr(b'\r', text).is_none() {
+        return;
+    }
+    joined_lines(text, block, problems);
+    if let Some(comment) = block.comment {
         hidden_block(text, comment, problems);
     }
+}
+
+#[cold]
+fn joined_lines(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
+    let code = &text[..comment_start(text).unwrap_or(text.len())];
+    let lead = code.len() - code.trim_ascii_start().len();
+    let Some(at) = memchr::memchr(b'\r', code.trim_ascii()).map(|at| lead + at) else { return };
+    let next = at + code[at..].iter().take_while(|b| b.is_ascii_whitespace()).count();
+    let len = code[next..].iter().take_while(|b| !b.is_ascii_whitespace()).count();
+    problems.clear();
+    let message = "a carriage return without a line feed stands inside this block";
+    let help = "end every line of the file in the same way";
+    problems.push(Problem::new(codes::S1101, Span::at(next as u32, len as u32), message).help(help));
+    block.stmt = Stmt::Bad;
 }
 
 /// A carriage return alone does not end a line in a file with line feeds; behind one in a comment a block may

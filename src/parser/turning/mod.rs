@@ -15,7 +15,7 @@ mod grammar {
 use crate::diag::codes;
 use crate::lexer::turning::Tokens;
 use crate::parser::problem::{Problem, without_printed_dashes};
-use crate::text::{Span, SplitRules};
+use crate::text::{Span, SplitRules, decode::readable};
 
 use ast::{Block, Stmt};
 use build::Build;
@@ -26,6 +26,9 @@ pub const SPLIT: SplitRules = SplitRules { mark: 0, continues: |_, _| false };
 /// Reads one block into `block`; what is wrong with it goes to `problems`.
 pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
     block.clear();
+    if memchr::memchr(b'\r', text).is_some() && lone_return(text, block, problems) {
+        return;
+    }
     let from = after_blanks(text, 0);
     match text.get(from) {
         Some(b'%') => return program_name(text, from, block),
@@ -51,6 +54,23 @@ pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) 
     if block.stmt != Stmt::Bad && !by_first_word(text, from, end, block) {
         parse_statement(&text[..end], from, block, problems);
     }
+}
+
+/// A carriage return alone does not end a line in a file with line feeds: what follows it looks like a line of its own.
+#[cold]
+fn lone_return(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) -> bool {
+    let hidden = |at: &usize| text[*at] == b'\r' && after_blanks(text, *at) < text.len();
+    let Some(at) = (0..text.len()).find(hidden) else { return false };
+    let start = after_blanks(text, at);
+    let len = text[start..].iter().position(|b| *b == b'\r').unwrap_or(text.len() - start);
+    let span = Span::at(start as u32, text[start..start + len].trim_ascii_end().len() as u32);
+    let message = format!("`{}` stands behind a lone carriage return", readable(span.of(text)));
+    problems.push(
+        Problem::new(codes::T2050, span, message).help("end the line in front of it with a line feed, or remove it"),
+    );
+    block.span = span;
+    block.stmt = Stmt::Bad;
+    true
 }
 
 /// `%name.nc`

@@ -7,7 +7,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{self, Point2, SAME_DIRECTION, SAME_POINT, Vec2, arc, distance, left, length};
 use crate::ir::contour::{Arc, ArcShape, Coords, EndPoint, Move, Path};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, Compensation, Generation};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
@@ -16,6 +16,8 @@ use super::path::{PATH, plane_axes};
 use super::words::{Admits, Comp, FeedWord, Words};
 use super::{Here, Outcome, Reported, Run};
 
+/// Functions and comments that may stand between an approach and the first element of its contour.
+pub(super) const MOST_HELD: usize = 256;
 /// How far a computed arc end may lie beside its circle, in mm.
 const CLOSE: f64 = 1e-6;
 
@@ -46,6 +48,8 @@ pub(super) struct Approach {
     /// Feed to PH; `None` for rapid.
     lead: Option<Feed>,
     feed: Feed,
+    /// What came since: it belongs behind the approach.
+    pub held: Vec<(Function, Origin)>,
 }
 
 /// The last move in the working plane, for its direction at the end.
@@ -63,6 +67,7 @@ impl Run<'_> {
         if result.is_err() {
             self.approach = None;
             self.st.side = Side::None;
+            self.st.side_lost = true;
             self.lose_all();
         }
         result
@@ -83,13 +88,9 @@ impl Run<'_> {
         };
         let w = self.gather(&rest, &upper, admits)?;
         self.check_m(&w)?;
-        if let Some(m) = w.m().first() {
-            return self.fail_help(
-                codes::K1005,
-                m.span,
-                format!("M{} in an {function} block is not supported", m.number),
-                "write it into a block in front of it",
-            );
+        self.forbid_m(&w, &upper, &[6, 89, 91, 99, 140])?;
+        if !departs {
+            self.forbid_m(&w, &upper, &[2, 30])?;
         }
         if w.feed == FeedWord::Max {
             return self.fail_help(
@@ -100,7 +101,13 @@ impl Run<'_> {
             );
         }
         let shape = self.shape(kind, len, angle, w.radius, &upper)?;
-        if departs { self.depart(&upper, shape, &w) } else { self.approach_later(name, span, shape, &w) }
+        self.m_at_start(&w, true)?;
+        if departs {
+            self.depart(&upper, shape, &w)?;
+        } else {
+            self.approach_later(name, span, shape, &w)?;
+        }
+        self.m_at_end(&w)
     }
 
     /// Takes LEN and CCA out of the words of the block.
@@ -243,8 +250,10 @@ impl Run<'_> {
             radius,
             lead,
             feed,
+            held: Vec::new(),
         }));
         self.st.side = side;
+        self.st.side_lost = false;
         self.st.pos.update(&after);
         self.st.polar = None;
         self.st.last = None;
@@ -279,6 +288,9 @@ impl Run<'_> {
             self.lost();
         }
         self.here = here;
+        for (function, origin) in &approach.held {
+            self.out.function(function, &self.st.ctx, origin);
+        }
     }
 
     fn make_approach(&mut self, a: &Approach, heading: Vec2) -> Outcome {
@@ -358,6 +370,10 @@ impl Run<'_> {
         let side = self.st.side;
         let plane = self.st.plane();
         let at = self.start_in(plane, name)?;
+        // Where RL or RR was refused, that was said.
+        if side == Side::None && std::mem::take(&mut self.st.side_lost) {
+            return Err(Reported);
+        }
         if self.approach.is_some() || side == Side::None || w.comp.is_some_and(|comp| comp != Comp::Side(Side::None)) {
             return self.fail_help(
                 codes::K9003,

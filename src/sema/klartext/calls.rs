@@ -149,14 +149,29 @@ impl Run<'_> {
 
     /// The end of a program file was reached: return to the caller, or end the run.
     fn program_over(&mut self, regular: bool) -> Outcome {
-        if let LevelKind::Subprogram { label_at, call_site } = self.level().kind {
+        while let LevelKind::Subprogram { label_at, call_site } = self.level().kind {
             let file = self.program().source.file;
             let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
+            if regular && self.job.settings.control.klartext_choices.open_subprogram_ends {
+                let text = "the program ends inside this label, whose call ends it: nothing behind the call runs";
+                self.report(
+                    Diagnostic::new(codes::K2850, call_site, text)
+                        .here("called here")
+                        .also(label, "it begins here")
+                        .help("write M30, or LBL 0 behind the last block of the subprogram"),
+                );
+                // The caller of this label goes on nowhere.
+                self.levels.pop();
+                continue;
+            }
             self.report(
                 Diagnostic::new(codes::K2203, call_site, "the program ends before the LBL 0 of this subprogram")
                     .here("called here")
                     .also(label, "it begins here")
-                    .help("put LBL 0 behind the last block of the subprogram"),
+                    .help(
+                        "put LBL 0 behind the last block of the subprogram; if the control takes END PGM for the end \
+                         of the program here, set `[control] open_subprogram = \"end\"`",
+                    ),
             );
             self.ended = true;
             return Err(Reported);

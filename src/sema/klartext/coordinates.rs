@@ -17,9 +17,44 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     /// Puts a new transformation in force; the tool stays where it is.
     pub(super) fn set_transformation(&mut self, transform: Transformation) -> Outcome {
+        self.warn_of_order(&transform);
         self.st.transform = transform;
         let span = self.block_span();
         self.update_frame(span)
+    }
+
+    /// Warns where `next` mixes transformations whose order no manual at hand gives.
+    fn warn_of_order(&self, next: &Transformation) {
+        let now = &self.st.transform;
+        let here = self.here.origin.loc;
+        let turned = now.angle != next.angle || now.plane != next.plane;
+        if next.mirror_order_counts() && (turned || now.mirror != next.mirror) {
+            let what = if next.mirror_last {
+                "the rotation acts first, then the mirror"
+            } else {
+                "the mirror acts first, then the rotation"
+            };
+            self.report(
+                Diagnostic::new(codes::K2807, here, what)
+                    .help("compare one point with the control; `[control] mirror` selects the other order"),
+            );
+        }
+        if next.scaling_order_counts() && (turned || now.axis_scale != next.axis_scale) {
+            self.report(
+                Diagnostic::new(codes::K2807, here, "cycle 26 scales first, then the rotation turns the result")
+                    .help("scale and rotate one after the other, or both axes alike"),
+            );
+        }
+        if next.scales_twice() && (now.scale != next.scale || now.axis_scale != next.axis_scale) {
+            self.report(
+                Diagnostic::new(
+                    codes::K2808,
+                    here,
+                    "cycle 11 scales first, then cycle 26 scales the result about its centre",
+                )
+                .help("put the product of the factors into one of the two cycles"),
+            );
+        }
     }
 
     /// Makes the frame follow the transformation and the length oversize.
@@ -91,6 +126,7 @@ impl Run<'_> {
             let value = if axis.axis.is_rotary() { value } else { value * mm };
             next.shift_by(axis.axis, value, axis.incremental, turned);
         }
+        self.check_shift_under_turn(&mut next)?;
         let now = &self.st.transform;
         let changes = AxisSet::MAIN.iter().any(|axis| now.shift[axis.index()] != next.shift[axis.index()]);
         let clears = AxisSet::MAIN.iter().all(|axis| next.shift[axis.index()] == 0.0);
@@ -105,6 +141,23 @@ impl Run<'_> {
             );
         }
         self.set_transformation(next)
+    }
+
+    /// A datum shift that came before the turn of the working plane is measured along other axes than one after it.
+    fn check_shift_under_turn(&self, next: &mut Transformation) -> Outcome {
+        let now = &self.st.transform;
+        if now.turn.0 == 0.0 || now.shift[..2] == next.shift[..2] {
+            return Ok(());
+        }
+        if now.is_shifted_in_plane() && !now.shifted_in_turn {
+            self.error(
+                codes::K2852,
+                "the datum was shifted before the working plane was turned, and is shifted again now",
+            );
+            return Err(Reported);
+        }
+        next.shifted_in_turn = next.is_shifted_in_plane();
+        Ok(())
     }
 
     pub(super) fn mirror(&mut self, axes: AxisSet) -> Outcome {
@@ -188,7 +241,9 @@ impl Run<'_> {
             self.check_factor(factor)?;
             next.axis_scale[axis.axis.index()] = factor;
         }
+        let kept = next.scale_center;
         next.scale_center = [0.0; 3];
+        let mut named = [false; 3];
         for labelled in &open.values {
             let axis = match labelled.label.as_str() {
                 "CCX" => 0,
@@ -198,20 +253,38 @@ impl Run<'_> {
                 _ => continue,
             };
             next.scale_center[axis] = labelled.value * mm;
+            named[axis] = true;
         }
+        self.other_centers(&mut next, kept, named);
         self.set_transformation(next)
     }
 
-    /// Cycle 19: only its reset can be compiled.
-    pub(super) fn tilt(&mut self, open: &Open) -> Outcome {
-        if open.axes.iter().all(|axis| axis.value.unwrap_or(0.0) == 0.0) {
-            for number in 120..=122 {
-                self.set_control_parameter(number, 0.0);
+    /// Axes that cycle 26 scales about a centre given before: it goes, or stays.
+    fn other_centers(&mut self, next: &mut Transformation, kept: [f64; 3], named: [bool; 3]) {
+        let keep = self.job.settings.control.klartext_readings.keep_scaling_center;
+        for axis in AxisSet::MAIN.iter() {
+            let i = axis.index();
+            if named[i] || kept[i] == 0.0 || next.axis_scale[i] == 1.0 {
+                continue;
             }
-            return Ok(());
+            let what = if keep {
+                next.scale_center[i] = kept[i];
+                "the centre given before"
+            } else {
+                "the datum"
+            };
+            let letter = axis.letter();
+            self.report(
+                Diagnostic::new(
+                    codes::K2809,
+                    self.here.origin.loc,
+                    format!("this cycle 26 names no centre for {letter}, and {letter} is scaled about {what}"),
+                )
+                .help(format!(
+                    "write CC{letter} into the definition; `[control] scaling_center` selects the other reading"
+                )),
+            );
         }
-        self.error(codes::K9004, "cycle 19 tilts the working plane, which cannot be compiled for three axes");
-        Err(Reported)
     }
 
     /// Cycle 247: a row of the preset table becomes a work offset.
@@ -241,8 +314,13 @@ impl Run<'_> {
                 format!("preset {number} is printed as work offset {offset} ({})", offset_word(offset)),
             ));
         }
+        if self.st.transform.turn.0 != 0.0 {
+            self.error(codes::K2852, "the datum is set while the working plane is turned");
+            return Err(Reported);
+        }
         self.function(Function::WorkOffset(offset));
-        self.set_transformation(Transformation::default())?;
+        let mirror_last = self.st.transform.mirror_last;
+        self.set_transformation(Transformation::none(mirror_last))?;
         // In the new system no axis has a known position.
         self.st.pos = crate::ir::Pos::UNKNOWN;
         self.st.nominal = crate::ir::Pos::UNKNOWN;
@@ -317,7 +395,10 @@ impl Run<'_> {
         let mut next = self.st.transform.clone();
         let none = Transformation::default();
         match kind {
-            Transform::Datum => next.unshift(),
+            Transform::Datum => {
+                next.unshift();
+                self.check_shift_under_turn(&mut next)?;
+            }
             Transform::Mirror => next.mirror = none.mirror,
             Transform::Rotation => next.angle = none.angle,
             Transform::Scale => {

@@ -5,6 +5,7 @@
 
 use crate::diag::codes;
 use crate::lexer::klartext::{QKind, QRef, Value};
+use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
@@ -49,6 +50,7 @@ impl Run<'_> {
                     let loc = self.loc(word.span);
                     self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
                 }
+                Addr::Name if nature == Nature::Mirror => self.mirror_letters(word, block, text)?,
                 Addr::Name => {
                     read.label = Some((String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(), word.span));
                 }
@@ -84,6 +86,20 @@ impl Run<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    /// `8.1 XY`: letters written together name both axes.
+    fn mirror_letters(&mut self, word: Word, block: &Block, text: &[u8]) -> Outcome {
+        for letter in word.span.of(text).to_ascii_uppercase() {
+            let axis = AxisSet::MAIN.iter().find(|axis| axis.letter() as u32 == u32::from(letter));
+            let Some(axis) = axis else { return self.cycle_word(word.span, 8) };
+            if self.open_cycle().axes.iter().any(|other| other.axis == axis) {
+                return self.twice(word, block);
+            }
+            let loc = self.loc(word.span);
+            self.open_cycle().axes.push(AxisValue { axis, incremental: false, value: None, loc });
+        }
+        Ok(())
     }
 
     /// `Q200=+2`
@@ -182,6 +198,9 @@ impl Run<'_> {
         let part = self.open_cycle().part;
         let old = number < 20 && holes::needed(number).is_some();
         match (nature, word.addr) {
+            // `HSC-MODE:1`
+            (Tolerance, Addr::Colon) => read.label() == "HSC-MODE",
+            (_, Addr::Colon) => false,
             (Machining, Addr::Name | Addr::Value) if old => none,
             (Machining, Addr::Feed) if old => none && read.label.is_none() && holes::feed_part(number) == part,
             (Machining, _) if old => false,
@@ -195,6 +214,7 @@ impl Run<'_> {
             (DatumShift, Addr::Axis { .. } | Addr::Hash) => read.label.is_none(),
             (DatumShift, Addr::Value) => read.label() == "#",
             (Mirror, Addr::Axis { incremental, .. }) => !valued && !incremental,
+            (Mirror, Addr::Name) => true,
             (AxisScaling, Addr::Axis { incremental, .. }) => valued && !incremental && read.label.is_none(),
             (AxisScaling, Addr::Name) => read.label.is_none() && is_one_of(word, text, &["CCX", "CCY", "CCZ"]),
             (AxisScaling, Addr::Value) => read.label.is_some(),

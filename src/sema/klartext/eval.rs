@@ -14,6 +14,9 @@ use super::formula::{self, Val};
 use super::vars::{Slot, exists};
 use super::{Outcome, Reported, Run};
 
+/// Values that differ by less may differ by the rounding of what they were computed from.
+const ROUNDING: f64 = 1e-9;
+
 impl Run<'_> {
     /// The number that stands behind an address.
     #[inline]
@@ -75,6 +78,16 @@ impl Run<'_> {
             Some(Slot::Number(n)) => Ok(Val::Number(*n)),
             Some(Slot::Text(text)) => Ok(Val::Text(Rc::clone(text))),
             Some(Slot::Lost) => Err(Reported),
+            Some(&Slot::AtMachine(set)) => {
+                let message =
+                    format!("{q} is set by the control at the machine, and nothing in the program says to what");
+                self.report(
+                    Diagnostic::new(codes::K2304, self.loc(span), message)
+                        .also(set, "set here")
+                        .help(format!("if the value is always the same, assign it behind that block: `{q} = …`")),
+                );
+                Err(Reported)
+            }
             None => self.undefined(q, span),
         }
     }
@@ -304,6 +317,12 @@ impl Run<'_> {
             }
             Test::Compare { relation, left, right } => {
                 let (a, b) = (self.operand(left, text)?, self.operand(right, text)?);
+                if let (Val::Number(a), Val::Number(b)) = (&a, &b)
+                    && a != b
+                    && (a - b).abs() < ROUNDING
+                {
+                    self.decided_by_rounding();
+                }
                 match (&a, &b) {
                     (Val::Number(a), Val::Number(b)) => match relation {
                         Relation::Equal => a == b,
@@ -321,6 +340,18 @@ impl Run<'_> {
             }
         };
         if taken { self.jump(target, text) } else { Ok(()) }
+    }
+
+    #[cold]
+    fn decided_by_rounding(&self) {
+        self.report(
+            Diagnostic::new(
+                codes::K2810,
+                self.here.origin.loc,
+                "the two values of this jump differ by less than 0.000000001, and by rounding alone perhaps",
+            )
+            .help("compare with a tolerance: `FN 12: IF +Q1 LT +0.0001 GOTO LBL 1`"),
+        );
     }
 
     fn operand(&mut self, operand: Operand, text: &[u8]) -> Outcome<Val> {

@@ -25,7 +25,9 @@ pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
         "K9002" => "have the control convert the contour to conventional blocks",
         "K9003" => "program the approach and the departure as L and C blocks",
         "K9004" => "have the CAM system put out the tilted work for the target machine",
-        "K9005" => "remove the block, or compile the program without the setup",
+        "K9005" => {
+            "remove the block, or set `[control] probing = \"leave-out\"` if the part is set up before the program"
+        }
         "K9006" => "put the values into the program",
         "K9009" => "convert the block to L, C or CR",
         "K9010" => "put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`",

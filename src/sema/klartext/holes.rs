@@ -152,6 +152,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
+        self.cuts_now()?;
         self.check_pitch(cycle)?;
         if self.st.plunge_share.is_some() {
             self.report(

@@ -139,9 +139,10 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         Stmt::Iso => Some(codes::K9009),
         Stmt::Refused(what, _) => match what {
             Refused::Plane => plane::tilts(block.span.of(text)).then_some(codes::K9004),
-            Refused::TouchProbe => Some(codes::K9005),
+            Refused::TouchProbe => (!job.settings.control.klartext_choices.probing_left_out).then_some(codes::K9005),
             Refused::Pattern => Some(codes::K9010),
             Refused::Contour => Some(codes::K9018),
+            Refused::GlobalDef => Some(codes::K9011),
             Refused::Function if !other::is_harmless(block.span.of(text)) => Some(codes::K9011),
             Refused::Function | Refused::SelectTable => None,
         },

@@ -83,7 +83,8 @@ impl Labels {
     /// Notes a label; the finding where it is set already.
     pub fn add(&mut self, label: LabelRef, text: &[u8], place: Place, loc: Loc) -> Option<Diagnostic> {
         let label = Label::written(label, text)?;
-        if let Some(&first) = self.places.get(&label) {
+        // A program that runs again passes its labels again.
+        if let Some(&first) = self.places.get(&label).filter(|first| **first != place) {
             let first = Loc { line: first.line, span: Span::at(first.at, 1), ..loc };
             return Some(
                 Diagnostic::new(codes::K2201, loc, format!("{label} is set twice"))

@@ -62,9 +62,9 @@ enum Act {
     /// Handled where the block moves: M89, M91, M99.
     Block,
     /// Smoothing, supervision: no influence on the programmed path.
-    Nothing,
-    /// The same, and worth a note.
     Note,
+    /// M124: the control may leave out points.
+    ShortPoints,
     /// Changes the compensated path: nothing without compensation.
     CompensationOnly,
     /// Leaves out parts of the compensated contour that the tool does not fit into.
@@ -99,11 +99,11 @@ fn entry(number: u32) -> Option<(Act, When)> {
         14 => (SpindleAndCoolant(Turn::CounterClockwise), Start),
         19 => (Orient, End),
         89 | 91 | 99 => (Block, Start),
-        // Constant path speed, replacement tools, kv factors, oversize errors, handwheel, short points,
-        // exact stop, tilt axes, probe supervision, lift-off, limit switch messages.
-        90 | 101 | 102 | 105..=108 | 118 | 124 | 130 | 134 | 135 | 138 | 141 | 148..=150 => (Nothing, Start),
-        // Rounding of transitions, basic rotation of the setup.
-        112 | 113 | 143 => (Note, Start),
+        // Constant path speed, replacement tools, kv factors, oversize errors, rounding of transitions, handwheel,
+        // untilted blocks, exact stop, tilt axes, probe supervision, basic rotation of the setup, lift-off, limit
+        // switch messages.
+        90 | 101 | 102 | 105..=108 | 112 | 113 | 118 | 130 | 134 | 135 | 138 | 141 | 143 | 148..=150 => (Note, Start),
+        124 => (ShortPoints, Start),
         120 => (LookAhead, Start),
         97 | 98 | 197 => (CompensationOnly, End),
         103 => (PlungeShare, Start),
@@ -118,7 +118,7 @@ fn entry(number: u32) -> Option<(Act, When)> {
         94 => (ModuloRotary, Start),
         140 => (Retract, Start),
         // Switched off is how every program starts.
-        115 | 145 => (Nothing, Start),
+        115 | 145 => (Note, Start),
         128 => (FollowTip(true), Start),
         129 => (FollowTip(false), End),
         92 | 93 | 95 | 96 | 104 | 114 | 142 | 144 => (Refused, Start),
@@ -164,6 +164,14 @@ impl Run<'_> {
                     let (what, help) = refusal(m.number);
                     return self.fail_help(codes::K9008, m.span, format!("M{} {what}", m.number), help);
                 }
+                Some(_) if m.number == 130 && self.st.transform.turn.0 != 0.0 => {
+                    return self.fail_help(
+                        codes::K9008,
+                        m.span,
+                        "M130 takes this block out of the working plane that PLANE or cycle 19 turned",
+                        "reset the plane before the block, and program it again after",
+                    );
+                }
                 Some((Act::CompensationOnly | Act::LookAhead, _)) if compensated && acts(m) => {
                     return self.fail_help(
                         codes::K9008,
@@ -203,6 +211,7 @@ impl Run<'_> {
         for m in w.m() {
             match entry(m.number) {
                 Some((act, When::Start)) => self.act(act, m)?,
+                Some((Act::ToolChange, When::End)) => self.m6_at_end(),
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
@@ -246,7 +255,7 @@ impl Run<'_> {
             Act::Stop => self.stop_all(m.span),
             Act::OptionalStop => self.function(Function::OptionalStop),
             Act::ProgramEnd { rewind } => return self.program_end(rewind),
-            Act::ToolChange => self.m6(m.span),
+            Act::ToolChange => return self.m6(m.span),
             Act::Orient => {
                 let angle = self.st.orientation.unwrap_or(0.0);
                 self.st.spindle = None;
@@ -258,8 +267,16 @@ impl Run<'_> {
                 {
                     return self.fail(codes::K2707, m.span, format!("M103 F{share} is no share of the feed in %"));
                 }
+                if m.args.feed.is_none() && self.st.plunge_share.is_none() {
+                    self.note_m(m);
+                }
                 self.st.plunge_share = m.args.feed.map(|percent| percent / 100.0);
             }
+            Act::EdgeFeed(false) if !self.st.edge_feed => self.note_m(m),
+            Act::RotaryFeed(false) if !self.st.rotary_feed => self.note_m(m),
+            Act::ShortWay(false) if !self.st.short_way => self.note_m(m),
+            Act::PerRevolution(false) if !self.st.per_revolution => self.note_m(m),
+            Act::FollowTip(false) if !self.st.follows_tip => self.note_m(m),
             Act::EdgeFeed(on) => self.st.edge_feed = on,
             Act::RotaryFeed(on) => self.st.rotary_feed = on,
             Act::ShortWay(on) => self.st.short_way = on,
@@ -277,16 +294,45 @@ impl Run<'_> {
                 self.st.per_revolution = on;
             }
             Act::FollowTip(on) => return self.follow_tip(on, m.span),
-            Act::ModuloRotary => self.reduce_rotary(m.args.axes),
+            Act::ModuloRotary => {
+                if !self.reduce_rotary(m.args.axes) {
+                    self.note_m(m);
+                }
+            }
             Act::Retract => return self.retract(m),
-            Act::Note | Act::CompensationOnly | Act::LookAhead => {
+            Act::Note => self.note_m(m),
+            Act::ShortPoints => self.report(
+                Diagnostic::new(
+                    codes::K2804,
+                    self.loc(m.span),
+                    "M124 leaves out points on the control, and the output keeps them all",
+                )
+                .help("remove M124 if the path is to be the programmed one"),
+            ),
+            Act::CompensationOnly | Act::LookAhead => {
                 let found =
                     Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
                 self.report(found);
             }
-            Act::Block | Act::Nothing | Act::Refused => {}
+            Act::Block | Act::Refused => {}
         }
         Ok(())
+    }
+
+    /// Says once of each function that it is left out.
+    pub(super) fn note_m(&mut self, m: &MWord) {
+        if self.noted.contains(&m.number) {
+            return;
+        }
+        self.noted.push(m.number);
+        let what = match m.number {
+            91 => "stands in a block without coordinates, and has",
+            94 => "finds no rotary axis beyond a turn, and has",
+            103 | 111 | 117 | 127 | 129 | 137 => "switches off what is not on, and has",
+            _ => "has",
+        };
+        let text = format!("M{} {what} no word in the output", m.number);
+        self.report(Diagnostic::new(codes::K2703, self.loc(m.span), text));
     }
 
     fn start_spindle(&mut self, turn: Turn) {
@@ -322,20 +368,6 @@ impl Run<'_> {
             self.coolant(false);
         }
         self.function(Function::Stop);
-    }
-
-    /// M6 belongs to the TOOL CALL before it, whose change is printed already, or announces a change by hand.
-    fn m6(&mut self, span: Span) {
-        if self.st.spindle.is_some() {
-            self.stop_spindle();
-        }
-        let text = if self.st.change_printed {
-            "this M6 belongs to the tool change printed for the TOOL CALL"
-        } else {
-            "this M6 stops the spindle; the change is printed at the next TOOL CALL"
-        };
-        self.st.change_printed = false;
-        self.report(Diagnostic::new(codes::K2702, self.loc(span), text));
     }
 
     /// STOP with its M functions. STOP itself does not stop the spindle.

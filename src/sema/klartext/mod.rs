@@ -6,7 +6,9 @@
 
 mod approach;
 mod arcs;
+mod blank;
 mod calls;
+mod change;
 mod coordinates;
 mod cycle;
 mod cycle_names;
@@ -26,6 +28,7 @@ mod pattern_def;
 mod patterns;
 mod plane;
 mod polar;
+mod probing;
 mod rotary;
 mod state;
 mod system;
@@ -72,8 +75,10 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         places: None,
         places_lost: false,
         selected: None,
+        noted: Vec::new(),
         stack: Vec::new(),
         words: None,
+        skipped: None,
         here: Here::default(),
         problems: Vec::new(),
         scratch: None,
@@ -100,7 +105,7 @@ pub fn check_form(job: &Job<'_>) {
         parse_block(text.text, &mut block, &mut problems);
         let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
-            job.diags.push(here.diagnostic(job, problem));
+            push_problem(job, &here, problem);
         }
         match block.stmt {
             Stmt::Begin { unit: Some(unit), .. } if head.is_none() => head = Some((unit, here.loc(job, block.span))),
@@ -113,6 +118,13 @@ pub fn check_form(job: &Job<'_>) {
             _ => {}
         }
     }
+}
+
+/// A program without numbers has hundreds of such words: one finding says it all.
+fn push_problem(job: &Job<'_>, here: &Here, problem: Problem) {
+    let once = problem.code == codes::K0801;
+    let found = here.diagnostic(job, problem);
+    if once { job.diags.push_once(found) } else { job.diags.push(found) }
 }
 
 /// A run does not come here where the program ends by M30.
@@ -131,6 +143,8 @@ struct Program {
     labels: Option<Labels>,
     /// Labels passed before the file was looked through for them.
     passed: Labels,
+    /// A block of it holds M6; `None` before anybody asked.
+    writes_m6: Option<bool>,
     /// BEGIN PGM, once it was met.
     head: Option<ProgramHead>,
 }
@@ -162,8 +176,12 @@ struct Run<'a> {
     places_lost: bool,
     /// Program of SEL PGM.
     selected: Option<String>,
+    /// M functions of which it was said that they are left out.
+    noted: Vec<u32>,
     stack: Vec<Val>,
     words: Option<Box<words::Words>>,
+    /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
+    skipped: Option<u32>,
     here: Here,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed<Block>>>,
@@ -182,7 +200,7 @@ impl Run<'_> {
             return Some(at);
         }
         let source = Source::open(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { source, labels: None, passed: Labels::default(), head: None });
+        self.programs.push(Program { source, labels: None, passed: Labels::default(), writes_m6: None, head: None });
         Some(self.programs.len() - 1)
     }
 
@@ -232,14 +250,22 @@ impl Run<'_> {
     }
 
     fn report_problems(&mut self) {
-        for problem in self.problems.drain(..) {
-            self.job.diags.push(self.here.diagnostic(&self.job, problem));
+        for problem in std::mem::take(&mut self.problems) {
+            self.push_problem(problem);
         }
+    }
+
+    fn push_problem(&self, problem: Problem) {
+        push_problem(&self.job, &self.here, problem);
     }
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
         self.here.origin.loc.span = block.span.shifted(self.here.at);
         if block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1) {
+            self.skip(block, text);
+            return;
+        }
+        if self.skipped.is_some() && self.belongs_to_skipped(block) {
             return;
         }
         if self.job.settings.output.comments
@@ -355,19 +381,35 @@ impl Run<'_> {
     }
 
     fn comment(&mut self, text: &[u8]) {
-        let text = text.trim_ascii();
-        let text = text.strip_suffix(b"~").unwrap_or(text).trim_ascii();
-        if !text.is_empty() {
-            self.function(Function::Comment(text.to_vec()));
+        let mut whole = Vec::new();
+        // A long comment goes over several lines.
+        for line in text.split(|b| *b == b'\n') {
+            let line = line.trim_ascii();
+            let line = line.strip_suffix(b"~").unwrap_or(line).trim_ascii();
+            if !whole.is_empty() && !line.is_empty() {
+                whole.push(b' ');
+            }
+            whole.extend_from_slice(line);
+        }
+        if !whole.is_empty() {
+            self.function(Function::Comment(whole));
         }
     }
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
+        if self.st.change != change::Change::None {
+            self.watch_move(mv);
+        }
         self.out.movement(mv, &self.st.ctx, &self.here.origin);
     }
 
     fn function(&mut self, function: Function) {
+        if let Some(approach) = &mut self.approach
+            && approach.held.len() < approach::MOST_HELD
+        {
+            return approach.held.push((function, self.here.origin));
+        }
         self.out.function(&function, &self.st.ctx, &self.here.origin);
     }
 
@@ -414,6 +456,7 @@ impl Run<'_> {
         if self.cycles.is_open() {
             self.finish_cycle();
         }
+        self.forgotten_change();
         if self.st.side != crate::ir::Side::None {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")

@@ -1,79 +1,14 @@
-//! Blank form, FN 14 and up, and statements that are refused by name.
+//! FN 14 and up, and statements that are refused by name.
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Point2, SAME_POINT, arc, distance};
-use crate::lexer::klartext::{QKind, QRef, Value};
-use crate::parser::klartext::ast::{Addr, Block, Refused};
+use crate::lexer::klartext::{QKind, QRef};
+use crate::parser::klartext::ast::{Block, Refused};
 
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
-    /// BLK FORM: emits nothing; kept for the working plane of fragments and for checks.
-    pub(super) fn blank_form(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        if self.st.moved {
-            self.job.diags.push_once(
-                Diagnostic::new(codes::K2508, self.here.origin.loc, "the blank is defined behind the first move")
-                    .help("put BLK FORM in front of the first positioning block, where the control looks for it"),
-            );
-        }
-        let mm = self.level().unit.mm();
-        let mut corner = None;
-        let mut values = [None; 3];
-        for (at, &word) in block.words.iter().enumerate() {
-            match word.addr {
-                Addr::Value if at == 0 => corner = Some(word.span.of(text).to_vec()),
-                Addr::Axis { axis, incremental: false } if word.value == Value::None && corner.is_some() => {
-                    self.st.blank.axis = Some(axis);
-                }
-                Addr::Axis { axis, incremental } if axis.is_main() && corner.is_some() => {
-                    if values[axis.index()].is_some() {
-                        return self.twice(word, block);
-                    }
-                    let value = self.number(word.value, word.span)? * mm;
-                    let base = if incremental { self.st.blank.min.map_or(0.0, |min| min[axis.index()]) } else { 0.0 };
-                    values[axis.index()] = Some(base + value);
-                }
-                // The words of cylinders, bodies of revolution and files have no influence on the path.
-                Addr::M(_) | Addr::Feed | Addr::FeedMax | Addr::CompLeft | Addr::CompRight | Addr::Speed => {
-                    return self.not_admitted(word, "BLK FORM");
-                }
-                _ if corner.is_none() => {}
-                _ => return self.not_admitted(word, "BLK FORM"),
-            }
-        }
-        let [Some(x), Some(y), Some(z)] = values else {
-            if let Some(corner) = corner {
-                let corner = crate::text::decode::readable(&corner).into_owned();
-                self.unusable_blank(&format!("BLK FORM {corner} does not name X, Y and Z"));
-            }
-            return Ok(());
-        };
-        match corner.as_deref() {
-            Some(b"0.1" | b"0,1") => self.st.blank.min = Some([x, y, z]),
-            Some(b"0.2" | b"0,2") => {
-                if let Some(min) = self.st.blank.min
-                    && [x, y, z].iter().zip(&min).any(|(max, min)| max <= min)
-                {
-                    self.unusable_blank("the MAX point does not lie above the MIN point");
-                }
-            }
-            Some(other) => {
-                let corner = crate::text::decode::readable(other).into_owned();
-                self.unusable_blank(&format!("BLK FORM {corner} is neither 0.1 nor 0.2"));
-            }
-            None => {}
-        }
-        Ok(())
-    }
-
-    fn unusable_blank(&self, what: &str) {
-        self.report(
-            Diagnostic::new(codes::K2508, self.here.origin.loc, what)
-                .help("the control refuses this blank; the path does not depend on it"),
-        );
-    }
-
     /// FN 14 and up. What writes to screens and files only has no influence on the path.
     pub(super) fn fn_other(&mut self, number: u32, rest: &[u8]) -> Outcome {
         if matches!(number, 17..=29) {
@@ -87,15 +22,19 @@ impl Run<'_> {
                 self.ended = true;
                 Err(Reported)
             }
-            // Printing and logging.
-            15 | 16 | 38 => Ok(()),
+            15 | 16 | 38 => {
+                self.left_out(&format!("FN {number} writes to a screen, a file or a log, and"));
+                Ok(())
+            }
             23 => self.circle_data(&rest),
             24 => {
                 self.error(codes::K9011, "FN 24 fits a circle to four points, and how it does is not documented");
                 Err(Reported)
             }
-            // WAIT FOR SYNC only stops the look-ahead of the control.
-            20 if rest.trim_start_matches("WAIT FOR").trim() == "SYNC" => Ok(()),
+            20 if rest.trim_start_matches("WAIT FOR").trim() == "SYNC" => {
+                self.left_out("FN 20: WAIT FOR SYNC stops the look-ahead of the control only, and");
+                Ok(())
+            }
             26..=28 => {
                 self.error(codes::K9006, format!("FN {number} works on a table of the control"));
                 Err(Reported)
@@ -174,12 +113,16 @@ impl Run<'_> {
         let (name, span) = self.block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
         match what {
             Refused::Plane => self.plane_block(block, text),
-            Refused::TouchProbe => self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine"),
+            Refused::TouchProbe => self.probe(block, text),
             Refused::Pattern => {
                 self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
             }
-            // Only selects: a shift from the table is refused where it is programmed.
-            Refused::SelectTable if span.end < block.span.end => Ok(()),
+            Refused::SelectTable if span.end < block.span.end => {
+                self.left_out(
+                    "SEL TABLE only selects, a shift from the table is refused where it is programmed, and it",
+                );
+                Ok(())
+            }
             Refused::SelectTable => self.fail_help(
                 codes::K1006,
                 span,
@@ -189,6 +132,12 @@ impl Run<'_> {
             Refused::Contour => {
                 self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
             }
+            Refused::GlobalDef => self.fail_help(
+                codes::K9011,
+                span,
+                "GLOBAL DEF sets parameters for cycles that take them by PREDEF, which is not supported",
+                "write the values into the cycles that say PREDEF, and remove this block",
+            ),
             Refused::Function if is_harmless(block.span.of(text)) => {
                 self.job.diags.push_once(Diagnostic::new(
                     codes::K2703,
@@ -205,10 +154,16 @@ impl Run<'_> {
         }
     }
 
+    /// A statement without influence on the path.
+    fn left_out(&self, what: &str) {
+        let text = format!("{what} has no word in the output");
+        self.report(Diagnostic::new(codes::K2805, self.here.origin.loc, text));
+    }
+
     /// A parameter that the control sets itself.
-    pub(super) fn set_control_parameter(&mut self, number: u32, value: f64) {
+    pub(super) fn set_control_parameter(&mut self, q: QRef, value: Slot) {
         if let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) {
-            self.vars.set(locals, QRef { kind: QKind::Q, number }, Slot::Number(value));
+            self.vars.set(locals, q, value);
         }
     }
 }

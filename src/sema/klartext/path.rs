@@ -4,7 +4,9 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
-use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path,
+};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
@@ -89,8 +91,10 @@ impl Run<'_> {
             );
             self.spindle_speed(speed, w.speed_span)?;
         }
-        if machine {
+        if machine && moves {
             self.machine_move(w)?;
+        } else if machine {
+            w.any_m(&[91]).into_iter().for_each(|m| self.note_m(m));
         } else if moves {
             match function {
                 PathFn::Line => match w.comp {
@@ -151,8 +155,15 @@ impl Run<'_> {
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
         let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
         if side == self.st.side {
+            self.st.side_lost &= side != Side::None;
             return Ok(());
         }
+        let switched = self.switch_side_to(w, side, arc);
+        self.st.side_lost = switched.is_err();
+        switched
+    }
+
+    fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
         if arc {
             return self.fail_help(
                 codes::K2601,
@@ -253,6 +264,7 @@ impl Run<'_> {
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
         let end = w.axes;
+        self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;
             self.st.rotary_moved.insert(axis);
@@ -373,6 +385,7 @@ impl Run<'_> {
                 modal: false,
                 large: LargeCorner::Refuse,
                 at_arc: ArcChamfer::Refuse,
+                blocks: Blocks::Unconfirmed,
             },
             &self.st.ctx,
             &self.here.origin,

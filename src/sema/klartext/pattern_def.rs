@@ -13,7 +13,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
 use super::holes::Retract;
-use super::words::{Admits, FeedWord};
+use super::words::Admits;
 use super::{Outcome, Reported, Run};
 
 /// Most places of a definition.
@@ -310,13 +310,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         self.m_at_start(w, true)?;
-        let feed = match w.feed {
-            FeedWord::None | FeedWord::Max => None,
-            _ => {
-                self.set_feed(w)?;
-                self.st.feed
-            }
-        };
+        let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
         for (place, surface) in &places.list {
             let clear = self.heights(&cycle, *surface)?;

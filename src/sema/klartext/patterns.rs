@@ -4,7 +4,7 @@
 //! unless it stands higher; Q301 decides how high it goes from place to place; after the last one it stands at the 2nd
 //! set-up clearance.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::{EndPoint, Path};
 use crate::ir::{Feed, Pos};
@@ -14,7 +14,7 @@ use crate::parser::klartext::ast::Block;
 use super::holes::{Heights, Retract};
 use super::machining::Machining;
 use super::path::plane_axes;
-use super::words::Admits;
+use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
 
 /// Most places of a pattern.
@@ -153,6 +153,26 @@ impl Run<'_> {
         self.cycle_value(pattern, &format!("Q{q} = {n} is no number of places"))
     }
 
+    /// Feed of the way from place to place; `None` for rapid traverse.
+    pub(super) fn pattern_feed(&mut self, w: &Words, call: &str) -> Outcome<Option<Feed>> {
+        self.set_feed(w)?;
+        if w.feed != FeedWord::None {
+            return self.move_feed(w);
+        }
+        let rapid = self.job.settings.control.klartext_readings.pattern_at_rapid;
+        let (way, feed) =
+            if rapid { ("at rapid traverse", None) } else { ("at the feed programmed last", self.move_feed(w)?) };
+        self.report(
+            Diagnostic::new(
+                codes::K2806,
+                self.here.origin.loc,
+                format!("{call} has no F: the tool goes from place to place {way}"),
+            )
+            .help("write F or FMAX into the call; `[control] pattern_feed` selects the other reading"),
+        );
+        Ok(feed)
+    }
+
     /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
     /// the surface, it first goes to the set-up clearance.
     pub(super) fn drill_at(&mut self, cycle: &Machining, block: &Block) -> Outcome {
@@ -180,7 +200,7 @@ impl Run<'_> {
             );
         }
         self.m_at_start(&w, true)?;
-        self.set_feed(&w)?;
+        let feed = self.pattern_feed(&w, "CYCL CALL POS")?;
         let shift = w.axes.get(axis).unwrap_or(0.0);
         let heights = self.heights(cycle, shift)?;
         let Some(at) = self.st.pos.get(axis) else {
@@ -196,7 +216,6 @@ impl Run<'_> {
         for axis in plane.iter() {
             end.set(axis, w.axes.get(axis).unwrap_or(0.0));
         }
-        let feed: Option<Feed> = self.move_feed(&w)?;
         self.st.polar = None;
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         self.send(EndPoint::Cartesian(end), &end, path, feed);

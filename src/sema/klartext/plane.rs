@@ -1,13 +1,20 @@
-//! PLANE functions that tilt nothing, and what M128 does while no rotary axis moves.
+//! PLANE functions and cycle 19 that tilt nothing, and what M128 does while no rotary axis moves.
 //!
 //! Source: reference sections 3.4 and 2.14. A tilt by nothing is how CAM posts write 3-axis work for a machine with
-//! rotary axes; every other tilt is refused.
+//! rotary axes; a turn about the tool axis Z stays in the plane. Every real tilt is refused.
+
+use libm::atan2;
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::Axis;
+use crate::geo::Deg;
+use crate::ir::Side;
+use crate::lexer::klartext::{QKind, QRef};
+use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
+use super::cycle::Open;
+use super::vars::Slot;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -19,12 +26,27 @@ struct Plane {
     data: Vec<(String, f64)>,
     /// STAY, TURN or MOVE.
     positioning: Option<String>,
-    /// MB, a parameter, or a word that is not known.
+    /// MB, or a word that is not known.
     open: bool,
 }
 
+/// What a plane does to the one before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Effect {
+    /// Nothing is tilted; the axes stand at this angle about Z.
+    Turned(f64),
+    /// Turned on by this angle.
+    TurnedBy(f64),
+    /// The table turns, and nobody knows about what.
+    Table,
+    Tilted,
+    /// A word that is not known.
+    Open,
+}
+
 impl Plane {
-    fn read(code: &str) -> Plane {
+    /// Reads the block; `parameter` gives the value of a parameter with its sign.
+    fn read(code: &str, parameter: &mut dyn FnMut(&str) -> Option<f64>) -> Plane {
         let mut plane = Plane::default();
         for (at, word) in code.split_whitespace().enumerate() {
             let (name, rest) = word.split_at(word.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(word.len()));
@@ -37,7 +59,7 @@ impl Plane {
                 // How fast, about which point, which solution.
                 (_, "FMAX" | "FAUTO" | "COORD" | "TABLE" | "ROT", "") | (_, "SEQ" | "SYM", "+" | "-") => {}
                 (_, "F" | "DIST" | "ABST", number) if value(number).is_some() => {}
-                _ => match value(rest) {
+                _ => match value(rest).or_else(|| parameter(rest)) {
                     Some(number) => plane.data.push((name.to_owned(), number)),
                     None => plane.open = true,
                 },
@@ -46,34 +68,52 @@ impl Plane {
         plane
     }
 
-    /// Is the plane the one that is not tilted?
-    fn is_identity(&self) -> bool {
-        let of = |name: &str| self.data.iter().find(|(found, _)| found == name).map(|(_, number)| *number);
-        let only = |names: &[&str]| self.data.iter().all(|(name, _)| names.contains(&name.as_str()));
-        let zero = |names: &[&str]| only(names) && names.iter().all(|name| of(name) == Some(0.0));
-        if self.open {
-            return false;
+    fn of(&self, name: &str) -> Option<f64> {
+        self.data.iter().find(|(found, _)| found == name).map(|(_, number)| *number)
+    }
+
+    /// The values of exactly these words; `None` where one is missing, stands twice, or another stands there.
+    fn exactly<const N: usize>(&self, names: [&str; N]) -> Option<[f64; N]> {
+        let mut values = [0.0; N];
+        for (name, value) in names.iter().zip(&mut values) {
+            *value = self.of(name)?;
         }
-        match self.kind.as_str() {
-            "RESET" => self.data.is_empty(),
-            "SPATIAL" => zero(&["SPA", "SPB", "SPC"]),
-            "EULER" => zero(&["EULPR", "EULNU", "EULROT"]),
-            "RELATIVE" => only(&["SPA", "SPB", "SPC"]) && self.data.len() == 1 && self.data[0].1 == 0.0,
+        (self.data.len() == N).then_some(values)
+    }
+
+    fn effect(&self) -> Effect {
+        let turned = |tilts: bool, angle: f64| if tilts { Effect::Tilted } else { Effect::Turned(angle) };
+        let known = match self.kind.as_str() {
+            _ if self.open => None,
+            "RESET" => self.data.is_empty().then_some(Effect::Turned(0.0)),
+            "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(|[a, b, c]| turned(a != 0.0 || b != 0.0, c)),
+            // About Z, about the new X, about the new Z.
+            "EULER" => self.exactly(["EULPR", "EULNU", "EULROT"]).map(|[pr, nu, rot]| turned(nu != 0.0, pr + rot)),
+            "RELATIVE" => match self.data.as_slice() {
+                [(name, angle)] if name == "SPC" => Some(Effect::TurnedBy(*angle)),
+                [(name, angle)] if name == "SPA" || name == "SPB" => {
+                    Some(if *angle == 0.0 { Effect::TurnedBy(0.0) } else { Effect::Tilted })
+                }
+                _ => None,
+            },
             "AXIAL" => {
-                only(&["A", "B", "C"]) && !self.data.is_empty() && self.data.iter().all(|(_, angle)| *angle == 0.0)
+                let axes = self.data.iter().all(|(name, _)| matches!(name.as_str(), "A" | "B" | "C"));
+                let moved = |name: &str| self.of(name).is_some_and(|angle| angle != 0.0);
+                (axes && !self.data.is_empty()).then(|| match (moved("A") || moved("B"), moved("C")) {
+                    (true, _) => Effect::Tilted,
+                    (false, true) => Effect::Table,
+                    _ => Effect::Turned(0.0),
+                })
             }
-            "VECTOR" => {
-                let is = |name: &str, sign: f64| of(name).is_some_and(|n| if sign == 0.0 { n == 0.0 } else { n > 0.0 });
-                only(&["BX", "BY", "BZ", "NX", "NY", "NZ"])
-                    && is("BX", 1.0)
-                    && is("BY", 0.0)
-                    && is("BZ", 0.0)
-                    && is("NX", 0.0)
-                    && is("NY", 0.0)
-                    && is("NZ", 1.0)
-            }
-            _ => false,
-        }
+            // X of the plane lies along B, its normal along N.
+            "VECTOR" => self.exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"]).map(|[bx, by, bz, nx, ny, nz]| {
+                let upright = (bz, nx, ny) == (0.0, 0.0, 0.0) && nz > 0.0 && (bx, by) != (0.0, 0.0);
+                turned(!upright, if by == 0.0 && bx > 0.0 { 0.0 } else { atan2(by, bx).to_degrees() })
+            }),
+            "PROJECTED" | "POINTS" => Some(Effect::Tilted),
+            _ => None,
+        };
+        known.unwrap_or(Effect::Open)
     }
 }
 
@@ -88,35 +128,174 @@ fn value(text: &str) -> Option<f64> {
     (len == digits.len()).then_some(sign * number)
 }
 
-/// Would the block tilt the plane?
+/// Would the block be refused for what it does to the plane?
 pub(super) fn tilts(code: &[u8]) -> bool {
-    !Plane::read(&readable(code).to_ascii_uppercase()).is_identity()
+    let plane = Plane::read(&readable(code).to_ascii_uppercase(), &mut |_| None);
+    !matches!(plane.effect(), Effect::Turned(_) | Effect::TurnedBy(_))
 }
 
 impl Run<'_> {
-    /// A PLANE block: without a tilt nothing changes, as none was active.
+    /// A PLANE block. Nothing that tilts was active before.
     pub(super) fn plane_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let plane = Plane::read(&readable(block.span.of(text)).to_ascii_uppercase());
-        if !plane.is_identity() {
-            let (name, span) = self.block_name(block, text, 2);
-            let message = format!("{name} tilts the working plane, which cannot be compiled for three axes");
-            return self.refuse_motion(codes::K9004, span, &message);
-        }
-        if plane.positioning.as_deref().is_some_and(|word| word != "STAY") {
-            if !self.stands_upright() {
-                let message = format!("PLANE {} moves the rotary axes to zero", plane.kind);
-                return self.refuse_motion(codes::K9004, block.span, &message);
+        let code = readable(block.span.of(text)).to_ascii_uppercase();
+        let mut lost = false;
+        let plane = Plane::read(&code, &mut |rest| match self.signed_parameter(rest, block.span)? {
+            Ok(value) => Some(value),
+            Err(Reported) => {
+                lost = true;
+                None
             }
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2512,
-                self.here.origin.loc,
-                "the rotary axes are taken to stand at zero, so nothing turns",
-            ));
+        });
+        if lost {
+            self.lose_all();
+            return Err(Reported);
         }
+        let (name, span) = self.block_name(block, text, 2);
+        let refuse = |run: &mut Self, what: &str| run.refuse_motion(codes::K9004, span, &format!("{name} {what}"));
+        let angle = match plane.effect() {
+            Effect::Turned(angle) => angle,
+            Effect::TurnedBy(angle) => self.st.transform.turn.0 + angle,
+            Effect::Table => {
+                return refuse(
+                    self,
+                    "sets the rotary table to an angle, which only the machine can turn into coordinates",
+                );
+            }
+            Effect::Tilted => return refuse(self, "tilts the working plane, which cannot be compiled for three axes"),
+            Effect::Open => return refuse(self, "holds a word that is not known, so its plane is open"),
+        };
+        let moves = plane.positioning.as_deref().is_some_and(|word| word != "STAY");
+        self.turn_plane(&name, angle, moves, plane.positioning.as_deref() == Some("TURN"))
+    }
+
+    /// `+Q1`, `-QL5`: its value, `None` where `text` is no parameter.
+    fn signed_parameter(&mut self, text: &str, span: Span) -> Option<Outcome<f64>> {
+        let (negative, name) = match text.as_bytes().first()? {
+            b'-' => (true, &text[1..]),
+            b'+' => (false, &text[1..]),
+            _ => (false, text),
+        };
+        let rest = name.strip_prefix('Q')?;
+        let (kind, digits) = match rest.chars().next()? {
+            'L' => (QKind::Ql, &rest[1..]),
+            'R' => (QKind::Qr, &rest[1..]),
+            _ => (QKind::Q, rest),
+        };
+        let q = QRef { kind, number: digits.parse().ok()? };
+        Some(self.parameter(q, span).map(|value| if negative { -value } else { value }))
+    }
+
+    /// Cycle 19. Its angles are space angles, or those of rotary axes: what it is on this machine is configured.
+    pub(super) fn tilt(&mut self, open: &Open) -> Outcome {
+        let angle = |axis| open.axes.iter().find(|at| at.axis == axis).and_then(|at| at.value).unwrap_or(0.0);
+        let tilted = open.axes.iter().any(|at| at.axis != Axis::C && at.value.unwrap_or(0.0) != 0.0);
+        let turn = angle(Axis::C);
+        if tilted {
+            self.error(codes::K9004, "cycle 19 tilts the working plane, which cannot be compiled for three axes");
+            return Err(Reported);
+        }
+        if turn != 0.0 {
+            if self.job.settings.control.klartext_choices.cycle_19_axes {
+                self.error(
+                    codes::K9004,
+                    "cycle 19 sets the rotary table to an angle, which only the machine can turn into coordinates",
+                );
+                return Err(Reported);
+            }
+            self.job.diags.push_once(
+                Diagnostic::new(
+                    codes::K8020,
+                    self.here.origin.loc,
+                    format!("C{turn:+} of cycle 19 is read as a space angle: the coordinates turn about Z"),
+                )
+                .help("if it is the angle of the rotary axis on this machine, set `[control] cycle_19 = \"axes\"`"),
+            );
+        }
+        // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
+        let moves = turn != self.st.transform.turn.0;
+        self.turn_plane("cycle 19", turn, moves, moves)
+    }
+
+    /// The working plane stands at `angle` about Z from here on. With `moves` the control may turn the table to it, and
+    /// with `leaves` the tool does not follow.
+    fn turn_plane(&mut self, name: &str, angle: f64, moves: bool, leaves: bool) -> Outcome {
+        let angle = if Deg(angle).normal().0 == 0.0 { 0.0 } else { angle };
+        let before = self.st.transform.turn.0;
+        if moves || angle != 0.0 {
+            if !self.stands_upright() {
+                let message = format!("{name} moves the rotary axes, and the program has turned them");
+                return self.refuse_motion(codes::K9004, self.block_span(), &message);
+            }
+            if angle == 0.0 && before == 0.0 {
+                self.job.diags.push_once(Diagnostic::new(
+                    codes::K2512,
+                    self.here.origin.loc,
+                    "the rotary axes are taken to stand at zero, so nothing turns",
+                ));
+            }
+        }
+        if angle != 0.0 && self.st.axis() != Axis::Z {
+            let axis = self.st.axis().letter();
+            let message = format!("{name} turns about Z, which tilts the plane of the tool axis {axis}");
+            return self.refuse_motion(codes::K9004, self.block_span(), &message);
+        }
+        let here = self.here.origin.loc;
         for number in 120..=122 {
-            self.set_control_parameter(number, 0.0);
+            // Which axis takes the turn, or none, is known at the machine.
+            let q = QRef { kind: QKind::Q, number };
+            let slot = if angle == 0.0 { Slot::Number(0.0) } else { Slot::AtMachine(here) };
+            self.set_control_parameter(q, slot);
+        }
+        if angle == before {
+            return Ok(());
+        }
+        if self.st.transform.shifted_in_turn && self.st.transform.is_shifted_in_plane() {
+            self.error(codes::K2852, "the working plane turns while a datum shift along the turned axes is in force");
+            self.lose_all();
+            return Err(Reported);
+        }
+        if self.st.side != Side::None {
+            self.report(
+                Diagnostic::new(codes::K2603, here, "the turn of the plane ends the radius compensation")
+                    .help("program a block with R0 first"),
+            );
+            self.st.side = Side::None;
+        }
+        if angle != 0.0 {
+            self.report(
+                Diagnostic::new(codes::K2853, here, format!("{name} turns the coordinates by {angle}° about Z")).help(
+                    "the rotary table of the target stays where it is: clamp the part as it lies at table angle zero",
+                ),
+            );
+        }
+        let mut next = self.st.transform.clone();
+        next.turn = Deg(angle);
+        next.shifted_in_turn = false;
+        self.set_transformation(next)?;
+        if leaves {
+            // The part turns away from under the tool, or not: both axes have to be named again.
+            self.st.pos.forget(Axis::X);
+            self.st.pos.forget(Axis::Y);
+            self.st.polar = None;
         }
         Ok(())
+    }
+
+    /// While the working plane is turned, the turn is in the coordinates: a rotary axis that moves would turn twice.
+    pub(super) fn no_rotary_move_under_turn(&mut self, axes: AxisSet, span: Span) -> Outcome {
+        if self.st.transform.turn.0 == 0.0 {
+            return Ok(());
+        }
+        let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
+        self.fail_help(
+            codes::K9004,
+            span,
+            format!(
+                "{} moves while the working plane is turned about Z, and the turn is printed already",
+                axis.letter()
+            ),
+            "leave the move out, or program the rotary axis without PLANE and cycle 19",
+        )
     }
 
     /// Does every rotary axis that the program moved stand at zero?
@@ -177,15 +356,27 @@ mod tests {
             assert!(!tilts(code.as_bytes()), "{code}");
         }
         for code in [
-            "PLANE SPATIAL SPA+0 SPB+0 SPC+10 STAY",
+            "PLANE SPATIAL SPA+0 SPB+10 SPC+0 STAY",
             "PLANE SPATIAL SPA+0 SPB+0 STAY",
+            "PLANE AXIAL C+30 STAY",
             "PLANE SPATIAL SPA+0 SPB+0 SPC+Q1 STAY",
-            "PLANE VECTOR BX-1 BY0 BZ0 NX0 NY0 NZ1 STAY",
+            "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ-1 STAY",
             "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0.0000001 NZ1 STAY",
             "PLANE RESET MOVE DIST50 MB MAX FMAX",
             "PLANE PROJECTED PROPR+0 PROMIN+0 ROT+0 STAY",
         ] {
             assert!(tilts(code.as_bytes()), "{code}");
         }
+    }
+
+    #[test]
+    fn turns_about_the_tool_axis() {
+        let effect = |code: &str| Plane::read(code, &mut |_| None).effect();
+        assert_eq!(effect("PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX"), Effect::Turned(30.0));
+        assert_eq!(effect("PLANE EULER EULPR+50 EULNU+0 EULROT-20 STAY"), Effect::Turned(30.0));
+        assert_eq!(effect("PLANE RELATIVE SPC-15 STAY"), Effect::TurnedBy(-15.0));
+        assert_eq!(effect("PLANE VECTOR BX-1 BY0 BZ0 NX0 NY0 NZ1 STAY"), Effect::Turned(180.0));
+        assert_eq!(effect("PLANE AXIAL C+30 STAY"), Effect::Table);
+        assert_eq!(effect("PLANE AXIAL B+0 C+0 STAY"), Effect::Turned(0.0));
     }
 }

@@ -13,7 +13,7 @@ use crate::text::Span;
 use super::path::plane_axes;
 use super::state::{LastPolar, PoleState};
 use super::words::{Admits, Words};
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
     /// Radius and angle of the start, about the pole: as the last polar block left them, or from the position.
@@ -36,21 +36,25 @@ impl Run<'_> {
         w: &Words,
         pole: &PoleState,
         start: (f64, Option<Deg>),
-    ) -> (f64, Option<Deg>) {
+    ) -> Outcome<(f64, Option<Deg>)> {
         let plain = |word: Option<(f64, bool)>| matches!(word, Some((_, false)));
         let complete = plain(w.polar_radius) && plain(w.polar_angle);
         let last = self.st.polar.filter(|last| last.pole == pole.at && last.plane == pole.plane);
         let missing = w.polar_radius.is_none() || w.polar_angle.is_none();
         match last {
-            _ if complete => return start,
-            Some(LastPolar { doubtful: false, .. }) => return start,
-            None if !missing => return start,
+            _ if complete => return Ok(start),
+            Some(LastPolar { doubtful: false, .. }) => return Ok(start),
+            None if !missing => return Ok(start),
             _ => {}
         }
         if self.job.settings.control.polar_missing == PolarMissing::Programmed
             && let Some((radius, angle)) = self.st.programmed_polar
         {
-            return (radius, Some(angle));
+            return Ok((radius, Some(angle)));
+        }
+        let chosen = self.job.settings.control.polar_missing != PolarMissing::SamePole;
+        if w.polar_angle.is_none() && !pole.used && !chosen && start.1.is_some() {
+            return self.angle_of_new_pole(w, pole);
         }
         // Without an angle the block is refused, and that is enough to say.
         if start.1.is_some() || matches!(w.polar_angle, Some((_, false))) {
@@ -62,7 +66,30 @@ impl Run<'_> {
             };
             self.report(Diagnostic::new(codes::K2107, self.here.origin.loc, what).help("write both PR and PA"));
         }
-        start
+        Ok(start)
+    }
+
+    #[cold]
+    fn angle_of_new_pole<T>(&mut self, w: &Words, pole: &PoleState) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(
+                codes::K2811,
+                self.loc(w.polar_radius_span),
+                "PA is missing, and no block since the CC named an angle about this pole",
+            )
+            .also(pole.set, "the pole")
+            .help("write the angle PA, or choose a reading with `[control] polar_missing`"),
+        );
+        Err(Reported)
+    }
+
+    /// What a polar block leaves to the next.
+    fn keep_polar(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
+        self.st.polar = Some(LastPolar::new(radius, angle, pole));
+        self.st.programmed_polar = Some((radius, angle));
+        if let Some(pole) = &mut self.st.pole {
+            pole.used = true;
+        }
     }
 
     /// LP and CTP.
@@ -79,7 +106,7 @@ impl Run<'_> {
         }
         let complete = matches!((w.polar_radius, w.polar_angle), (Some((_, false)), Some((_, false))));
         let start = if complete { (0.0, None) } else { self.polar_start(&pole, function)? };
-        let (r0, a0) = self.inherited_polar(w, &pole, start);
+        let (r0, a0) = self.inherited_polar(w, &pole, start)?;
         let radius = match w.polar_radius {
             Some((r, false)) => r,
             Some((r, true)) => start.0 + r,
@@ -105,8 +132,7 @@ impl Run<'_> {
         let path = if feed.is_none() { Path::Rapid } else { path };
         let polar = Polar { pole: pole.at, plane: pole.plane, radius, angle, rest };
         self.send(EndPoint::Polar(polar), &end, path, feed);
-        self.st.polar = Some(LastPolar::new(radius, angle, &pole));
-        self.st.programmed_polar = Some((radius, angle));
+        self.keep_polar(radius, angle, &pole);
         Ok(())
     }
 
@@ -165,8 +191,7 @@ impl Run<'_> {
         let shape = ArcShape::Sweep { center: pole.at, sweep: Deg(sweep) };
         self.send_arc(w, pole.plane, shape, end)?;
         let angle = Deg(from.0 + sweep);
-        self.st.polar = Some(LastPolar::new(radius, angle, &pole));
-        self.st.programmed_polar = Some((radius, angle));
+        self.keep_polar(radius, angle, &pole);
         Ok(())
     }
 
@@ -276,7 +301,8 @@ impl Run<'_> {
         };
         let x = coordinate(Axis::ALL[first], old.map(|p| p.x))?;
         let y = coordinate(Axis::ALL[second], old.map(|p| p.y))?;
-        self.st.pole = Some(PoleState { at: Point2::new(x, y), plane, set: self.loc(span), system: self.st.system });
+        self.st.pole =
+            Some(PoleState { at: Point2::new(x, y), plane, set: self.loc(span), system: self.st.system, used: false });
         Ok(())
     }
 

@@ -14,6 +14,7 @@ use super::{Outcome, Run};
 impl Run<'_> {
     #[cold]
     pub(super) fn rare_axes(&mut self, w: &Words, mut end: Pos, cuts: bool) -> Outcome<Pos> {
+        self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().without(AxisSet::MAIN).iter() {
             if !axis.is_rotary() {
                 if let Some(what) = self.st.transform.touches_parallel(axis) {
@@ -93,8 +94,9 @@ impl Run<'_> {
         target + *offset
     }
 
-    /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move.
-    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) {
+    /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move. False if none was beyond.
+    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) -> bool {
+        let mut reduced = false;
         for axis in [Axis::A, Axis::B, Axis::C] {
             if !axes.is_empty() && !axes.contains(axis) {
                 continue;
@@ -103,7 +105,9 @@ impl Run<'_> {
                 let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
                 let shown = at - *offset;
                 *offset = at - shown % 360.0;
+                reduced |= shown % 360.0 != shown;
             }
         }
+        reduced
     }
 }

@@ -10,6 +10,7 @@ use crate::machine::{Axis, AxisSet, Settings};
 use crate::text::Loc;
 
 use super::approach::Last;
+use super::change::Change;
 use super::transform::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
@@ -40,6 +41,8 @@ pub(super) struct State {
     /// M103: highest share of the feed in the negative tool axis.
     pub plunge_share: Option<f64>,
     pub side: Side,
+    /// RL or RR was refused: a contour that lacks it is not worth another error.
+    pub side_lost: bool,
     pub tool: Option<ActiveTool>,
     pub tool_axis: Option<Axis>,
     pub transform: Transformation,
@@ -68,8 +71,12 @@ pub(super) struct State {
     pub follows_tip: bool,
     /// Angle of cycle 13.
     pub orientation: Option<f64>,
-    /// A tool change was printed and no M6 belonged to it yet.
-    pub change_printed: bool,
+    /// The tool change under way.
+    pub change: Change,
+    /// Number of the tool that the last change printed.
+    pub in_spindle: Option<u32>,
+    /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
+    pub tools_measured: bool,
     /// Something moved already.
     pub moved: bool,
     pub blank: Blank,
@@ -82,6 +89,8 @@ pub(super) struct PoleState {
     pub plane: Plane,
     pub set: Loc,
     pub system: u32,
+    /// A polar block named or reached an angle about it.
+    pub used: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -151,9 +160,10 @@ impl State {
             per_revolution: false,
             plunge_share: None,
             side: Side::None,
+            side_lost: false,
             tool: None,
             tool_axis: None,
-            transform: Transformation::default(),
+            transform: Transformation::none(settings.control.klartext_readings.mirror_last),
             system: 0,
             spindle: None,
             spindle_used: None,
@@ -168,7 +178,9 @@ impl State {
             rotary_moved: AxisSet::EMPTY,
             follows_tip: false,
             orientation: None,
-            change_printed: false,
+            change: Change::None,
+            in_spindle: None,
+            tools_measured: false,
             moved: false,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),

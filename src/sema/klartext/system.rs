@@ -1,8 +1,9 @@
 //! FN 18: SYSREAD, for what the program text determines.
 //!
-//! Source: reference section 5.7; ID 50 is read as shop programs use it: NR is the column, IDX the tool.
+//! Source: reference section 5.7. It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270; further answers are a reading that
+//! warns.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, ToolKey};
 use crate::parser::klartext::ast::{Addr, Block};
@@ -91,8 +92,8 @@ impl Run<'_> {
                 Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum())
             }
             (210, 4) => index.map(|n| t.scale * t.axis_scale.get(n - 1).copied().unwrap_or(1.0)),
-            (210, 5) => index.filter(|n| *n <= 3).map(|_| 0.0),
-            (210, 6) => Some(0.0),
+            (210, 5) if t.turn.0 == 0.0 => index.filter(|n| *n <= 3).map(|_| 0.0),
+            (210, 6) if t.turn.0 == 0.0 => Some(0.0),
             (220, 2) => axis.map(|axis| {
                 let shift = t.shift[axis.index()];
                 if axis.is_rotary() { shift } else { shift / mm }
@@ -107,7 +108,19 @@ impl Run<'_> {
             _ => None,
         };
         match known {
-            Some(value) => Ok(value),
+            Some(value) => {
+                if matches!((r.id, r.nr), (20, 2..) | (200, _)) {
+                    self.job.diags.push_once(
+                        Diagnostic::new(
+                            codes::K8021,
+                            self.loc(block.span),
+                            format!("ID {} NR {} is answered as older programs use it", r.id, r.nr),
+                        )
+                        .help("check the value against the manual of the control, or assign it with FN 0"),
+                    );
+                }
+                Ok(value)
+            }
             None => self.fail_help(
                 codes::K9016,
                 block.span,
@@ -117,34 +130,27 @@ impl Run<'_> {
         }
     }
 
-    /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool, or the active one.
+    /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool.
     fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
         let mm = self.level().unit.mm();
-        let (key, data) = match r.idx {
-            Some(n) => {
-                let key = ToolKey::Number(n.trunc() as u32, (n.fract() * 10.0).round() as u8);
-                let mut data = self.job.settings.tools.table.get(&key).cloned();
-                if let Some(&(length, radius)) = self.defined.get(&(n as u32)) {
-                    let tool = data.get_or_insert_with(Default::default);
-                    tool.length = length.or(tool.length);
-                    tool.radius = radius.or(tool.radius);
-                }
-                (key.to_string(), data)
-            }
-            None => match &self.st.tool {
-                Some(tool) => (
-                    tool.called.clone(),
-                    Some(crate::machine::Tool {
-                        radius: tool.radius,
-                        length: tool.length,
-                        corner_radius: tool.corner_radius,
-                        deltas: tool.table_deltas,
-                        ..Default::default()
-                    }),
-                ),
-                None => (String::new(), None),
-            },
+        let Some(n) = r.idx.filter(|n| *n >= 1.0) else {
+            return self.fail_help(
+                codes::K9016,
+                block.span,
+                "ID 50 reads the tool table, and no manual says what it reads without a tool number in IDX",
+                "name the tool: `ID50 NR2 IDX5`",
+            );
         };
+        let key = ToolKey::Number(n.trunc() as u32, (n.fract() * 10.0).round() as u8);
+        let mut data = self.job.settings.tools.table.get(&key).cloned();
+        if let Some(&(length, radius)) = self.defined.get(&(n as u32)) {
+            let tool = data.get_or_insert_with(Default::default);
+            tool.length = length.or(tool.length);
+            tool.radius = radius.or(tool.radius);
+        }
+        if self.st.tools_measured {
+            data = None;
+        }
         let value = data.as_ref().and_then(|tool| match r.nr {
             1 => tool.length,
             2 => tool.radius,

@@ -121,11 +121,12 @@ impl Run<'_> {
                 "write it behind the tool number: `TOOL CALL 5 Z S2500`",
             );
         }
+        let turned = call.axis.is_some_and(|axis| self.st.tool_axis != Some(axis));
         if let Some(axis) = call.axis {
             self.set_tool_axis(axis);
         }
         match &tool {
-            Some(tool) => self.change_tool(tool, &call, block.span)?,
+            Some(tool) => self.change_tool(tool, &call, turned, block.span)?,
             None => self.change_deltas(&call),
         }
         self.update_frame(block.span)?;
@@ -204,9 +205,9 @@ impl Run<'_> {
         Ok(call)
     }
 
-    fn change_tool(&mut self, tool: &Named, call: &Call, span: Span) -> Outcome {
+    fn change_tool(&mut self, tool: &Named, call: &Call, turned: bool, span: Span) -> Outcome {
         let (number, data) = self.look_up(tool, span)?;
-        let (mut length, mut radius) = (data.length, data.radius);
+        let (mut length, mut radius, mut corner_radius) = (data.length, data.radius, data.corner_radius);
         if let Named::Number(n, 0) = tool {
             if let Some(&(l, r)) = self.defined.get(n) {
                 length = l.or(length);
@@ -216,23 +217,31 @@ impl Run<'_> {
                 (length, radius) = (Some(0.0), Some(0.0));
             }
         }
+        if self.st.tools_measured {
+            (length, radius, corner_radius) = (None, None, None);
+        }
+        // The tool that is in the spindle stays there, and its tip where it is. What a call does to a contour under way
+        // is open even then.
+        let stays = self.st.tool.as_ref().is_some_and(|active| {
+            !turned
+                && self.st.side == Side::None
+                && (active.number, &active.called) == (number, &tool.to_string())
+                && (active.length, active.radius) == (length, radius)
+        });
+        if stays {
+            self.change_deltas(call);
+            return Ok(());
+        }
         self.st.tool = Some(ActiveTool {
             number,
             called: tool.to_string(),
             radius,
             length,
-            corner_radius: data.corner_radius,
+            corner_radius,
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),
         });
-        // The change stops the spindle, and a tool of another length has its tip elsewhere.
-        self.st.spindle = None;
-        let axis = self.st.axis();
-        self.st.pos.forget(axis);
-        self.st.lost.remove(axis);
-        self.st.polar = self.st.polar.filter(|last| !contains(last.plane, axis));
-        self.function(Function::ToolChange { number });
-        self.st.change_printed = true;
+        self.call_for_change(number);
         self.send_cutter();
         Ok(())
     }
@@ -261,9 +270,10 @@ impl Run<'_> {
     fn send_cutter(&mut self) {
         let Some(tool) = &self.st.tool else { return };
         let changed = tool.call_deltas[1] != 0.0;
-        let radius = if changed { tool.effective_radius() } else { None };
+        let known = tool.effective_radius();
+        let radius = if changed { known } else { None };
         let number = tool.number;
-        self.function(Function::Cutter(CutterData { number, radius }));
+        self.function(Function::Cutter(CutterData { number, radius, known }));
     }
 
     /// Before RL or RR: is there a tool, and is its radius what the target believes?
@@ -385,9 +395,4 @@ impl Run<'_> {
             },
         }
     }
-}
-
-fn contains(plane: crate::geo::Plane, axis: Axis) -> bool {
-    let (first, second, _) = plane.axes();
-    axis.index() == first || axis.index() == second
 }

@@ -1,7 +1,7 @@
 //! Datum shift, mirror, rotation and scaling (cycles 7, 8, 10, 11, 26 and TRANS).
 //!
-//! `workpiece = shift + rotation · scale · mirror · programmed`; the four are independent and each is
-//! replaced by its own cycle, whatever the order in which they were programmed.
+//! `workpiece = shift + rotation · scale · mirror · programmed`, or with the mirror in front of the rotation; the four
+//! are independent and each is replaced by its own cycle, whatever the order in which they were programmed.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -19,9 +19,15 @@ pub(super) struct Transformation {
     /// where the shift was measured along turned axes.
     parts: [Vector3<f64>; 3],
     pub mirror: AxisSet,
+    /// The mirror acts on what was turned, not on what was programmed.
+    pub mirror_last: bool,
     /// About the datum, in `plane`.
     pub angle: Deg,
     pub plane: Plane,
+    /// About Z by PLANE or cycle 19, outside of the others.
+    pub turn: Deg,
+    /// The datum shift in X and Y was measured along the axes that `turn` turned.
+    pub shifted_in_turn: bool,
     /// Cycle 11.
     pub scale: f64,
     /// Cycle 11 leaves this axis alone.
@@ -37,8 +43,11 @@ impl Default for Transformation {
             shift: [0.0; AXES],
             parts: [Vector3::zeros(); 3],
             mirror: AxisSet::EMPTY,
+            mirror_last: false,
             angle: Deg(0.0),
             plane: Plane::Xy,
+            turn: Deg(0.0),
+            shifted_in_turn: false,
             scale: 1.0,
             unscaled: None,
             axis_scale: [1.0; 3],
@@ -48,11 +57,15 @@ impl Default for Transformation {
 }
 
 impl Transformation {
-    pub fn is_none(&self) -> bool {
-        self.is_shift_only() && self.shift.iter().all(|v| *v == 0.0)
+    pub fn none(mirror_last: bool) -> Transformation {
+        Transformation { mirror_last, ..Transformation::default() }
     }
 
-    /// No mirror, rotation or scaling.
+    pub fn is_none(&self) -> bool {
+        self.is_shift_only() && self.turn.0 == 0.0 && self.shift.iter().all(|v| *v == 0.0)
+    }
+
+    /// No mirror, rotation or scaling; a turn of the working plane may be in force.
     pub fn is_shift_only(&self) -> bool {
         self.mirror.is_empty() && self.angle.0 == 0.0 && self.scale == 1.0 && self.axis_scale == [1.0; 3]
     }
@@ -70,10 +83,18 @@ impl Transformation {
         if turned {
             let unscaled = Transformation { scale: 1.0, axis_scale: [1.0; 3], ..self.clone() };
             unit = unscaled.linear() * unit;
+        } else {
+            // A turned working plane takes the axes of the shift along.
+            unit = turn_about(Plane::Xy, self.turn) * unit;
         }
         self.parts[i] = if incremental { self.parts[i] + unit * value } else { unit * value };
         let sum = self.parts[0] + self.parts[1] + self.parts[2];
         self.shift[..3].copy_from_slice(sum.as_slice());
+    }
+
+    /// Is the datum shifted in X or Y?
+    pub fn is_shifted_in_plane(&self) -> bool {
+        self.shift[..2].iter().any(|v| *v != 0.0)
     }
 
     /// No datum shift.
@@ -94,11 +115,31 @@ impl Transformation {
             Some("scaling")
         } else if self.mirror.contains(main) {
             Some("mirror")
-        } else if self.angle.0 != 0.0 && (main.index() == first || main.index() == second) {
+        } else if self.angle.0 != 0.0 && (main.index() == first || main.index() == second)
+            || self.turn.0 != 0.0 && main != Axis::Z
+        {
             Some("rotation")
         } else {
             None
         }
+    }
+
+    /// Do mirror and rotation lead elsewhere in the other order? Not for both axes of the plane, nor by half a turn.
+    pub fn mirror_order_counts(&self) -> bool {
+        let (first, second, _) = self.plane.axes();
+        let mirrored = |i: usize| self.mirror.contains(Axis::ALL[i]);
+        mirrored(first) != mirrored(second) && self.angle.normal().0 % 180.0 != 0.0
+    }
+
+    /// Does the rotation turn a plane that cycle 26 scales unevenly?
+    pub fn scaling_order_counts(&self) -> bool {
+        let (first, second, _) = self.plane.axes();
+        self.axis_scale[first] != self.axis_scale[second] && self.angle.normal().0 % 180.0 != 0.0
+    }
+
+    /// Scaling by cycle 11 and by cycle 26.
+    pub fn scales_twice(&self) -> bool {
+        self.scale != 1.0 && self.axis_scale != [1.0; 3]
     }
 
     /// Rotation, scaling and mirror as one matrix.
@@ -107,21 +148,25 @@ impl Transformation {
         for axis in AxisSet::MAIN.iter() {
             let i = axis.index();
             let by_11 = if self.unscaled == Some(axis) { 1.0 } else { self.scale };
-            let sign = if self.mirror.contains(axis) { -1.0 } else { 1.0 };
-            linear[(i, i)] = sign * by_11 * self.axis_scale[i];
+            linear[(i, i)] = by_11 * self.axis_scale[i];
         }
-        self.rotation() * linear
+        // Mirror and scaling are diagonal: their order does not matter.
+        if self.mirror_last { self.turned() * linear } else { self.turned() * self.mirroring() * linear }
+    }
+
+    fn mirroring(&self) -> Matrix3<f64> {
+        let sign = |axis| if self.mirror.contains(axis) { -1.0 } else { 1.0 };
+        Matrix3::from_diagonal(&Vector3::new(sign(Axis::X), sign(Axis::Y), sign(Axis::Z)))
+    }
+
+    /// What happens behind the scaling.
+    fn turned(&self) -> Matrix3<f64> {
+        let turned = if self.mirror_last { self.mirroring() * self.rotation() } else { self.rotation() };
+        turn_about(Plane::Xy, self.turn) * turned
     }
 
     fn rotation(&self) -> Matrix3<f64> {
-        let (first, second, _) = self.plane.axes();
-        let (sin, cos) = self.angle.sin_cos();
-        let mut turn = Matrix3::identity();
-        turn[(first, first)] = cos;
-        turn[(first, second)] = -sin;
-        turn[(second, first)] = sin;
-        turn[(second, second)] = cos;
-        turn
+        turn_about(self.plane, self.angle)
     }
 
     /// The frame; `lift` is added to the coordinate of `tool_axis` (length oversize). `None` if it overflows.
@@ -130,13 +175,25 @@ impl Transformation {
         // p -> c + S (p - c), mirrored before and rotated behind.
         let c = Vector3::from(self.scale_center);
         let s = Vector3::from(self.axis_scale);
-        let rest = self.rotation() * (c - c.component_mul(&s));
+        let rest = self.turned() * (c - c.component_mul(&s));
         for i in 0..3 {
             shift[i] += rest[i];
         }
         shift[tool_axis.index()] += lift;
         Frame::new(self.linear(), shift)
     }
+}
+
+/// Turns about the third axis of `plane`.
+fn turn_about(plane: Plane, angle: Deg) -> Matrix3<f64> {
+    let (first, second, _) = plane.axes();
+    let (sin, cos) = angle.sin_cos();
+    let mut turn = Matrix3::identity();
+    turn[(first, first)] = cos;
+    turn[(first, second)] = -sin;
+    turn[(second, first)] = sin;
+    turn[(second, second)] = cos;
+    turn
 }
 
 #[cfg(test)]
@@ -159,6 +216,18 @@ mod tests {
         // (1, 0) -> mirror (-1, 0) -> scale (-2, 0) -> rotate (0, -2) -> shift (100, -2)
         let p = t.frame(Axis::Z, 0.0).unwrap().apply(&at(1.0, 0.0));
         assert_eq!((p.get(Axis::X), p.get(Axis::Y)), (Some(100.0), Some(-2.0)));
+    }
+
+    #[test]
+    fn the_mirror_may_come_last() {
+        let mut t = Transformation { angle: Deg(90.0), mirror_last: true, ..Transformation::default() };
+        t.mirror.insert(Axis::X);
+        // (1, 2) -> rotate (-2, 1) -> mirror (2, 1)
+        let p = t.frame(Axis::Z, 0.0).unwrap().apply(&at(1.0, 2.0));
+        assert!((p.get(Axis::X).unwrap() - 2.0).abs() < 1e-12 && (p.get(Axis::Y).unwrap() - 1.0).abs() < 1e-12);
+        assert!(t.mirror_order_counts());
+        t.angle = Deg(-180.0);
+        assert!(!t.mirror_order_counts());
     }
 
     #[test]

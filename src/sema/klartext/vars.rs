@@ -6,6 +6,7 @@ use std::rc::Rc;
 use rustc_hash::FxHashMap;
 
 use crate::lexer::klartext::{QKind, QRef};
+use crate::text::Loc;
 
 /// What a parameter holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +15,8 @@ pub(super) enum Slot {
     Text(Rc<str>),
     /// Its computation failed and was reported.
     Lost,
+    /// The control sets it at the machine, by the block at this place, which has no counterpart in the output.
+    AtMachine(Loc),
 }
 
 /// Highest number of each kind, plus one.

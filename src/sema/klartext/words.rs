@@ -5,6 +5,8 @@ use crate::ir::{Pos, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Stmt, Word};
+use crate::parser::klartext::no_number;
+use crate::parser::not_a_number::is_no_number;
 use crate::text::{Span, decode::readable};
 
 use super::mfunc::{self, Args};
@@ -315,6 +317,10 @@ impl Run<'_> {
     #[cold]
     pub(super) fn not_admitted<T>(&self, word: Word, head: &str) -> Outcome<T> {
         let text = self.word_text(word.span);
+        if is_no_number(text.as_bytes()) || self.goes_on_without_number(word, &text) {
+            self.push_problem(no_number(&text, word.span));
+            return Err(super::Reported);
+        }
         let help = match (word.addr, head) {
             (Addr::Axis { .. }, "CP") => "CP takes the angle PA or IPA, and the axes outside the plane",
             (Addr::PolarRadius { .. }, "CP") => "the radius of CP is the distance from the pole",
@@ -326,6 +332,15 @@ impl Run<'_> {
         };
         let block = if head.is_empty() { "this block".to_owned() } else { format!("this {head} block") };
         self.fail_help(codes::K1005, word.span, format!("`{text}` has no place in {block}"), help)
+    }
+
+    /// `X-1.#IND`: the mark belongs to the number in front of it.
+    fn goes_on_without_number(&self, word: Word, text: &str) -> bool {
+        let reaches = |more| {
+            let wider = Span { start: word.span.start, end: word.span.end + more };
+            is_no_number(self.word_text(wider).as_bytes())
+        };
+        text == "#" && (reaches(3) || reaches(4))
     }
 
     /// A word as the programmer wrote it.

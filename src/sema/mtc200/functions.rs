@@ -166,7 +166,7 @@ impl Run<'_> {
         }
         self.st.tool = Some(number);
         self.function(Function::ToolChange { number });
-        self.function(Function::Cutter(CutterData { number, radius: None }));
+        self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
         self.forget_tip();
         Ok(())
     }

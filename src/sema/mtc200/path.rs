@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
@@ -398,6 +398,7 @@ impl Run<'_> {
             modal: false,
             large: LargeCorner::Refuse,
             at_arc: ArcChamfer::Refuse,
+            blocks: Blocks::PassedOver,
         });
         self.st.corner = Some((self.loc(at.span), 0));
         Ok(())

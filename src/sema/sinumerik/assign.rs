@@ -233,7 +233,14 @@ impl Run<'_> {
     /// The same with the alarms for a wrong type and a value out of range.
     pub(super) fn converted_or(&self, value: &Val, kind: TypeName, span: Span, alarms: [u32; 2]) -> Outcome<Val> {
         match value.converted(kind) {
-            Ok(value) => Ok(value),
+            Ok(made) => {
+                if kind == TypeName::Int
+                    && let (Some(value), Some(made)) = (value.number(), made.number())
+                {
+                    self.says_negative_half(value, made, span);
+                }
+                Ok(made)
+            }
             Err(NoValue::Type) => {
                 let message = format!("{} does not become {}", value.what(), type_name(kind));
                 self.fail(codes::S2005, alarms[0], span, message)

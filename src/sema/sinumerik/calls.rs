@@ -32,6 +32,8 @@ pub(super) struct Level {
     pub executed: bool,
     /// The definition part has begun, so PROC is too late.
     pub declares: bool,
+    /// A further pass of a call: the parameters keep their values.
+    pub further_pass: bool,
 }
 
 #[derive(Debug)]
@@ -94,6 +96,7 @@ impl Level {
             given: Vec::new(),
             executed: false,
             declares: false,
+            further_pass: false,
         }
     }
 }
@@ -121,6 +124,7 @@ impl Run<'_> {
             given: Vec::new(),
             executed,
             declares: true,
+            further_pass: false,
         });
         self.budget.jump(self.here.origin.loc);
         self.resume(from)
@@ -269,6 +273,7 @@ impl Run<'_> {
             given: Vec::new(),
             executed,
             declares: executed,
+            further_pass: false,
         });
         self.vars.enter();
         self.budget.jump(site);
@@ -305,27 +310,27 @@ impl Run<'_> {
             return;
         };
         let (back, start, again) = (*back, *start, *passes > 1);
-        let (saved, references) = (saved.take(), std::mem::take(references));
+        let (saved, references) = (saved.take(), references.clone());
         if again {
             *passes -= 1;
         }
         self.give_back(&references);
-        self.vars.leave();
         if let Some(saved) = saved {
             self.restore(*saved);
         }
         if again {
-            self.vars.enter();
+            // Arguments are handed over once: the parameters keep what the pass before left in them.
+            self.vars.next_pass();
             let level = self.level();
             level.executed = false;
             level.declares = false;
-            level.arguments = None;
-            level.given.clear();
+            level.further_pass = true;
             let file = self.programs.units[unit].file;
             let _ = self.programs.files[file].cursor.seek(self.job.sources, start);
             self.budget.jump(self.here.origin.loc);
             return;
         }
+        self.vars.leave();
         self.levels.pop();
         self.level_ended();
         let caller = self.programs.units[self.unit()].file;

@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
-use crate::ir::contour::{ArcChamfer, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -374,8 +374,8 @@ impl Run<'_> {
             CornerShape::ChamferLength { length } => length,
             CornerShape::Undercut(_) => 0.0,
         };
-        let (large, at_arc) = (self.large_corner(), self.arc_chamfer());
-        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc }))
+        let (large, at_arc, blocks) = (self.large_corner(), self.arc_chamfer(), Blocks::PassedOver);
+        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc, blocks }))
     }
 
     /// FRCM, which counts as the feeds did where it was programmed.

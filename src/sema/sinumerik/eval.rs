@@ -330,7 +330,14 @@ impl Run<'_> {
         }
         let error = match functions::call(&word, args) {
             Ok(Val::Real(v)) if !v.is_finite() => Domain("the value is infinite"),
-            Ok(value) => return Ok(value),
+            Ok(value) => {
+                if matches!(word.as_str(), "ROUND" | "RTOI")
+                    && let (Some(from), Some(made)) = (args.first().and_then(Val::number), value.number())
+                {
+                    self.says_negative_half(from, made, span);
+                }
+                return Ok(value);
+            }
             Err(error) => error,
         };
         use NoResult::{Count, Domain, Type, Unknown};

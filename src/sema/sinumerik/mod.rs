@@ -19,6 +19,8 @@ mod flow;
 mod frames;
 mod functions;
 mod idle;
+mod left_out;
+mod machine_place;
 mod macros;
 mod modal;
 mod motion;
@@ -30,6 +32,7 @@ mod polar;
 mod procedures;
 mod programs;
 mod report;
+mod rotary;
 mod special;
 mod spindle;
 mod state;
@@ -76,6 +79,7 @@ use vocabulary::{GCodes, Meaning};
 use words::Words;
 
 pub use idle::check_idle;
+pub use vocabulary::all_words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {

@@ -21,7 +21,7 @@ impl Run<'_> {
             self.axis_diameter(indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
-            self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
+            self.dynamics_are_left_out(span);
         }
         Ok(())
     }
@@ -33,7 +33,8 @@ impl Run<'_> {
                 self.check_interpolation(code, span)?;
                 self.st.groups[1] = code.index;
             }
-            2 | 3 | 9 | 11 | 62 => {}
+            2 | 3 | 9 => {}
+            11 | 62 => self.left_out_code(code, span),
             6 => {
                 self.st.groups[6] = code.index;
                 if old != code.index {
@@ -48,19 +49,16 @@ impl Run<'_> {
                     return self.no_diameter_axis(span);
                 }
                 // DIAMCYCOF counts inside of cycles only.
-                if code != Code::DIAMCYCOF {
+                if code == Code::DIAMCYCOF {
+                    self.control_words_are_left_out(span);
+                } else {
                     self.st.groups[29] = code.index;
                     self.st.diameter = None;
                 }
             }
-            10 | 12 | 21 | 24 | 30 | 34 | 39 | 57 | 59 => {
-                self.st.groups[code.group as usize] = code.index;
-                if !(code.group == 10 && code.index <= 2 || code.group == 12 || code.group == 30 && code.index == 1) {
-                    self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
-                }
-            }
             _ => {
                 self.refused_code(code, span)?;
+                self.left_out_code(code, span);
                 self.st.groups[code.group as usize] = code.index;
             }
         }

@@ -202,6 +202,9 @@ impl Run<'_> {
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
+        if let Some((_, span)) = w.code_of(9) {
+            self.suppressed_tool(w, span)?;
+        }
         let in_plane = polar || w.get(Address::Ang).is_some() || {
             let [first, second, _] = self.st.roles();
             w.axes.contains(first) || w.axes.contains(second)
@@ -368,7 +371,7 @@ impl Run<'_> {
     }
 
     /// What an increment counts from: the value last programmed, or where the axis stands (SD 42440).
-    fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
+    pub(super) fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
         if self.st.lost.contains(axis) {
             return Err(Reported);
         }
@@ -410,44 +413,5 @@ impl Run<'_> {
             format!("where {} stands is not known", axis.letter()),
             "program the axis once in absolute coordinates in front of this block",
         )
-    }
-
-    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
-    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.lost.contains(axis) {
-            return self.unknown_axis(axis, given.span);
-        }
-        let letter = axis.letter();
-        let message =
-            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
-        self.note_once(codes::S8044, given.span, message);
-        Ok(given.value)
-    }
-
-    fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        let incremental = match given.mode {
-            Mode::Plain => self.st.is(Code::G91),
-            Mode::Ac => false,
-            Mode::Ic => true,
-            Mode::Dc | Mode::Acp | Mode::Acn => {
-                if !(0.0..360.0).contains(&given.value) {
-                    let message = format!("{} lies outside 0 to 359.999", given.value);
-                    return self.fail(codes::S2061, 16830, given.span, message);
-                }
-                let Some(at) = self.st.pos.get(axis) else {
-                    return self.first_rotary_target(axis, given);
-                };
-                let forward = given.value - at - 360.0 * libm::floor((given.value - at) / 360.0);
-                return Ok(match given.mode {
-                    Mode::Acp => at + forward,
-                    Mode::Acn if forward == 0.0 => at,
-                    Mode::Acn => at + forward - 360.0,
-                    _ if forward > 180.0 => at + forward - 360.0,
-                    _ => at + forward,
-                });
-            }
-            _ => return self.no_diameter_axis(given.span),
-        };
-        if incremental { Ok(self.increment_base(axis, given.span)? + given.value) } else { Ok(given.value) }
     }
 }

@@ -64,7 +64,11 @@ impl Run<'_> {
         }
         // What is printed with G53 and what the program writes itself count from different places.
         self.st.offsets_printed = true;
-        let machine = self.st.ctx.frame.apply(end);
+        let mut machine = self.st.ctx.frame.apply(end);
+        for axis in machine.known().iter() {
+            let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Span::default()) else { return };
+            machine.set(axis, place);
+        }
         let mv = Move { end: EndPoint::Cartesian(machine), path, feed, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);
@@ -103,12 +107,16 @@ impl Run<'_> {
                     "program the machine coordinate with AC(…) or under G90",
                 );
             }
-            if axis.is_rotary() && matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn) {
+            let directed = matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn);
+            if axis.is_rotary() && (directed || self.st.modulo.contains(axis)) {
                 let letter = axis.letter();
                 let message = format!("the way of {letter} to a machine position is left to the target");
                 self.note_once(codes::S8044, given.span, message);
             }
-            let value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
+            let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
+            if !self.job.settings.control.siemens.machine_moves_without_tool {
+                value = self.machine_place(axis, value, given.span)?;
+            }
             end.set(axis, value);
         }
         let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
@@ -157,8 +165,7 @@ impl Run<'_> {
                 );
             }
             let value = self.target(axis, positioning.given)?;
-            let feed = w.axis_feeds.iter().find(|(known, _)| *known == axis).map(|(_, feed)| *feed);
-            let Some(feed) = feed.or_else(|| self.axis_feed.get(&axis).copied()) else {
+            let Some(feed) = self.axis_feed.get(&axis).copied() else {
                 return self.fail_help(
                     codes::S2040,
                     10860,
@@ -168,7 +175,6 @@ impl Run<'_> {
                 );
             };
             let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
-            self.axis_feed.insert(axis, feed);
             let mut end = Pos::UNKNOWN;
             end.set(axis, value);
             self.send(&end, Path::Line, Some(Feed::PerMinute(feed * unit)));

@@ -90,6 +90,7 @@ impl Run<'_> {
                     };
                     return self.fail_help(codes::S1001, 12080, word.span, what, help);
                 }
+                self.control_words_are_left_out(word.span);
                 // It ends the look-ahead.
                 if self.pending.is_some() && self.symbols.name(name) == "STOPRE" {
                     self.pending_must_be_done(word.span)?;

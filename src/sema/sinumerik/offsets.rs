@@ -113,7 +113,8 @@ impl Run<'_> {
         self.note_once(
             codes::S8012,
             span,
-            "a work offset that the program writes itself is put into the coordinates; no G54 is printed for it",
+            "a work offset that the program writes itself is put into the coordinates, no G54 is printed: the offset active \
+             on the target has to be zero",
         );
     }
 }

@@ -64,6 +64,22 @@ impl Run<'_> {
         Ok(offset.map(|at| Reference::Element(slot, at)))
     }
 
+    /// Sets a variable that is given by reference to a whole number.
+    pub(super) fn set_reference(&mut self, reference: Reference, value: i32) {
+        let (slot, at) = match reference {
+            Reference::R(n) => return self.vars.set_r(n, f64::from(value)),
+            Reference::Variable(slot) => (slot, 0),
+            Reference::Element(slot, at) => (slot, at),
+        };
+        let Some(var) = self.vars.get_mut(slot) else { return };
+        let Ok(value) = Val::Int(value).converted(var.kind) else { return };
+        if let Some(element) = var.values.get_mut(at) {
+            *element = value;
+            var.written = true;
+            var.lost = false;
+        }
+    }
+
     pub(super) fn give_back(&mut self, references: &[(Symbol, Reference)]) {
         for (name, reference) in references {
             let Some(value) = self.vars.of_level(*name).and_then(|var| var.values.first()).cloned() else { continue };
@@ -97,7 +113,7 @@ impl Run<'_> {
         }
         let level = self.program_level();
         let arguments = level.arguments.take().unwrap_or_default();
-        let in_main = matches!(level.kind, LevelKind::Main);
+        let (in_main, further_pass) = (matches!(level.kind, LevelKind::Main), level.further_pass);
         let save = block.words.iter().any(|word| match word.target {
             crate::parser::sinumerik::ast::Target::Name(name) => self.symbols.name(name) == "SAVE",
             _ => false,
@@ -109,6 +125,9 @@ impl Run<'_> {
                 *saved = Some(Box::new(state));
             }
         }
+        if further_pass {
+            return Ok(());
+        }
         if arguments.len() > block.variables.len() {
             let loc = arguments[block.variables.len()].loc;
             let count = block.variables.len();
@@ -118,6 +137,7 @@ impl Run<'_> {
             for variable in block.variables.clone() {
                 self.lose_parameter(variable);
             }
+            self.vars.parameters_are_known();
             return Err(Reported);
         }
         let mut arguments = arguments.into_iter();
@@ -129,6 +149,7 @@ impl Run<'_> {
                 result = Err(Reported);
             }
         }
+        self.vars.parameters_are_known();
         result
     }
 
@@ -152,7 +173,14 @@ impl Run<'_> {
         let shown = self.symbols.name(name).to_owned();
         let value = match (given, variable.value) {
             (Some(argument), _) => match argument.value.converted(variable.kind) {
-                Ok(value) => value,
+                Ok(value) => {
+                    if variable.kind == TypeName::Int
+                        && let (Some(from), Some(made)) = (argument.value.number(), value.number())
+                    {
+                        self.says_negative_half(from, made, variable.span);
+                    }
+                    value
+                }
                 Err(_) => {
                     let message = format!(
                         "parameter {shown} is {}, the argument is {} (alarm 12330)",

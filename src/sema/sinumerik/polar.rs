@@ -2,10 +2,11 @@
 //!
 //! Source: reference section 2.4.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::angle::polar_point;
 use crate::geo::{Deg, Point2};
 use crate::ir::Pos;
+use crate::machine::AxisSet;
 use crate::text::Span;
 
 use super::vocabulary::{Address, Code};
@@ -125,7 +126,12 @@ impl Run<'_> {
             }
             None => match self.st.rp {
                 Some(radius) => radius,
-                None => self.by_position(span, "RP=")?.0,
+                None => {
+                    self.st.lose(AxisSet::MAIN);
+                    self.lost();
+                    let help = "program RP=… in this block";
+                    return self.fail_help(codes::S2054, 0, span, "RP= was never programmed", help);
+                }
             },
         };
         let angle = match ap {
@@ -140,7 +146,7 @@ impl Run<'_> {
                 if incremental {
                     let base = match self.st.ap {
                         Some(angle) => angle,
-                        None => self.by_position(span, "the angle that AP= counts from")?.1,
+                        None => return self.polar_word_missing(ap.span, "the angle that AP= counts from"),
                     };
                     base + ap.value
                 } else {
@@ -149,7 +155,7 @@ impl Run<'_> {
             }
             None => match self.st.ap {
                 Some(angle) => angle,
-                None => self.by_position(span, "AP=")?.1,
+                None => return self.polar_word_missing(span, "AP="),
             },
         };
         self.st.rp = Some(radius);
@@ -159,23 +165,13 @@ impl Run<'_> {
         Ok(end)
     }
 
-    /// Radius and angle of the position about the pole, where the program does not say them.
-    fn by_position(&mut self, span: Span, what: &str) -> Outcome<(f64, f64)> {
-        let plane = self.st.plane();
-        let Some(at) = self.st.pos.in_plane(plane) else {
-            let [first, second, _] = self.st.roles();
-            let axis = if self.st.pos.get(first).is_none() { first } else { second };
-            return self.unknown_axis(axis, span);
-        };
-        let way = at - self.st.pole;
-        let found =
-            Diagnostic::new(codes::S2054, self.loc(span), format!("{what} was not programmed since the pole was set"));
-        let (radius, angle) = (crate::geo::length(way), Deg::of(way).0);
-        self.report(
-            found
-                .here(format!("taken from the position: RP={radius:.4}, AP={angle:.4}"))
-                .help("program AP= and RP= in this block"),
-        );
-        Ok((radius, angle))
+    /// The manuals demand the word again, so that what it was does not count.
+    fn polar_word_missing<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
+        // What counts on from here is not reported again.
+        self.st.pole_lost = true;
+        self.st.lose(AxisSet::MAIN);
+        self.lost();
+        let message = format!("{what} was not programmed since the pole or the plane was set");
+        self.fail_help(codes::S2054, 0, span, message, "program AP=… and RP=… in this block")
     }
 }

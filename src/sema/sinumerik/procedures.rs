@@ -161,9 +161,17 @@ impl Run<'_> {
             return result;
         }
         match procedure {
-            Procedure::NoEffect => Ok(()),
+            Procedure::NoEffect => {
+                self.control_words_are_left_out(call.span);
+                Ok(())
+            }
+            Procedure::WheelSpeed => {
+                let message = format!("{name} makes S a speed of the circumference of the wheel, which is left out");
+                self.changes_feeds(message, call.span);
+                Ok(())
+            }
             Procedure::Dynamics => {
-                self.note_once(codes::S8002, call.span, "words that only shape speed and accuracy are left out");
+                self.dynamics_are_left_out(call.span);
                 Ok(())
             }
             Procedure::Message => self.message(&formulas, block, text),
@@ -216,13 +224,7 @@ impl Run<'_> {
                 self.note_once(codes::S8016, call.span, "interrupt programs are left out");
                 Ok(())
             }
-            Procedure::FileAccess => {
-                self.note_once(codes::S8017, call.span, "reading and writing files of the control is left out");
-                if name == "READ" {
-                    return self.fail(codes::S9001, 0, call.span, "READ takes values from a file of the control");
-                }
-                Ok(())
-            }
+            Procedure::FileAccess => self.file_access(&name, &formulas, call.span, block, text),
             Procedure::CallPath => {
                 self.note_once(
                     codes::S8037,
@@ -233,14 +235,25 @@ impl Run<'_> {
             }
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
-            Procedure::TransformationOff if formulas.is_empty() => Ok(()),
+            Procedure::TransformationOff | Procedure::Swivel if formulas.is_empty() => {
+                self.control_words_are_left_out(call.span);
+                Ok(())
+            }
             Procedure::TransformationOff => {
                 self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
             }
-            Procedure::Swivel if formulas.is_empty() => Ok(()),
             Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
             Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
-            Procedure::EndLabel => Ok(()),
+            Procedure::EndLabel => self.fail_help(
+                codes::S1001,
+                12080,
+                call.span,
+                "ENDLABEL is a label, and its colon is missing",
+                "write `ENDLABEL:` at the start of the block",
+            ),
+            Procedure::DiameterChannel if !formulas.is_empty() => {
+                self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
+            }
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
                 Ok(())
@@ -392,6 +405,7 @@ impl Run<'_> {
                 );
             }
         }
+        self.control_words_are_left_out(span);
         Ok(())
     }
 }

@@ -74,7 +74,7 @@ impl Run<'_> {
             return self.not_alone(other);
         }
         self.nothing_left(w)?;
-        self.note_once(codes::S8002, span, "words that only shape speed and accuracy are left out");
+        self.dynamics_are_left_out(span);
         self.st.groups[4] = code.index;
         Ok(())
     }
@@ -151,16 +151,30 @@ impl Run<'_> {
         }
     }
 
+    /// FP of G75; without it the first fixed point is meant (MD 30600).
+    fn fixed_point_number(&self, w: &mut Words) -> Outcome<u8> {
+        let Some(given) = w.take(Address::Fp) else { return Ok(1) };
+        match super::value::whole(given.value).and_then(|n| u8::try_from(n).ok()) {
+            Some(n @ 1..=4) if f64::from(n) == given.value => Ok(n),
+            _ => {
+                let message = format!("there is no fixed point {}", given.value);
+                self.fail_help(codes::S2012, 0, given.span, message, "G75 has the fixed points FP=1 to FP=4")
+            }
+        }
+    }
+
     /// G74 and G75: points that are machine data.
     fn fixed_point(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         self.pending_must_be_done(span)?;
-        w.take(Address::Fp);
+        let number = if code == Code::G75 { self.fixed_point_number(w)? } else { 0 };
         let named: Vec<Axis> = w.axes.iter().chain(w.machine_axes.iter().map(|(axis, _)| *axis)).collect();
         let machine = &self.job.settings.machine;
-        let (points, key) = if code == Code::G74 {
-            (&machine.reference_point, "reference_point")
-        } else {
-            (&machine.fixed_point, "fixed_point")
+        let (points, key) = match number {
+            0 => (&machine.reference_point, "reference_point"),
+            1 => (&machine.fixed_point[0], "fixed_point"),
+            2 => (&machine.fixed_point[1], "fixed_point_2"),
+            3 => (&machine.fixed_point[2], "fixed_point_3"),
+            _ => (&machine.fixed_point[3], "fixed_point_4"),
         };
         let mut end = Pos::UNKNOWN;
         for axis in &named {
@@ -198,11 +212,7 @@ impl Run<'_> {
                     }
                 }
                 w.s.clear();
-                self.note_once(
-                    codes::S8013,
-                    span,
-                    "working-area limits and lowest speeds (G25, G26) are left out; G26 S limits the spindle speed",
-                );
+                self.limits_are_left_out(span);
             }
             Code::G58 | Code::G59 => self.axial_shift(code, span, w)?,
             _ => {

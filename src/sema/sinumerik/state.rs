@@ -34,6 +34,8 @@ pub(super) struct State {
     pub pos: Pos,
     /// Axes whose position was lost by a reported error.
     pub lost: AxisSet,
+    /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
+    pub modulo: AxisSet,
     /// The way of the last block that travelled.
     pub heading: super::tangent::Heading,
     /// Coordinates as last programmed, before any change of the frame (SD 42440).
@@ -148,6 +150,7 @@ impl State {
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
             pos: Pos::UNKNOWN,
             lost: AxisSet::EMPTY,
+            modulo: machine.modulo,
             heading: super::tangent::Heading::None,
             programmed: Pos::UNKNOWN,
             pole: Point2::origin(),

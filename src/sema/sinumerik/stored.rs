@@ -4,7 +4,7 @@
 //! Source: `reference/sinumerik-contours-undercuts-cycles` section 1.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Arc, ArcShape, Corner, CornerShape, Path};
+use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
 use crate::ir::undercut::{Surface, usual_pitch};
 use crate::ir::{Feed, Pos};
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
@@ -432,6 +432,7 @@ impl Run<'_> {
                 modal: false,
                 large: self.large_corner(),
                 at_arc: self.arc_chamfer(),
+                blocks: Blocks::PassedOver,
             }));
         }
         self.here.origin = here;

@@ -2,6 +2,7 @@
 //!
 //! Source: reference sections 4.7 and 5.7.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::codes;
@@ -199,7 +200,7 @@ impl Run<'_> {
             );
         };
         if axis.is_rotary() {
-            return Ok(value);
+            return Ok(if self.st.modulo.contains(axis) { super::rotary::reduced(value) } else { value });
         }
         let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::state::Diameter::Off;
         Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
@@ -242,12 +243,13 @@ impl Run<'_> {
                 self.resolved_offset_note(span);
                 Ok(())
             }
+            _ if word.starts_with("$SC_") || word.starts_with("$SN_") => {
+                self.write_setting(&word, system_key(&word, args), value, span)
+            }
             _ if word.starts_with("$TC_")
-                || word.starts_with("$SC_")
                 || word.starts_with("$AC_MARKER")
                 || word.starts_with("$AC_PARAM")
-                || word.starts_with("$P_AD")
-                || word.starts_with("$SN_") =>
+                || word.starts_with("$P_AD") =>
             {
                 let unit = self.tool_data_unit(&word);
                 let value = match value.number() {
@@ -282,6 +284,34 @@ impl Run<'_> {
                 "it changes the machine or the control; set it there",
             ),
         }
+    }
+
+    /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
+    fn write_setting(&mut self, word: &str, key: String, value: Val, span: Span) -> Outcome {
+        let on_the_machine = self.job.settings.variables.get(&key).copied();
+        let changes = on_the_machine.is_none() || on_the_machine != value.number();
+        match word {
+            // Read by increments and threads. Behind a new tool length no increment has a place to count from.
+            "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
+            "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
+                self.note_once(codes::S8006, span, format!("`{word}` is for trial runs only and is left out"));
+            }
+            _ if changes => {
+                let shown = value.number().unwrap_or(0.0);
+                return self.fail_help(
+                    codes::S9103,
+                    0,
+                    span,
+                    format!("`{word}` is a setting datum, and what it changes is not compiled"),
+                    &format!(
+                        "leave it out; if the machine has this value anyhow, say so under [variables]: \"{key}\" = {shown}"
+                    ),
+                );
+            }
+            _ => {}
+        }
+        self.system.insert(key, value);
+        Ok(())
     }
 
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
@@ -481,6 +511,11 @@ impl Run<'_> {
 
 fn frame(value: FrameValue) -> Val {
     Val::Frame(Rc::new(value))
+}
+
+/// A system variable that the program wrote, as a number.
+pub(super) fn system_number(system: &BTreeMap<String, Val>, key: &str) -> Option<f64> {
+    system.get(key).and_then(Val::number)
 }
 
 /// G54 is 1, G57 is 4, G505 is 5.

@@ -35,6 +35,8 @@ impl Run<'_> {
             self.st.feed = Some(self.feed_of(f.value));
             self.st.feed_lost = false;
         }
+        // Feeds of positioning axes hold on.
+        self.axis_feed.extend(w.axis_feeds.iter().copied());
         if let Some(t) = w.take(Address::T) {
             self.tool_word_given(t, w)?;
         }
@@ -75,11 +77,8 @@ impl Run<'_> {
         {
             return self.fail(codes::S9001, 0, given.span, "orientable tool carriers cannot be printed");
         }
-        // They matter for compensated corners only.
-        if let Some(disc) = w.take(Address::Disc)
-            && self.st.side() != crate::ir::Side::None
-        {
-            self.note_once(codes::S8002, disc.span, "words that only shape speed and accuracy are left out");
+        if let Some(disc) = w.take(Address::Disc) {
+            self.says_shape(disc.span, "DISC=");
         }
         if let Some(span) = w.h {
             self.note_once(codes::S8005, span, "H functions are for the machine's own control and are left out");

@@ -71,9 +71,11 @@ impl Run<'_> {
         }
         self.chain_is_whole(span)?;
         let end = self.targets(w)?;
-        if let Some(start) = w.take(Address::Sf)
-            && start.value != 0.0
-        {
+        let start = w.take(Address::Sf);
+        if start.is_none() {
+            self.no_start_angle_by_setting(span)?;
+        }
+        if let Some(start) = start.filter(|start| start.value != 0.0) {
             return self.fail_help(
                 codes::S9012,
                 0,
@@ -111,6 +113,20 @@ impl Run<'_> {
         let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
         self.thread_chain = Some(ThreadChain { last: self.here.origin.loc, broken });
         Ok(())
+    }
+
+    /// A thread without SF= starts at the angle of SD 42000.
+    pub(super) fn no_start_angle_by_setting(&self, span: Span) -> Outcome {
+        match super::system::system_number(&self.system, "$SC_THREAD_START_ANGLE") {
+            Some(angle) if angle != 0.0 => self.fail_help(
+                codes::S9012,
+                0,
+                span,
+                format!("`$SC_THREAD_START_ANGLE` starts this thread at {angle} degrees, which cannot be printed"),
+                "shift the start point along the thread instead: lead · angle / 360",
+            ),
+            _ => Ok(()),
+        }
     }
 
     /// Whether a control cuts corners off threads is not documented.

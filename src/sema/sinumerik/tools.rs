@@ -161,13 +161,16 @@ impl Run<'_> {
 
     /// The target rounds corners, enters and leaves the contour in its own way.
     fn says_shape_of_compensation(&self, span: Span) {
-        let shapes = [17, 18, 48].into_iter().map(|group| Code { group, index: self.st.groups[usize::from(group)] });
+        let shapes =
+            [17, 18, 23, 48].into_iter().map(|group| Code { group, index: self.st.groups[usize::from(group)] });
         if let Some(code) = shapes.into_iter().find(|code| code.index != 1) {
-            let word = super::vocabulary::word(code);
-            let message =
-                format!("{word} is left out: the target enters, leaves and rounds a compensated contour its way");
-            self.note_once(codes::S8043, span, message);
+            self.says_shape(span, &super::vocabulary::word(code));
         }
+    }
+
+    pub(super) fn says_shape(&self, span: Span, word: &str) {
+        let message = format!("{word} is left out: the target enters, leaves and rounds a compensated contour its way");
+        self.note_once(codes::S8043, span, message);
     }
 
     /// Tells the target which tool is compensated.
@@ -191,7 +194,7 @@ impl Run<'_> {
         }
         let edge = self.st.tool.edge.unwrap_or(1);
         let radius = self.cutter_radius(number, edge, span)?;
-        self.function(Function::Cutter(CutterData { number, radius }));
+        self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         Ok(())
     }
 

@@ -47,6 +47,8 @@ pub(super) struct Scope {
     names: FxHashMap<Symbol, VarId>,
     /// Variables that end with the level.
     first: usize,
+    /// Parameters of the program, and the variables behind them: what a further pass keeps.
+    parameters: Option<(FxHashMap<Symbol, VarId>, usize)>,
 }
 
 /// All variables of a run.
@@ -116,15 +118,34 @@ impl Vars {
     // Levels.
 
     pub fn enter(&mut self) {
-        self.scopes.push(Scope { names: FxHashMap::default(), first: self.arena.len() });
+        self.scopes.push(Scope { first: self.arena.len(), ..Scope::default() });
     }
 
     pub fn leave(&mut self) {
         if let Some(scope) = self.scopes.pop() {
-            for var in self.arena.drain(scope.first.min(self.arena.len())..) {
-                self.values -= var.values.len().min(self.values);
-            }
+            self.end_from(scope.first);
         }
+    }
+
+    fn end_from(&mut self, first: usize) {
+        for var in self.arena.drain(first.min(self.arena.len())..) {
+            self.values -= var.values.len().min(self.values);
+        }
+    }
+
+    /// The variables of the current level so far are the parameters of its program.
+    pub fn parameters_are_known(&mut self) {
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.parameters = Some((scope.names.clone(), self.arena.len()));
+        }
+    }
+
+    /// A further pass of the program: its parameters stay as they are, its other variables end.
+    pub fn next_pass(&mut self) {
+        let Some(scope) = self.scopes.last_mut() else { return };
+        let (names, end) = scope.parameters.clone().unwrap_or((FxHashMap::default(), scope.first));
+        scope.names = names;
+        self.end_from(end);
     }
 
     pub fn find(&self, name: Symbol) -> Option<Slot> {

@@ -251,10 +251,12 @@ pub(super) enum Indexed {
 /// Words of the language that are written like a call.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Procedure {
-    /// Has no effect on the path, and nothing else is lost by leaving it out.
+    /// Steers the control only: worth one note.
     NoEffect,
     /// Path accuracy and dynamics: worth one note.
     Dynamics,
+    /// GWPSON
+    WheelSpeed,
     Message,
     SetAlarm,
     SetMaster,
@@ -377,7 +379,7 @@ const CYCLES: &[&str] = &[
 ];
 
 const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO SAVE PREPRO ICYCON ICYCOF IPTRLOCK IPTRUNLOCK BLSYNC \
-    GROUP_BEGIN GROUP_END GROUP_ADDEND WORKPIECE NEWCONF WAITS WAITP SPCON SPCOF DRFOF DELAYFSTON DELAYFSTOF GWPSON GWPSOF \
+    GROUP_BEGIN GROUP_END GROUP_ADDEND WORKPIECE NEWCONF WAITS WAITP SPCON SPCOF DRFOF DELAYFSTON DELAYFSTOF GWPSOF \
     EXTCLOSE EXTOPEN PROTOCOL STARTFIFO MMC ";
 
 const CHANNEL: &str = "INIT START WAITM WAITMC WAITE SETM CLEARM GET GETD RELEASE AXTOCHAN CLEAR";
@@ -479,6 +481,7 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
         (INTERRUPT, Procedure::Interrupt),
         (FILES, Procedure::FileAccess),
         (DYNAMICS, Procedure::Dynamics),
+        ("GWPSON", Procedure::WheelSpeed),
         ("MSG", Procedure::Message),
         ("SETAL", Procedure::SetAlarm),
         ("SETMS", Procedure::SetMaster),
@@ -508,6 +511,20 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
         }
     }
     map
+}
+
+/// Every word that the compiler knows, with its G group if it is a code of one; in order.
+pub fn all_words() -> Vec<(String, Option<u8>)> {
+    let mut list: Vec<(String, Option<u8>)> = words()
+        .into_iter()
+        .filter(|(name, _)| *name != "-")
+        .map(|(name, meaning)| match meaning {
+            Meaning::Code(code) => (name.to_owned(), Some(code.group)),
+            _ => (name.to_owned(), None),
+        })
+        .collect();
+    list.sort();
+    list
 }
 
 /// Largest G number.

@@ -8,6 +8,7 @@ use crate::text::Loc;
 
 use super::super::here::Here;
 use super::contour::{Builder, Outline};
+use super::geometry::note_adjusted;
 use super::sections::Family;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -119,6 +120,7 @@ impl Run<'_> {
         let left_out = if matches!(capture.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
         let outline = capture.builder.settle().and_then(|()| capture.builder.outline(left_out));
         let empty = capture.builder.is_empty();
+        note_adjusted(&self.job, &capture.builder);
         match outline {
             _ if capture.broken => Err(Reported),
             Err(flaw) => {

@@ -11,12 +11,17 @@ use crate::text::Loc;
 use super::chain::{Chain, Fault, Partial, Solved};
 use super::coordinates::Transition;
 use super::forms::{self, Recess};
+use super::sides::Form;
 use super::undercuts::{self, Undercut};
 
 /// The largest contour a cycle takes.
 pub(super) const MOST_EDGES: usize = 1_000;
 /// Most elements of a contour.
 const MOST: usize = 10_000;
+/// Largest angle in rad by which moving the centre may turn an arc at its start, as in moves.
+const MOST_TURN: f64 = 0.0316;
+/// Shifts of a centre up to this much are rounding of the source and not worth a note, in mm.
+const UNNOTED: f64 = 0.0005;
 /// How much an element may fall short of a cut, in mm.
 const SHORT: f64 = 1e-6;
 
@@ -26,6 +31,8 @@ pub(super) struct Mark {
     pub number: Option<u32>,
     pub loc: Loc,
     pub transition: Transition,
+    /// How far the radii at both ends of an arc may differ, in mm.
+    pub arc_tolerance: f64,
 }
 
 /// What G34 and G37 say of a thread, in mm.
@@ -70,6 +77,7 @@ pub(super) struct Builder {
     start: Option<Point2>,
     chain: Chain<Mark>,
     pub pieces: Vec<Piece>,
+    adjusted: Option<(f64, Loc)>,
 }
 
 impl Builder {
@@ -112,6 +120,11 @@ impl Builder {
             let dir = last.filter(|_| open).and_then(|piece| piece.solved.end_direction());
             match self.chain.next(at, dir, closed) {
                 Ok(Some((solved, mark))) => {
+                    let settled = self.settled(solved, &mark);
+                    if settled.is_err() {
+                        self.chain.clear();
+                    }
+                    let solved = settled?;
                     self.pieces.push(Piece {
                         solved,
                         mark,
@@ -134,6 +147,42 @@ impl Builder {
             }
         }
         Ok(())
+    }
+
+    /// An arc that is given twice, by its end and by its centre: the centre moves to where both ends lie on the circle.
+    fn settled(&mut self, solved: Solved, mark: &Mark) -> Result<Solved, Flaw> {
+        let Some((center, ccw)) = solved.arc.filter(|_| distance(solved.from, solved.to) > SAME_POINT) else {
+            return Ok(solved);
+        };
+        let (start, end) = (distance(solved.from, center), distance(solved.to, center));
+        let refuse = |why: String| Err(Flaw::new(codes::T3051, mark.loc, why));
+        if start <= SAME_POINT || end <= SAME_POINT {
+            return refuse("the arc starts or ends in its centre".to_owned());
+        }
+        let tolerance = mark.arc_tolerance;
+        if (end - start).abs() > tolerance + 1e-9 {
+            return refuse(format!(
+                "the start lies {start:.4} mm from the centre, the end {end:.4} mm: {:.4} mm difference, {tolerance} allowed",
+                (end - start).abs()
+            ));
+        }
+        let moved = arc::centered_between(solved.from, solved.to, center);
+        let shift = distance(moved, center);
+        if shift > MOST_TURN * start {
+            return refuse(format!(
+                "the arc is nearly a full circle that does not close, and {:.4} mm between the distances of its ends from the                  centre leave open where it lies",
+                (end - start).abs()
+            ));
+        }
+        if shift > self.adjusted.map_or(UNNOTED, |(most, _)| most) {
+            self.adjusted = Some((shift, mark.loc));
+        }
+        Ok(Solved { arc: Some((moved, ccw)), ..solved })
+    }
+
+    /// The largest shift of the centre of an arc that is worth a note, in mm, and where it is.
+    pub fn adjusted(&self) -> Option<(f64, Loc)> {
+        self.adjusted
     }
 
     /// The finished outline, without the forms whose codes are all in `left_out`.
@@ -166,13 +215,17 @@ impl Builder {
             }
             element_with_recesses(piece, line, transition, left_out, &mut rough)?;
             if let Some((made, mark)) = undercut {
+                let next = self.pieces.get(i + 1).map(|next| next.solved);
+                let form = Form::undercut(&piece.solved, next.as_ref(), mark.loc);
                 for (element, transition) in made.elements {
-                    rough.push(Part { element, transition, mark, corner_of: mark.number, form: true, thread: None });
+                    rough.push(Part { element, transition, mark, corner_of: mark.number, form, thread: None });
                 }
                 skip_start = Some(made.joins);
             }
         }
-        cut_corners(rough)
+        let outline = cut_corners(rough)?;
+        outline.one_sided()?;
+        Ok(outline)
     }
 }
 
@@ -208,11 +261,12 @@ fn element_with_recesses(
             transition: made.edges.0,
             mark: piece.mark,
             corner_of: mark.number,
-            form: false,
+            form: None,
             thread: piece.thread,
         });
+        let form = Form::recess(&line, &made, mark.loc);
         for (element, transition) in made.elements {
-            out.push(Part { element, transition, mark, corner_of: mark.number, form: true, thread: None });
+            out.push(Part { element, transition, mark, corner_of: mark.number, form, thread: None });
         }
         from = made.to;
     }
@@ -222,7 +276,7 @@ fn element_with_recesses(
         transition,
         mark: piece.mark,
         corner_of: piece.mark.number,
-        form: false,
+        form: None,
         thread: piece.thread,
     });
     Ok(())
@@ -237,7 +291,7 @@ struct Part {
     thread: Option<ThreadData>,
     /// Block to which the chamfer or rounding at its end belongs.
     corner_of: Option<u32>,
-    form: bool,
+    form: Option<Form>,
 }
 
 /// An element of the outline.
@@ -248,8 +302,8 @@ pub(super) struct Edge {
     pub number: Option<u32>,
     /// A chamfer or rounding at its end.
     pub corner: bool,
-    /// Part of a recess or undercut.
-    pub form: bool,
+    /// The recess or undercut that it is part of.
+    pub form: Option<Form>,
     pub thread: Option<ThreadData>,
 }
 
@@ -293,7 +347,7 @@ impl Outline {
             let from = self.edges.iter().position(belongs).ok_or(number)?;
             let to = self.edges.iter().rposition(belongs).ok_or(number)?;
             // A number that stands twice names no element.
-            let once = self.edges[from..=to].iter().all(|edge| belongs(edge) || edge.form || edge.corner);
+            let once = self.edges[from..=to].iter().all(|edge| belongs(edge) || edge.form.is_some() || edge.corner);
             if once { Ok((from, to)) } else { Err(number) }
         };
         let (from, to) = place(first)?;
@@ -301,11 +355,14 @@ impl Outline {
         let backwards = last == Some(first) || last_from < from;
         // The chamfer or rounding at the first element belongs to the block before it.
         let first = from.min(last_from);
-        let first =
-            if first > 0 && self.edges[first - 1].corner && !self.edges[first - 1].form { first - 1 } else { first };
+        let first = if first > 0 && self.edges[first - 1].corner && self.edges[first - 1].form.is_none() {
+            first - 1
+        } else {
+            first
+        };
         let range = first..=to.max(last_to);
         let edges = self.edges[range].iter();
-        let turned = |edge: &Edge| Edge { element: reversed(edge.element), ..*edge };
+        let turned = |edge: &Edge| Edge { element: reversed(edge.element), form: edge.form.map(Form::turned), ..*edge };
         let edges = if backwards { edges.rev().map(turned).collect() } else { edges.copied().collect() };
         Ok(Section { edges, backwards, whole: self.elements() })
     }

@@ -5,9 +5,10 @@
 use crate::diag::codes;
 use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};
 
-use super::chain::{Coord, Partial};
+use super::chain::{AGREES, Coord, Partial};
 use super::contour::{Builder, Flaw, Mark, Outline};
 use super::coordinates::{Transition, transition_of};
+use super::readings::Question;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -42,7 +43,7 @@ impl Run<'_> {
                 );
             }
         };
-        if self.job.settings.control.turning.refuse_contour_words {
+        if self.job.settings.control.turning.refuse_contour_words == Some(true) {
             return self.fail_help(
                 codes::T9007,
                 num.span,
@@ -50,6 +51,7 @@ impl Run<'_> {
                 "write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \"documented\"`",
             );
         }
+        self.depends_on(Question::ContourWords, num.span);
         let form = self.form_of(w, swapped)?;
         let points = if number == 869 { form.recess() } else { form.step() };
         let Some(points) = points else {
@@ -113,7 +115,10 @@ impl Run<'_> {
                 continue;
             }
             let partial = Partial { z: Coord::At(to.x), x: Coord::At(to.y), ..Partial::default() };
-            builder.push(partial, Mark { number: None, loc: self.here.origin.loc, transition: *transition })?;
+            builder.push(
+                partial,
+                Mark { number: None, loc: self.here.origin.loc, transition: *transition, arc_tolerance: AGREES },
+            )?;
         }
         builder.settle()?;
         let mut outline = builder.outline(0)?;

@@ -4,7 +4,8 @@ use crate::diag::codes;
 use crate::machine::{ArcChoice, Axis};
 use crate::text::Span;
 
-use super::chain::{Center, Coord, Partial};
+use super::chain::{AGREES, Center, Coord, Partial};
+use super::readings::Question;
 use super::sections::Family;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
@@ -43,15 +44,21 @@ impl Run<'_> {
     pub(super) fn partial(&mut self, w: &Words, arc: Option<(bool, bool)>) -> Outcome<(Partial, Transition)> {
         let angle = self.one_of(w.get(b'A'), w.long("AN"))?;
         let transition = self.transition(w)?;
+        let angle = angle.map(|num| self.line_angle(num));
         let mut partial = Partial {
             arc: arc.map(|(ccw, _)| ccw),
             z: self.coord(w.get(b'Z'), Axis::Z),
             x: self.coord(w.get(b'X'), Axis::X),
-            angle: angle.map(|num| num.value),
+            angle,
             far: self.far(w, arc.is_some())?,
             tangential: transition == Transition::Open,
+            tolerance: self.arc_tolerance(),
             ..Partial::default()
         };
+        let open = partial.z == Coord::Unknown || partial.x == Coord::Unknown;
+        if arc.is_some() && open {
+            self.depends_on(Question::ArcChoice, w.span(b'Q', self.block_span()));
+        }
         if let Some((_, absolute)) = arc {
             partial.radius = self.arc_radius(w)?;
             // The centre of the 4110 is written in diameters like every other X value.
@@ -61,6 +68,20 @@ impl Run<'_> {
                 Center { z: w.value(b'K').map(|k| k * mm), x: w.value(b'I').map(|i| i * mm * share), absolute };
         }
         Ok((partial, transition))
+    }
+
+    /// How far the radii at both ends of an arc may differ, in mm.
+    pub(super) fn arc_tolerance(&self) -> f64 {
+        self.job.settings.control.turning.arc_tolerance.unwrap_or(AGREES)
+    }
+
+    /// The angle of a line, counted from the negative Z axis.
+    fn line_angle(&self, num: Num) -> f64 {
+        // Along an axis there is one line only.
+        if num.value % 90.0 != 0.0 {
+            self.depends_on(Question::LineAngle, num.span);
+        }
+        if self.job.settings.control.turning.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value }
     }
 
     fn one_of(&self, a: Option<Num>, b: Option<Num>) -> Outcome<Option<Num>> {
@@ -92,7 +113,7 @@ impl Run<'_> {
             Some(num) if num.value == 0.0 || num.value == 1.0 => num.value,
             Some(num) => return self.fail(codes::T1007, num.span, format!("Q{} is neither 0 nor 1", num.value)),
         };
-        let swapped = arc && self.job.settings.control.turning.arc_choice == ArcChoice::ZeroIsFar;
+        let swapped = arc && self.job.settings.control.turning.arc_choice == Some(ArcChoice::ZeroIsFar);
         Ok((q == 1.0) != swapped)
     }
 

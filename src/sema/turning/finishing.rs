@@ -38,6 +38,7 @@ impl Run<'_> {
         let contour = section.elements();
         let nose = self.nose_of_tool()?;
         let stance = self.stance(&contour, at, nose)?;
+        self.check_forms(&section, stance.left)?;
         let feed = self.cutting_feed()?;
         let descending = match w.get(b'E') {
             None => {

@@ -16,19 +16,23 @@ mod flow;
 mod forms;
 mod functions;
 mod geometry;
+mod geometry_forms;
 mod machining;
 mod modal;
 mod moves;
 mod mwords;
+mod readings;
 mod recess_turning;
 mod roughing;
 mod sections;
 mod shifts;
+mod sides;
 mod simple_recess;
 mod simple_thread;
 mod state;
 mod stock;
 mod subprograms;
+mod thread_line;
 mod threads;
 mod undercut_cycle;
 mod undercuts;
@@ -220,7 +224,11 @@ impl Run<'_> {
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
         self.here.origin.loc.span = block.span.shifted(self.here.at);
-        if block.skip.is_some_and(|level| self.job.settings.control.skip_blocks.contains(&level)) {
+        // A mark without a level is the one of the first level.
+        if block
+            .skip
+            .is_some_and(|level| self.job.settings.control.skip_blocks.iter().any(|on| (*on).max(1) == level.max(1)))
+        {
             return;
         }
         if self.job.settings.output.comments

@@ -222,7 +222,7 @@ impl Run<'_> {
             }
         };
         self.function(Function::ToolChange { number: printed });
-        self.function(Function::Cutter(CutterData { number: printed, radius: None }));
+        self.function(Function::Cutter(CutterData { number: printed, ..CutterData::default() }));
         self.st.tool = Some(ActiveTool { number, edge, name });
         self.st.forget();
         Ok(())

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
@@ -187,9 +187,11 @@ impl Run<'_> {
         let path = match (solved.arc, tag.feed) {
             (None, None) => Path::Rapid,
             (None, Some(_)) => Path::Line,
-            (Some((center, ccw)), _) => {
-                Path::Arc(Arc { plane: Plane::Zx, shape: ArcShape::Center { center, ccw, tol: AGREES }, turns: 0 })
-            }
+            (Some((center, ccw)), _) => Path::Arc(Arc {
+                plane: Plane::Zx,
+                shape: ArcShape::Center { center, ccw, tol: self.arc_tolerance() },
+                turns: 0,
+            }),
         };
         let mv = Move { end: EndPoint::Cartesian(end), path, feed: tag.feed, side: tag.side, coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &tag.origin);
@@ -210,7 +212,15 @@ impl Run<'_> {
             Transition::Chamfer(side) => CornerShape::Chamfer { side },
         };
         self.out.corner(
-            &Corner { shape, feed, early: false, modal: false, large: LargeCorner::Refuse, at_arc: ArcChamfer::Refuse },
+            &Corner {
+                shape,
+                feed,
+                early: false,
+                modal: false,
+                large: LargeCorner::Refuse,
+                at_arc: ArcChamfer::Refuse,
+                blocks: Blocks::PassedOver,
+            },
             &self.st.ctx,
             origin,
         );

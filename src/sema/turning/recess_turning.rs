@@ -13,6 +13,8 @@ use crate::machine::tools::Corner;
 
 use super::contour::Outline;
 use super::geometry::Blank;
+use super::readings::Question;
+use super::sides::tool_is_left;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -27,11 +29,20 @@ impl Run<'_> {
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
         let (tool, radial) = self.recess_tool()?;
-        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
+        let section = self.contour_with_ends(w, outline)?;
+        let contour = section.elements();
         let into = direction(&contour, radial);
+        if let Some(left) = tool_is_left(&contour, into) {
+            self.check_forms(&section, left)?;
+        }
         self.above_rim(&contour, at, into)?;
         let clearance = self.cycle_clearance();
         let turn = self.cutting_feed()?;
+        let operation = match self.choice(w, b'Q', 0, 2)? {
+            0 => Operation::RoughAndFinish,
+            1 => Operation::Rough,
+            _ => Operation::Finish,
+        };
         let recess = RecessTurning {
             blank: self.blank_height(w, into, &contour, into.depth_coordinate(at), clearance)?,
             contour,
@@ -40,13 +51,9 @@ impl Run<'_> {
             most,
             oversize: self.contour_oversize(w)?,
             offset_width: self.length(w, "B")?,
-            compensation: if w.long("RB").is_some() { self.length(w, "RB")? } else { self.length(w, "R")? },
-            passes: if self.choice(w, b'U', 0, 1)? == 1 { Passes::OneWay } else { Passes::BothWays },
-            operation: match self.choice(w, b'Q', 0, 2)? {
-                0 => Operation::RoughAndFinish,
-                1 => Operation::Rough,
-                _ => Operation::Finish,
-            },
+            compensation: self.turning_depth(w, operation)?,
+            passes: self.passes(w)?,
+            operation,
             clearance,
             feeds: RecessFeeds { plunge: self.own_feed(w, b'O', turn)?, turn, finish: self.own_feed(w, b'E', turn)? },
             end: match self.choice(w, b'H', 0, 2)? {
@@ -58,6 +65,35 @@ impl Run<'_> {
         self.send_cycle(&Cycle::RecessTurning(recess));
         self.st.oversize = None;
         Ok(())
+    }
+
+    /// R or RB: how much higher the tool stands while it turns the floor in finishing.
+    fn turning_depth(&self, w: &Words, operation: Operation) -> Outcome<f64> {
+        let num = match (w.get(b'R'), w.long("RB")) {
+            (Some(_), Some(num)) => return self.fail(codes::T1006, num.span, "R and RB are the same word of G869"),
+            (r, rb) => r.or(rb),
+        };
+        let Some(num) = num else { return Ok(0.0) };
+        if num.value < 0.0 {
+            return self.fail(codes::T1007, num.span, "the turning depth compensation is not negative");
+        }
+        if num.value > 0.0 && operation != Operation::Rough {
+            self.depends_on(Question::TurningDepth, num.span);
+        }
+        let towards = self.job.settings.control.turning.towards_floor == Some(true);
+        Ok(num.value * self.st.mm() * if towards { -1.0 } else { 1.0 })
+    }
+
+    /// U, and what B does with it.
+    fn passes(&self, w: &Words) -> Outcome<Passes> {
+        if self.choice(w, b'U', 0, 1)? == 0 {
+            return Ok(Passes::BothWays);
+        }
+        if let Some(num) = w.get(b'B').filter(|num| num.value != 0.0) {
+            self.depends_on(Question::OffsetOneWay, num.span);
+        }
+        let shorter = self.job.settings.control.turning.offset_one_way == Some(true);
+        Ok(if shorter { Passes::OneWayShorter } else { Passes::OneWay })
     }
 
     /// The tool comes from outside of the rims of the recess; below the higher one it stands between the two.
@@ -181,7 +217,7 @@ impl Run<'_> {
             false => w.long("ZA").map(|num| num.value * mm),
         };
         // RI and RK stand on the rim of the contour.
-        let half = self.job.settings.control.turning.recess_blank == RecessDepth::Diameter;
+        let half = self.job.settings.control.turning.recess_blank != Some(RecessDepth::Radius);
         let proud = match into.is_radial() {
             true => w.long("RI").map(|num| (num, if half { mm / 2.0 } else { mm })),
             false => w.long("RK").map(|num| (num, mm)),
@@ -189,6 +225,9 @@ impl Run<'_> {
         if let Some((num, scale)) = proud {
             if num.value < 0.0 {
                 return self.fail(codes::T1007, num.span, "the oversize of a blank is not negative");
+            }
+            if into.is_radial() && num.value > 0.0 {
+                self.depends_on(Question::RecessBlank, num.span);
             }
             return Ok((rim + num.value * scale) * out);
         }

@@ -7,11 +7,13 @@ use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::roughing::{Falling, Nose, RoughingEnd, Smoothing};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Roughing};
-use crate::machine::Axis;
+use crate::machine::{Axis, RecessDepth};
 
 use super::chain::Coord;
 use super::contour::Outline;
 use super::geometry::Blank;
+use super::readings::Question;
+use super::sides::tool_is_left;
 use super::state::Oversize;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -40,8 +42,12 @@ impl Run<'_> {
             );
         }
         let num = self.needed(w, infeed, "the greatest infeed", span)?;
-        let on_diameter = along_z && self.job.settings.control.turning.infeed_on_diameter;
+        let on_diameter = along_z && self.job.settings.control.turning.infeed == Some(RecessDepth::Diameter);
         let most = num.value.abs() * self.st.mm() * if on_diameter { 0.5 } else { 1.0 };
+        // One cut is one cut, however its depth counts.
+        if along_z && 2.0 * (at.y - corner.y).abs() > most {
+            self.depends_on(Question::Infeed, num.span);
+        }
         if most == 0.0 {
             return self.fail(codes::T1007, num.span, "the greatest infeed is not zero");
         }
@@ -135,9 +141,13 @@ impl Run<'_> {
         }
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
-        let contour: Vec<Element> = self.contour_with_ends(w, outline)?.elements();
+        let section = self.contour_with_ends(w, outline)?;
+        let contour = section.elements();
         let into = towards(&contour, at, along_z);
         self.check_side(&contour, at, into, number)?;
+        if let Some(left) = tool_is_left(&contour, into) {
+            self.check_forms(&section, left)?;
+        }
         self.check_stock(&contour, at, into, number)?;
         self.note_bridged(&contour, at, into, number);
         let plunges = matches!(number, 819 | 829);

@@ -213,6 +213,7 @@ impl Run<'_> {
             Section::Clamping | Section::AuxiliaryBlank | Section::Milling => Part::Unread,
             Section::Contours => self.contours(rest, text)?,
             Section::Blank | Section::Finished | Section::AuxiliaryContour => {
+                self.geometry.in_blank = section == Section::Blank;
                 let id = rest.of(text).trim_ascii();
                 let name = quoted_id(id);
                 if !id.is_empty() && name.is_none() && section == Section::AuxiliaryContour {

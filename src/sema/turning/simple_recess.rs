@@ -1,15 +1,16 @@
 //! G86 of the 4110: a recess with upright flanks, roughed in strokes and finished with a chamfer at each rim.
 //!
-//! Source: reference section 8.4. A start at X = contour + 2·(1.3 − chamfer) makes the chamfer: so each flank is entered
+//! The oversize is one length: it counts twice in a diameter. Source: reference section 8.4. A start at X = contour + 2·(1.3 − chamfer) makes the chamfer: so each flank is entered
 //! over a slope of 45 degrees that begins 1.3 mm beside it at the height of the start.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTurning};
 use crate::ir::cycle::turning::Towards;
 use crate::machine::RecessSide;
 
+use super::readings::Question;
 use super::sections::Family;
 use super::state::SpeedMode;
 use super::words::{Num, Words};
@@ -86,15 +87,22 @@ impl Run<'_> {
         let mm = self.st.mm();
         let oversize = match w.get(oversize) {
             Some(num) if num.value < 0.0 => return self.fail(codes::T1007, num.span, "an oversize is not negative"),
-            num => num.map_or(0.0, |num| num.value * mm * if radial { 0.5 } else { 1.0 }),
+            num => num.map_or(0.0, |num| num.value * mm),
         };
+        // In a recess as wide as the tool the walls keep nothing.
+        let wide = w.has(width);
+        if oversize > 0.0 && wide {
+            self.depends_on(Question::RecessOversize, span);
+        }
+        let on_walls = wide && self.job.settings.control.turning.oversize_on_floor != Some(true);
+        let aside = if on_walls { oversize } else { 0.0 };
         let flanks = match w.get(width) {
             // One stroke: the tool stands with its programmed corner at the corner of the recess.
             None => (place + tool.edge, place + tool.edge + tool.width),
             Some(num) => self.recess_flanks(num, place, radial, tool.width)?,
         };
         let slot = Slot { flanks, floor, start, into };
-        if oversize > 0.0 && (floor - start).abs() <= SLOPE {
+        if (floor - start).abs() <= SLOPE {
             return self.fail_help(
                 codes::T1007,
                 span,
@@ -110,7 +118,7 @@ impl Run<'_> {
             tool,
             blank: start - BELOW_START * slot.out(),
             most: (floor - start).abs(),
-            oversize: if radial { Vec2::new(0.0, oversize) } else { Vec2::new(oversize, 0.0) },
+            oversize: if radial { Vec2::new(aside, oversize) } else { Vec2::new(oversize, aside) },
             offset_width: 0.0,
             compensation: 0.0,
             passes: Passes::Strokes { width: tool.width - 2.0 * tool.nose, dwell },
@@ -119,13 +127,6 @@ impl Run<'_> {
             feeds: RecessFeeds { plunge: feed, turn: feed, finish: feed },
             end: RecessEnd::Lift,
         };
-        if oversize == 0.0 {
-            let message =
-                "without an oversize G86 cuts strokes only, without finishing and without chamfers at the rims";
-            self.report(Diagnostic::new(codes::T2029, self.here.origin.loc, message));
-            self.send_cycle(&Cycle::RecessTurning(pass(Operation::Rough, slot.upright(), dwell)));
-            return Ok(());
-        }
         self.send_cycle(&Cycle::RecessTurning(pass(Operation::Rough, slot.upright(), 0.0)));
         self.send_cycle(&Cycle::RecessTurning(pass(Operation::Finish, slot.sloped(), dwell)));
         Ok(())

@@ -9,6 +9,7 @@ use crate::ir::cycle::thread::{Flank, Infeed, ThreadPart};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Thread};
 
+use super::readings::Question;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -19,7 +20,7 @@ impl Run<'_> {
     pub(super) fn simple_thread(&mut self, w: &Words) -> Outcome {
         let at = self.stand()?;
         let span = self.block_span();
-        if self.job.settings.control.turning.refuse_simple_thread {
+        if self.job.settings.control.turning.refuse_simple_thread == Some(true) {
             return self.fail_help(
                 codes::T9007,
                 span,
@@ -27,6 +28,7 @@ impl Run<'_> {
                 "program G31, or set `[control] simple_thread = \"documented\"` in partc.toml",
             );
         }
+        self.depends_on(Question::SimpleThread, span);
         for (letter, what) in [(b'W', "the sense of its taper angle"), (b'H', "the angle of its flank offset")] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
                 let message = format!("{} of G32: {what} no manual at hand gives", letter as char);

@@ -3,17 +3,17 @@
 //! Source: reference section 10, worked examples 1 to 5 and 14.
 
 use crate::diag::codes;
-use crate::geo::{Deg, Element, Point2};
-use crate::ir::cycle::thread::{Flank, Infeed, MOST_PARTS, ThreadPart};
+use crate::geo::{Deg, Point2};
+use crate::ir::cycle::thread::{Flank, Infeed, ThreadPart};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Thread};
-use crate::machine::Axis;
 use crate::text::Span;
 
-use super::chain::Coord;
 use super::contour::{Outline, ThreadData};
+use super::readings::Question;
 use super::sections::Family;
 use super::state::SpeedMode;
+use super::thread_line::ThreadLine;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
 
@@ -35,32 +35,25 @@ impl Run<'_> {
                 self.above_zero(pitch, "the pitch of the thread")?
             }
         };
-        for letter in [b'O', b'J'] {
-            if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                let message = format!("{}{} of a thread is not supported", letter as char, num.value);
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    message,
-                    "leave the word out, and write the contour as it is to be cut",
-                );
-            }
+        if let Some(num) = w.get(b'O').filter(|num| num.value != 0.0) {
+            return self.fail_help(
+                codes::T9007,
+                num.span,
+                format!("O{} of a thread is not supported", num.value),
+                "leave the word out, and write the contour as it is to be cut",
+            );
         }
-        let (start, parts) = self.thread_line(w, outline, at, lead)?;
-        let (into, depth) = match (w.get(b'U'), data) {
-            (None, Some(data)) if at.y > start.y => (Towards::MinusX, data.depth[0]),
-            (None, Some(data)) => (Towards::PlusX, data.depth[1]),
-            _ => {
-                let u = self.needed(w, b'U', "the depth of the thread, negative for an external one", span)?;
-                let into = if u.value > 0.0 { Towards::PlusX } else { Towards::MinusX };
-                if u.value == 0.0 {
-                    return self.fail(codes::T1007, u.span, "the thread has no depth");
-                }
-                (into, u.value.abs() * self.st.mm())
-            }
-        };
-        self.above_centre(start, &parts, into, depth)?;
-        let forward = parts.first().is_some_and(|part| part.end.x < start.x);
+        let line = self.thread_line(w, outline, at, lead)?;
+        let (into, depth) = self.thread_depth(w, &line, at, data)?;
+        let (run_in, run_out) = (self.run_way(w, b'B', "run-in", lead)?, self.run_way(w, b'P', "run-out", lead)?);
+        let ThreadLine { start, parts, transverse } = line;
+        if transverse {
+            self.off_centre(start, &parts, run_in, run_out)?;
+        } else {
+            self.above_centre(start, &parts, into, depth)?;
+        }
+        let along = |p: Point2| if transverse { p.y } else { p.x };
+        let forward = parts.first().is_some_and(|part| along(part.end) < along(start));
         let thread = Thread {
             start,
             parts,
@@ -70,16 +63,49 @@ impl Run<'_> {
             flank: self.flank(w, lead, depth, forward)?,
             finish: 0.0,
             air_cuts: self.choice(w, b'Q', 0, MOST_AIR_CUTS)?,
-            run_in: self.run_way(w, b'B', "run-in", lead)?,
-            run_out: self.run_way(w, b'P', "run-out", lead)?,
+            run_in,
+            run_out,
             fixed_end: false,
             starts: 1,
             start_angle: Deg(w.value(b'C').unwrap_or(0.0)),
-            retract: at.y,
+            retract: into.depth_coordinate(at),
             park: at,
         };
         self.send_cycle(&Cycle::Thread(thread));
         Ok(())
+    }
+
+    /// Into which surface the thread is cut, and how deep: told by U, else by G34 or G37 and where the tool stands.
+    fn thread_depth(
+        &mut self,
+        w: &Words,
+        line: &ThreadLine,
+        at: Point2,
+        data: Option<ThreadData>,
+    ) -> Outcome<(Towards, f64)> {
+        let u = match (w.get(b'U'), data) {
+            (None, Some(data)) if line.transverse => return Ok((self.thread_face(w)?, data.depth[0])),
+            (None, Some(data)) if at.y > line.start.y => return Ok((Towards::MinusX, data.depth[0])),
+            (None, Some(data)) => return Ok((Towards::PlusX, data.depth[1])),
+            _ => self.needed(w, b'U', "the depth of the thread, negative for an external one", self.block_span())?,
+        };
+        if u.value == 0.0 {
+            return self.fail(codes::T1007, u.span, "the thread has no depth");
+        }
+        let into = match (line.transverse, u.value > 0.0) {
+            (true, true) => {
+                return self.fail_help(
+                    codes::T1007,
+                    u.span,
+                    "the thread runs across a face, and U above 0 is the depth of a thread in a bore",
+                    "program U with a minus sign",
+                );
+            }
+            (true, false) => self.thread_face(w)?,
+            (false, true) => Towards::PlusX,
+            (false, false) => Towards::MinusX,
+        };
+        Ok((into, u.value.abs() * self.st.mm()))
     }
 
     /// A thread is cut with a turning spindle.
@@ -120,7 +146,7 @@ impl Run<'_> {
             return Ok(None);
         }
         let edges = self.contour_of(w, outline, 0)?.edges;
-        let data = edges.iter().find(|edge| !edge.corner && !edge.form).and_then(|edge| edge.thread);
+        let data = edges.iter().find(|edge| !edge.corner && edge.form.is_none()).and_then(|edge| edge.thread);
         if edges.iter().any(|edge| edge.thread.is_some() && edge.thread != data) {
             return self.fail_help(
                 codes::T9007,
@@ -130,96 +156,6 @@ impl Run<'_> {
             );
         }
         Ok(data)
-    }
-
-    /// Start and parts of the thread: from the tool to X and Z, or along a contour.
-    fn thread_line(
-        &mut self,
-        w: &Words,
-        outline: Option<&Outline>,
-        at: Point2,
-        lead: f64,
-    ) -> Outcome<(Point2, Vec<ThreadPart>)> {
-        let span = self.block_span();
-        let (x, z) = (w.get(b'X'), w.get(b'Z'));
-        let taper = w.get(b'R');
-        if x.is_none() && z.is_none() {
-            if let Some(num) = taper.filter(|num| num.value != 0.0) {
-                return self.fail(
-                    codes::T1003,
-                    num.span,
-                    "R has no meaning beside a contour, which says where the thread leads",
-                );
-            }
-            return self.thread_contour(w, outline, lead);
-        }
-        if outline.is_some() || w.long("NS").is_some() || self.named.is_some() {
-            return self.fail(codes::T1006, span, "the thread has an end point and a contour: only one can hold");
-        }
-        let (Some(_), Some(_)) = (x, z) else {
-            return self.fail_help(
-                codes::T1005,
-                span,
-                "a thread needs both X and Z of its end",
-                "X is the diameter at the end; transverse threads are not supported",
-            );
-        };
-        let ordinate = |coord: Coord, from: f64| match coord {
-            Coord::At(v) => Some(v),
-            Coord::By(d) => Some(from + d),
-            Coord::Missing | Coord::Unknown => None,
-        };
-        let (x, z) = (self.coord(x, Axis::X), self.coord(z, Axis::Z));
-        let (Some(x), Some(z)) = (ordinate(x, at.y), ordinate(z, at.x)) else {
-            return self.fail(codes::T1005, span, "the end of a thread cannot be left open");
-        };
-        let rise = taper.map_or(0.0, |num| num.value * self.st.mm());
-        Ok((Point2::new(at.x, x - rise), vec![ThreadPart { end: Point2::new(z, x), lead }]))
-    }
-
-    fn thread_contour(
-        &mut self,
-        w: &Words,
-        outline: Option<&Outline>,
-        lead: f64,
-    ) -> Outcome<(Point2, Vec<ThreadPart>)> {
-        let edges = self.contour_of(w, outline, 0)?.edges;
-        // The thread lies on the basic elements; chamfers and undercuts are not cut.
-        let elements: Vec<Element> =
-            edges.iter().filter(|edge| !edge.corner && !edge.form).map(|edge| edge.element).collect();
-        let span = self.block_span();
-        if elements.len() > MOST_PARTS {
-            let message = format!("the contour of a thread has {} elements, more than {MOST_PARTS}", elements.len());
-            return self.fail(codes::T3003, span, message);
-        }
-        let mut parts: Vec<ThreadPart> = Vec::new();
-        let mut start: Option<Point2> = None;
-        for element in elements {
-            let Element::Line { from, to } = element else {
-                return self.fail(codes::T3003, span, "a thread is cut along straight elements only");
-            };
-            if (to.y - from.y).abs() > (to.x - from.x).abs() + 1e-3 {
-                return self.fail_help(
-                    codes::T9007,
-                    span,
-                    "a transverse thread is not supported: to which side its depth counts no manual at hand says",
-                    "cut it with G33 blocks",
-                );
-            }
-            let gap = parts
-                .last()
-                .map(|part: &ThreadPart| part.end)
-                .is_some_and(|end| crate::geo::distance(end, from) > 1e-6);
-            if gap {
-                return self.fail(codes::T3003, span, "a chamfer, rounding or undercut interrupts the thread");
-            }
-            start.get_or_insert(from);
-            parts.push(ThreadPart { end: to, lead });
-        }
-        match start {
-            Some(start) => Ok((start, parts)),
-            None => self.fail(codes::T3003, span, "the contour of the thread has no element"),
-        }
     }
 
     /// V, I and IC: how the depth is divided.
@@ -245,8 +181,14 @@ impl Run<'_> {
                 return self.fail_help(
                     codes::T1005,
                     span,
-                    "I is missing: the greatest infeed",
-                    "the control takes it from pitch and speed by a rule that no manual at hand gives: program I",
+                    match kind {
+                        2 | 3 => format!(
+                            "I is missing: under V{kind} the control computes the greatest infeed from the speed and the pitch F, by \
+                             a formula that no manual at hand prints"
+                        ),
+                        _ => "I is missing: the greatest infeed".to_owned(),
+                    },
+                    "program I with the greatest infeed, on the radius",
                 );
             }
         };
@@ -301,9 +243,13 @@ impl Run<'_> {
             // Half a pitch at depth 0.
             None => Deg::from_radians(libm::atan(0.5 * lead / depth)),
         };
+        let kind = self.choice(w, b'H', 0, 3)?;
+        if kind != 0 {
+            self.depends_on(Question::ThreadLeft, w.span(b'H', self.block_span()));
+        }
         // Left is the side of -Z, as far as any text says.
-        let forward = forward != self.job.settings.control.turning.left_is_plus;
-        Ok(match (self.choice(w, b'H', 0, 3)?, forward) {
+        let forward = forward != (self.job.settings.control.turning.left_is_plus == Some(true));
+        Ok(match (kind, forward) {
             (0, _) => Flank::Radial,
             (1, true) | (2, false) => Flank::Ahead { angle },
             (1, false) | (2, true) => Flank::Behind { angle },

@@ -1,4 +1,5 @@
-//! G85 of the 4110: one cut along an undercut, from above the cylinder to above the shoulder.
+//! G85 of the 4110: one cut along an undercut, from above the cylinder to above the shoulder; or, where the tool stands on
+//! the cylinder, along that and the undercut.
 //!
 //! Source: reference section 8.7 and the table of G85 in section 6.3.
 
@@ -7,13 +8,17 @@ use crate::geo::{Element, Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, EndPoint, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
+use crate::text::Span;
 
 use super::chain::{AGREES, Coord, Solved};
+use super::readings::Question;
 use super::sections::Family;
 use super::undercuts::{self, LEAN_509, SLOPE_76, SLOPE_509, Undercut};
 use super::words::Words;
 use super::{Outcome, Run};
 
+/// How little a tool is off the cylinder that stands on it, mm.
+const ON: f64 = 1e-6;
 /// How far the lines beside the corner are taken to reach, in mm: what lies there is the programmer's.
 const REACH: f64 = 1e4;
 
@@ -34,29 +39,25 @@ impl Run<'_> {
         };
         let corner = Point2::new(z, x);
         let height = at.y - corner.y;
-        if height.abs() <= 1e-6 {
-            return self.fail_help(
-                codes::T9007,
-                span,
-                "a tool on the cylinder itself leaves open whether the undercut lies outside or inside",
-                "turn the cylinder with G1, and position the tool clear of it before G85",
-            );
-        }
-        let undercut = self.undercut_sizes(w, 2.0 * corner.y)?;
-        // The cylinder comes from +Z, the shoulder goes to where the tool stands.
-        let before = Solved { from: Point2::new(z + REACH, x), to: corner, arc: None };
-        let after = Solved { from: corner, to: Point2::new(z, x + REACH * height.signum()), arc: None };
+        let on_cylinder = height.abs() <= ON;
+        let up = if on_cylinder { self.undercut_outwards(span)? } else { height.signum() };
+        // The cylinder lies on the side from which the tool comes along Z, the shoulder beyond the corner.
+        let sense = if at.x >= z { 1.0 } else { -1.0 };
+        self.edge_fits(sense, up)?;
+        let undercut = self.undercut_sizes(w, 2.0 * corner.y, up < 0.0)?;
+        let before = Solved { from: Point2::new(z + REACH * sense, x), to: corner, arc: None };
+        let after = Solved { from: corner, to: Point2::new(z, x + REACH * up), arc: None };
         let made = match undercuts::build(&undercut, &before, Some(&after)) {
             Ok(made) => made,
             Err(why) => return self.fail(codes::T3004, span, why),
         };
-        let clear = (made.joins.y - corner.y).abs() < height.abs();
-        if at.x < made.leaves.x || !clear {
+        let clear = on_cylinder || (made.joins.y - corner.y).abs() < height.abs();
+        if (at.x - made.leaves.x) * sense < 0.0 || !clear {
             return self.fail_help(
                 codes::T2025,
                 span,
                 "the tool does not stand in front of the undercut and clear of it",
-                "position it at a greater Z than the undercut begins, and beyond its end at the shoulder",
+                "position it in front of where the undercut begins, and beyond its end at the shoulder",
             );
         }
         let active = self.cutting_feed()?;
@@ -64,8 +65,13 @@ impl Run<'_> {
             Some(num) => active.with_value(self.above_zero(num, "the reduced feed")?),
             None => active,
         };
-        self.undercut_move(Point2::new(made.leaves.x, at.y), Path::Rapid, None);
-        self.undercut_move(made.leaves, Path::Line, Some(feed));
+        if on_cylinder {
+            // The cylinder is machined, too.
+            self.undercut_move(made.leaves, Path::Line, Some(active));
+        } else {
+            self.undercut_move(Point2::new(made.leaves.x, at.y), Path::Rapid, None);
+            self.undercut_move(made.leaves, Path::Line, Some(feed));
+        }
         for (element, _) in &made.elements {
             let path = match *element {
                 Element::Line { .. } => Path::Line,
@@ -76,9 +82,58 @@ impl Run<'_> {
             };
             self.undercut_move(element.to(), path, Some(feed));
         }
-        self.undercut_move(Point2::new(z, at.y), Path::Line, Some(feed));
+        // A tool that stood on the cylinder has reached its start X on the way.
+        if !on_cylinder {
+            self.undercut_move(Point2::new(z, at.y), Path::Line, Some(feed));
+        }
+        self.st.cut = true;
         self.st.last = None;
         Ok(())
+    }
+
+    /// +1 for an undercut outside, -1 for one inside, where the tool stands on the cylinder: its edge tells.
+    fn undercut_outwards(&self, span: Span) -> Outcome<f64> {
+        match self.known_tool().and_then(|tool| tool.orientation) {
+            Some(3 | 4 | 8) => {
+                self.depends_on(Question::UndercutSide, span);
+                Ok(1.0)
+            }
+            Some(1 | 2 | 6) => {
+                self.depends_on(Question::UndercutSide, span);
+                Ok(-1.0)
+            }
+            _ => self.fail_help(
+                codes::T2024,
+                span,
+                "the tool stands on the cylinder, and nothing tells whether the undercut lies outside or inside",
+                "add `orientation` of the tool to partc.toml (3, 4, 8 outside, 1, 2, 6 inside), or position it clear of the cylinder",
+            ),
+        }
+    }
+
+    /// The edge of the tool points to the shoulder and to the cylinder, or not away from them at least.
+    fn edge_fits(&self, sense: f64, up: f64) -> Outcome {
+        let Some(edge) = self.known_tool().and_then(|tool| tool.orientation) else { return Ok(()) };
+        let (z, x) = match edge {
+            1 => (1.0, 1.0),
+            2 => (-1.0, 1.0),
+            3 => (-1.0, -1.0),
+            4 => (1.0, -1.0),
+            5 => (1.0, 0.0),
+            6 => (0.0, 1.0),
+            7 => (-1.0, 0.0),
+            8 => (0.0, -1.0),
+            _ => (0.0, 0.0),
+        };
+        if z * sense <= 0.0 && x * up <= 0.0 {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::T2025,
+            self.block_span(),
+            format!("the tool comes to the undercut from a side that its edge position {edge} does not cut"),
+            "check where the tool stands before G85, and `orientation` of the tool in partc.toml",
+        )
     }
 
     fn undercut_move(&mut self, to: Point2, path: Path, feed: Option<Feed>) {
@@ -90,11 +145,16 @@ impl Run<'_> {
     }
 
     /// K tells the form: missing E, 0 F, else the width of DIN 76.
-    fn undercut_sizes(&self, w: &Words, diameter: f64) -> Outcome<Undercut> {
+    fn undercut_sizes(&self, w: &Words, diameter: f64, inside: bool) -> Outcome<Undercut> {
         let mm = self.st.mm();
         let span = self.block_span();
-        let [depth, width, radius, face] = undercuts::din_509(diameter, true);
         let form = w.get(b'K').map(|num| num.value * mm);
+        let of_table = form.is_none_or(|k| k == 0.0);
+        if of_table && undercuts::is_limit_of_g85(diameter) {
+            self.depends_on(Question::UndercutLimit, w.span(b'X', span));
+        }
+        let upper = self.job.settings.control.turning.undercut_upper == Some(true);
+        let [depth, width, radius, face] = undercuts::din_509_of_g85(diameter, upper);
         if let Some(num) = w.get(b'I').filter(|num| num.value != 0.0 && form.is_none_or(|k| k == 0.0)) {
             return self.fail_help(
                 codes::T9007,
@@ -109,7 +169,7 @@ impl Run<'_> {
             Some(width) => {
                 let depth = self.needed(w, b'I', "the depth of the undercut", span)?;
                 let depth = self.above_zero(depth, "the depth of the undercut")?;
-                match undercuts::din_76_radius(width) {
+                match undercuts::din_76_radius(width, inside) {
                     Some(radius) => Ok(Undercut::E { depth, width, radius, slope: SLOPE_76 }),
                     None => self.fail_help(
                         codes::T1007,

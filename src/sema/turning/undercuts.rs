@@ -17,6 +17,8 @@ pub(super) enum Undercut {
     E { depth: f64, width: f64, radius: f64, slope: f64 },
     /// DIN 509 F: goes `face` deep into the shoulder and leaves it at `lean` degrees.
     F { depth: f64, width: f64, radius: f64, slope: f64, face: f64, lean: f64 },
+    /// DIN 76: like E; what is missing follows from the pitch, and from whether the corner lies outside or inside.
+    Thread { pitch: Option<f64>, depth: Option<f64>, width: Option<f64>, radius: Option<f64>, slope: f64 },
 }
 
 /// Elements, each with what happens at its end.
@@ -32,6 +34,9 @@ pub(super) struct Made {
     pub edge: Transition,
     pub elements: Pieces,
 }
+
+/// How closely a size or diameter is that of a table, mm.
+const SAME: f64 = 1e-9;
 
 /// Sizes of DIN 509: largest diameter, depth, width, radius, depth in the face.
 const DIN_509: &[[f64; 5]] = &[
@@ -80,22 +85,45 @@ const DIN_76: &[[f64; 7]] = &[
     [6.0, 8.3, 21.0, 3.2, 0.5, 30.0, 3.2],
 ];
 
-/// Depth, width, radius and face depth of DIN 509 for a diameter; `basic`: the table of the 4110.
-pub(super) fn din_509(diameter: f64, basic: bool) -> [f64; 4] {
-    let table = if basic { DIN_509_BASIC } else { DIN_509 };
-    let row = table.iter().find(|row| diameter <= row[0]).or(table.last());
+/// Depth, width, radius and face depth of DIN 509 for a diameter.
+pub(super) fn din_509(diameter: f64) -> [f64; 4] {
+    sizes(DIN_509, |limit| diameter <= limit)
+}
+
+/// The same of the table of G85 on the 4110; `upper`: a diameter at a limit belongs to the row above it.
+pub(super) fn din_509_of_g85(diameter: f64, upper: bool) -> [f64; 4] {
+    // What arithmetic loses in a diameter is no diameter of its own.
+    let nearly = if upper { -SAME } else { SAME };
+    sizes(DIN_509_BASIC, |limit| diameter <= limit + nearly)
+}
+
+/// Is the diameter one that the table of G85 leaves out?
+pub(super) fn is_limit_of_g85(diameter: f64) -> bool {
+    DIN_509_BASIC.iter().any(|row| (row[0] - diameter).abs() <= SAME)
+}
+
+fn sizes(table: &[[f64; 5]], holds: impl Fn(f64) -> bool) -> [f64; 4] {
+    let row = table.iter().find(|row| holds(row[0])).or(table.last());
     row.map_or([0.0; 4], |row| [row[1], row[2], row[3], row[4]])
 }
 
 /// Depth, width and radius of an external DIN 76 undercut for a pitch; `None` for a pitch that is not in the table.
 pub(super) fn din_76_external(pitch: f64) -> Option<[f64; 3]> {
-    let row = DIN_76.iter().find(|row| (row[0] - pitch).abs() < 1e-9)?;
+    let row = DIN_76.iter().find(|row| (row[0] - pitch).abs() < SAME)?;
     Some([row[1] / 2.0, row[2], row[3]])
 }
 
-/// Radius of the external DIN 76 undercut of this width.
-pub(super) fn din_76_radius(width: f64) -> Option<f64> {
-    DIN_76.iter().find(|row| (row[2] - width).abs() < 1e-9).map(|row| row[3])
+/// Width and radius of an internal DIN 76 undercut for a pitch. Its depth counts from the nominal diameter, which the contour
+/// does not hold.
+pub(super) fn din_76_internal(pitch: f64) -> Option<[f64; 2]> {
+    let row = DIN_76.iter().find(|row| (row[0] - pitch).abs() < SAME)?;
+    Some([row[5], row[6]])
+}
+
+/// Radius of the DIN 76 undercut of this width.
+pub(super) fn din_76_radius(width: f64, inside: bool) -> Option<f64> {
+    let at = if inside { 5 } else { 2 };
+    DIN_76.iter().find(|row| (row[at] - width).abs() < SAME).map(|row| row[at + 1])
 }
 
 /// Puts the undercut between the reference element, parallel to Z, and the shoulder, parallel to X, in either order.
@@ -107,14 +135,33 @@ pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>
         return Err("an undercut stands between two lines");
     };
     if along_z(u) && along_x(w) {
-        let made = shape(undercut, corner, -u, w)?;
+        let made = shape(&sized(undercut, w)?, corner, -u, w)?;
         return fitting(made, before, after);
     }
     if along_x(u) && along_z(w) {
-        let made = turned_around(shape(undercut, corner, w, -u)?);
+        let made = turned_around(shape(&sized(undercut, -u)?, corner, w, -u)?);
         return fitting(made, before, after);
     }
     Err("an undercut stands between a line parallel to Z and one parallel to X")
+}
+
+/// The undercut with all its sizes; `up` points along the shoulder away from the cylinder.
+fn sized(undercut: &Undercut, up: Vec2) -> Result<Undercut, &'static str> {
+    let Undercut::Thread { pitch, depth, width, radius, slope } = *undercut else { return Ok(*undercut) };
+    let missing =
+        "a size of the thread undercut is missing: give I, K and R, or a pitch FP that is in the table of DIN 76";
+    let inside = "the depth of a thread undercut in a bore counts from the nominal diameter, which FP does not give: program I \
+                  with (nominal diameter + value of DIN 76 - bore) / 2";
+    let row = if up.y > 0.0 {
+        pitch.and_then(din_76_external).map(|[i, k, r]| (Some(i), k, r))
+    } else {
+        pitch.and_then(din_76_internal).map(|[k, r]| (None, k, r))
+    };
+    let width = width.or(row.map(|(_, k, _)| k)).ok_or(missing)?;
+    let radius = radius.or(row.map(|(_, _, r)| r)).ok_or(missing)?;
+    let table = row.and_then(|(i, _, _)| i);
+    let depth = depth.or(table).ok_or(if row.is_some() { inside } else { missing })?;
+    Ok(Undercut::E { depth, width, radius, slope })
 }
 
 fn along_z(u: Vec2) -> bool {
@@ -180,6 +227,7 @@ fn shape(undercut: &Undercut, corner: Point2, away: Vec2, up: Vec2) -> Result<Ma
             elements.push((minor_arc(end, top, p(radius, radius - depth)), sharp));
             Ok(Made { leaves: p(width, 0.0), joins: top, edge: sharp, elements })
         }
+        Undercut::Thread { .. } => Err("a size of the thread undercut is missing"),
         Undercut::F { depth, width, radius, slope, face, lean } => {
             let (mut elements, floor) = slope_and_fillet(&p, depth, width, radius, slope)?;
             let (sin, cos) = Deg(lean).sin_cos();
@@ -274,9 +322,15 @@ mod tests {
 
     #[test]
     fn tables() {
-        assert_eq!(din_509(40.0, false), [0.3, 2.5, 0.6, 0.2]);
-        assert_eq!(din_509(18.0, true), [0.25, 2.0, 0.6, 0.1]);
-        assert_eq!(din_509(18.0, false), [0.2, 2.0, 0.6, 0.1]);
+        assert_eq!(din_509(40.0), [0.3, 2.5, 0.6, 0.2]);
+        assert_eq!(din_509(18.0), [0.2, 2.0, 0.6, 0.1]);
+        assert_eq!(din_509_of_g85(18.0, false), [0.25, 2.0, 0.6, 0.1]);
+        assert_eq!(din_509_of_g85(18.0, true), [0.35, 2.5, 0.6, 0.2]);
+        assert_eq!(din_509_of_g85(80.0, false), [0.35, 2.5, 0.6, 0.2]);
+        assert_eq!(din_509_of_g85(80.0, true), [0.45, 4.0, 1.0, 0.3]);
+        assert_eq!((is_limit_of_g85(18.0), is_limit_of_g85(18.001)), (true, false));
+        // The width 5.2 is that of the pitch 1.5 outside and of the pitch 1 inside.
+        assert_eq!((din_76_radius(5.2, false), din_76_radius(5.2, true)), (Some(0.8), Some(0.6)));
         assert_eq!(din_76_external(1.6), None);
     }
 }

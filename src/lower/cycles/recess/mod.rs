@@ -116,7 +116,8 @@ impl<'r> Groove<'r> {
                 return Err(Failure::new(codes::G3040, message, "program a larger distance of the strokes"));
             }
         }
-        let turns_per_wall = (levels / 2).max(1) as f64;
+        let shortened = if recess.passes == Passes::OneWayShorter { levels.saturating_sub(1) } else { levels / 2 };
+        let turns_per_wall = shortened.max(1) as f64;
         let room = (rough.end(rough.floor) - rough.begin(rough.floor)) / 2.0;
         let most = (OFFSET_SHARE * (tool.width - 2.0 * tool.nose)).min(room);
         let offset = recess.offset_width.min(most / turns_per_wall);
@@ -137,7 +138,8 @@ impl<'r> Groove<'r> {
     fn rough(&self, cutter: &mut Cutter<'_>) {
         let left = match self.recess.passes {
             Passes::BothWays => self.both_ways(cutter),
-            Passes::OneWay => self.one_way(cutter),
+            Passes::OneWay => self.one_way(cutter, 0.0),
+            Passes::OneWayShorter => self.one_way(cutter, self.offset),
             Passes::Strokes { width, dwell } => self.strokes(cutter, width, dwell),
         };
         // What stands at a wall: what the offset width left, and the steps on a wall that is not upright.
@@ -182,8 +184,10 @@ impl<'r> Groove<'r> {
         left
     }
 
-    fn one_way(&self, cutter: &mut Cutter<'_>) -> [f64; 2] {
+    /// Each pass ends `offset` earlier than the one before. Returns what stands at both walls.
+    fn one_way(&self, cutter: &mut Cutter<'_>, offset: f64) -> [f64; 2] {
         let feeds = self.recess.feeds;
+        let mut left = 0.0;
         for k in 1..=self.levels {
             let y = self.level(k);
             let x = self.rough.begin(y);
@@ -192,10 +196,13 @@ impl<'r> Groove<'r> {
                 cutter.rapid_down(self.level(k - 1) + self.recess.clearance);
             }
             cutter.line(Point2::new(x, y), feeds.plunge);
-            cutter.line(Point2::new(self.rough.end(y), y), feeds.turn);
+            if k > 1 {
+                left += offset;
+            }
+            cutter.line(Point2::new(self.rough.end(y) - left, y), feeds.turn);
             cutter.lift();
         }
-        [0.0, 0.0]
+        [0.0, left]
     }
 
     fn strokes(&self, cutter: &mut Cutter<'_>, width: f64, dwell: f64) -> [f64; 2] {

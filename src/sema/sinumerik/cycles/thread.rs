@@ -221,6 +221,8 @@ impl Run<'_> {
             );
             self.report(found.help("the editor may leave a number here though one start is meant: set it to 1 then"));
         }
+        // Whether the cycle overrides the setting datum is not confirmed.
+        self.no_start_angle_by_setting(args.span_of(places.start_angle))?;
         let start_angle = args.or_zero(places.start_angle);
         if !(0.0..360.0).contains(&start_angle) {
             let message = format!("the start angle NSP is {start_angle}");

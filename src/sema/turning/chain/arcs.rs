@@ -38,7 +38,7 @@ fn open_center(e: &Partial, ccw: bool, at: Point2, dir: Option<Vec2>) -> Result<
         if r <= SAME_POINT {
             return Err(Fault::Impossible("its centre is its start"));
         }
-        if e.radius.is_some_and(|radius| (radius.abs() - r).abs() > AGREES) {
+        if e.radius.is_some_and(|radius| (radius.abs() - r).abs() > e.tolerance) {
             return Err(Fault::Contradiction("R is not the distance of the centre from the start"));
         }
         return Ok(center);
@@ -117,13 +117,13 @@ fn closed_arc(e: &Partial, ccw: bool, at: Point2, to: Point2, dir: Option<Vec2>)
     let center = match (cz, cx, e.radius) {
         (Some(z), Some(x), radius) => {
             let center = Point2::new(z, x);
-            if radius.is_some_and(|radius| (radius.abs() - distance(center, at)).abs() > AGREES) {
+            if radius.is_some_and(|radius| (radius.abs() - distance(center, at)).abs() > e.tolerance) {
                 return Err(Fault::Contradiction("R is not the distance of the centre from the start"));
             }
             center
         }
         _ if same => return Err(Fault::Impossible("it ends where it starts, and its centre is not given")),
-        (None, None, Some(radius)) => match arc::center_by_radius(at, to, radius, ccw, SAME_POINT, AGREES) {
+        (None, None, Some(radius)) => match arc::center_by_radius(at, to, radius, ccw, SAME_POINT, e.tolerance) {
             Some(center) => center,
             None => return Err(Fault::Impossible("its radius is too small for the distance of its ends")),
         },

@@ -53,7 +53,7 @@ pub(super) struct Center {
 }
 
 /// An element as programmed.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Partial {
     /// Counter-clockwise; `None` for a line.
     pub arc: Option<bool>,
@@ -66,6 +66,24 @@ pub(super) struct Partial {
     pub far: bool,
     /// Goes over into the next element without a corner, where that is not known otherwise.
     pub tangential: bool,
+    /// How far the radii at both ends of an arc may differ, in mm.
+    pub tolerance: f64,
+}
+
+impl Default for Partial {
+    fn default() -> Partial {
+        Partial {
+            arc: None,
+            z: Coord::default(),
+            x: Coord::default(),
+            angle: None,
+            radius: None,
+            center: Center::default(),
+            far: false,
+            tangential: false,
+            tolerance: AGREES,
+        }
+    }
 }
 
 /// A complete element.

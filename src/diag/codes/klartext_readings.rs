@@ -1,0 +1,58 @@
+//! Klartext: which block changes the tool, words that leave nothing in the output, and readings that manuals leave
+//! open.
+
+super::codes! { KLARTEXT_READINGS:
+
+K0801 Error "no-number" "word has no number"
+"CAM systems and post-processors print NaN, inf or 1.#IND where they had no value to print. What the word should say cannot be known. \
+Only the first such word of a program is reported; write the program anew."
+
+K2801 Error "tool-not-changed" "called tool is not in the spindle yet"
+"The program writes M6 of its own, so M6 changes the tool, and TOOL CALL only makes it ready. Here something cuts after a TOOL CALL \
+and before its M6: on a control that changes with M6 the old tool would cut with the data of the new one. Write M6 after the TOOL CALL. \
+Where TOOL CALL itself changes the tool, set `[control] tool_change = \"t\"`."
+
+K2802 Error "tool-change-too-early" "change was printed before the tool moved to it"
+"When the TOOL CALL was compiled, no program known by then wrote M6, so the change was printed there. Then the tool moved, and now a \
+program called in between writes M6: the change may have been meant for this place only. Set `[control] tool_change = \"m6\"` if M6 \
+changes the tool on your control, or \"t\" if TOOL CALL does."
+
+K2803 Warning "tool-call-without-m6" "called tool is made ready and not changed in"
+"The program changes its tools with M6, and none follows this TOOL CALL. The output makes the tool ready and does not change it. That is \
+right for a tool that the next program begins with; otherwise write M6 after the TOOL CALL."
+
+K2804 Warning "short-points-left-out" "M124 leaves out points on the control"
+"M124 makes the control leave out points of straight blocks that lie close together, so its path cuts some corners of the programmed one. \
+The output keeps every point. Remove M124, or make sure that the points it leaves out do not matter."
+
+K2805 Note "statement-without-words" "statement has no counterpart in plain G-code"
+"The statement writes to screens and files, waits for the look-ahead of the control, or selects a table for statements that are refused \
+themselves. The path does not depend on it, and it is left out."
+
+K2806 Warning "pattern-feed-open" "feed between the places of a pattern is open"
+"CYCL CALL PAT or CYCL CALL POS moves to its places, and the block has no F. Manuals do not say whether the feed programmed last holds \
+or rapid traverse. partc takes the feed programmed last, the slower way; `[control] pattern_feed = \"rapid\"` selects the other. Write \
+F or FMAX into the call to be sure."
+
+K2807 Warning "order-of-transformations" "order of mirror, scaling and rotation is open"
+"A mirror, or an uneven scaling by cycle 26, is in force together with a rotation, and the contour lies elsewhere depending on which comes first. partc mirrors and \
+scales the programmed coordinates first and turns the result; `[control] mirror = \"last\"` turns first. Manuals at hand do not say; program the two \
+so that only one is in force, or compare one point with the control."
+
+K2808 Warning "two-scalings" "scaling by cycle 11 and by cycle 26 together"
+"Both scalings are in force. partc scales by cycle 11 first and then by cycle 26 about its centre, so the factors multiply. Manuals at hand \
+do not say what controls do. Program the product into one of them."
+
+K2809 Warning "scaling-centre-open" "centre of cycle 26 is not repeated"
+"Cycle 26 was defined with a centre before, and this definition names none for an axis that it scales or leaves scaled. partc counts from the datum, as without \
+a centre; `[control] scaling_center = \"kept\"` keeps the one before. Write CCX and CCY into the definition."
+
+K2810 Warning "jump-by-rounding" "jump is decided by the last digits"
+"The two values of this comparison differ by less than 0.000000001, which is what is left of rounding in a computed value. partc compares \
+them as they are; another control may compute another last digit and jump the other way. Compare with a tolerance, or round with INT."
+
+K2811 Error "polar-angle-of-a-new-pole" "angle about a new pole is missing"
+"PA is missing, and no polar block since the CC gave an angle about this pole. A control may take the direction in which the tool stands or the \
+angle it read last, about another pole; each makes another move. Write PA. `[control] polar_missing = \"position\"` or \"programmed\" chooses \
+one of the readings, with a warning."
+}

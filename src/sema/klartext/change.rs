@@ -1,0 +1,273 @@
+//! Which block changes the tool: the TOOL CALL, or an M6 of the program's own.
+//!
+//! Many programs write `TOOL CALL 2 Z S2000`, retract, and then M6: a change at the TOOL CALL would come in the cut.
+//! Others never write M6, and there TOOL CALL is the change. Which of the two a program does is looked up once in its
+//! text; what the run then meets has to fit to it, or is refused. Source: reference section 1.5.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::contour::{Coords, EndPoint, Move, Path};
+use crate::ir::{Function, Pos};
+use crate::machine::Axis;
+use crate::parser::klartext::ast::{Addr, Block, Stmt};
+use crate::parser::klartext::{SPLIT, parse_block};
+use crate::text::{FileId, Loc, Next, Span};
+
+use super::super::Job;
+use super::super::exec::open_cursor;
+use super::path::plane_axes;
+use super::state::State;
+use super::{Outcome, Reported, Run};
+
+/// The number of the M function that changes the tool.
+const M6: u32 = 6;
+
+/// How far a tool change got since the last block that cut.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) enum Change {
+    /// Complete, or none under way.
+    #[default]
+    None,
+    /// An M6 stood in front of its TOOL CALL: the next TOOL CALL changes.
+    Announced,
+    /// Printed at the TOOL CALL; did the tool move since?
+    Printed { moved: bool },
+    /// Called and made ready; the M6 is still to come.
+    Called {
+        number: u32,
+        /// TOOL CALL.
+        from: Loc,
+        /// Coordinate of the tool axis at the TOOL CALL, before it was forgotten.
+        height: Option<f64>,
+        /// The block under way holds the M6: wherever it goes, the change waits at its end.
+        at_end: bool,
+    },
+}
+
+impl State {
+    /// Takes the tool that was called for the one in the spindle, whose tip lies somewhere else along the tool axis.
+    pub(super) fn forget_tip(&mut self) {
+        let axis = self.axis();
+        self.pos.forget(axis);
+        self.nominal.forget(axis);
+        self.lost.remove(axis);
+        self.polar = self.polar.filter(|last| !plane_axes(last.plane).contains(axis));
+    }
+}
+
+impl Run<'_> {
+    /// TOOL CALL of another tool: changes it, or makes it ready for the M6.
+    pub(super) fn call_for_change(&mut self, number: u32) {
+        let height = self.st.pos.get(self.st.axis());
+        let announced = self.st.change == Change::Announced;
+        let waits = match self.job.settings.control.siemens.tool_change_by_t {
+            Some(at_call) => !at_call,
+            None => !announced && self.writes_m6(),
+        };
+        // The length of the tool that is called counts from here on.
+        self.st.forget_tip();
+        if waits {
+            let from = self.here.origin.loc;
+            self.st.change = Change::Called { number, from, height, at_end: false };
+            self.function(Function::ToolPrepare { number });
+            return;
+        }
+        self.print_change(number);
+        self.st.change = if announced { Change::None } else { Change::Printed { moved: false } };
+    }
+
+    fn print_change(&mut self, number: u32) {
+        // The change stops the spindle.
+        self.st.spindle = None;
+        self.st.forget_tip();
+        self.st.in_spindle = Some(number);
+        self.function(Function::ToolChange { number });
+    }
+
+    /// M6: changes to the tool that was called, or announces the next TOOL CALL.
+    pub(super) fn m6(&mut self, span: Span) -> Outcome {
+        let text = match std::mem::take(&mut self.st.change) {
+            Change::Called { number, .. } => {
+                self.print_change(number);
+                return Ok(());
+            }
+            Change::Printed { moved: true } if self.job.settings.control.siemens.tool_change_by_t.is_none() => {
+                return self.fail_help(
+                    codes::K2802,
+                    span,
+                    "this M6 stands after moves, and the change was printed at the TOOL CALL before them",
+                    "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
+                );
+            }
+            Change::Printed { .. } => "this M6 belongs to the tool change printed for the TOOL CALL",
+            Change::None | Change::Announced => {
+                self.st.change = Change::Announced;
+                "this M6 stops the spindle; the change is printed at the next TOOL CALL"
+            }
+        };
+        if self.st.spindle.is_some() {
+            self.stop_spindle();
+        }
+        self.report(Diagnostic::new(codes::K2702, self.loc(span), text));
+        Ok(())
+    }
+
+    /// The block under way ends with M6.
+    pub(super) fn m6_at_end(&mut self) {
+        if let Change::Called { at_end, .. } = &mut self.st.change {
+            *at_end = true;
+        }
+    }
+
+    /// A move while a change is under way, before its end is taken over.
+    #[cold]
+    pub(super) fn watch_move(&mut self, mv: &Move) {
+        let axis = self.st.axis();
+        let cuts = self.cuts(mv);
+        match &mut self.st.change {
+            Change::None => {}
+            Change::Printed { moved } => *moved = true,
+            Change::Announced => {
+                // Back towards the workpiece, the M6 was not meant for a change at the next TOOL CALL.
+                if matches!(mv.end, EndPoint::Cartesian(end) if end.get(axis).is_some()) {
+                    self.st.change = Change::None;
+                }
+            }
+            Change::Called { at_end: true, .. } => return,
+            Change::Called { .. } => {}
+        }
+        if cuts {
+            let _ = self.cuts_now();
+        }
+    }
+
+    /// Something cuts: the tool that was called has to be in the spindle.
+    pub(super) fn cuts_now(&mut self) -> Outcome {
+        let Change::Called { number, from, .. } = std::mem::take(&mut self.st.change) else { return Ok(()) };
+        if self.st.in_spindle == Some(number) {
+            return Ok(());
+        }
+        self.report(
+            Diagnostic::new(
+                codes::K2801,
+                self.here.origin.loc,
+                format!("tool {number} is called and not in the spindle yet: no M6 stands before this cut"),
+            )
+            .also(from, "called here")
+            .help(
+                "write M6 after the TOOL CALL, or set `[control] tool_change = \"t\"` if TOOL CALL changes the tool \
+                 on your machine",
+            ),
+        );
+        Err(Reported)
+    }
+
+    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
+    fn cuts(&self, mv: &Move) -> bool {
+        let (axis, plane) = (self.st.axis(), plane_axes(self.st.plane()));
+        let EndPoint::Cartesian(end) = mv.end else { return mv.feed.is_some() };
+        if mv.feed.is_none() || mv.coords == Coords::Machine {
+            return false;
+        }
+        if mv.path != Path::Line || plane.iter().any(|axis| goes(&self.st.pos, &end, axis)) {
+            return true;
+        }
+        let height = match self.st.change {
+            Change::Called { height, .. } => height,
+            Change::None | Change::Announced | Change::Printed { .. } => None,
+        };
+        match (end.get(axis), self.st.pos.get(axis), height) {
+            (Some(to), Some(from), _) => to < from,
+            (Some(to), None, Some(height)) => to <= height,
+            _ => false,
+        }
+    }
+
+    /// The run is over: a tool that was called for its M6 stays ready.
+    pub(super) fn forgotten_change(&self) {
+        if let Change::Called { number, from, .. } = self.st.change
+            && self.st.in_spindle != Some(number)
+        {
+            self.report(
+                Diagnostic::new(
+                    codes::K2803,
+                    from,
+                    format!("no M6 follows this TOOL CALL: tool {number} is made ready and not changed in"),
+                )
+                .help("write M6 after the TOOL CALL if the change is meant"),
+            );
+        }
+    }
+
+    /// Does a program that runs write M6 anywhere? Each file is looked through once, at its first TOOL CALL.
+    fn writes_m6(&mut self) -> bool {
+        let mut found = false;
+        for at in 0..self.programs.len() {
+            if self.programs[at].writes_m6.is_none() {
+                let file = self.programs[at].source.file;
+                self.programs[at].writes_m6 = Some(writes_m6(&self.job, file, self.here.origin.loc));
+            }
+            found |= self.programs[at].writes_m6 == Some(true);
+        }
+        found
+    }
+}
+
+/// Does the move give the axis another coordinate? Yes where the old one is not known.
+fn goes(from: &Pos, end: &Pos, axis: Axis) -> bool {
+    end.get(axis).is_some_and(|to| from.get(axis) != Some(to))
+}
+
+/// Looks for a block with M6 that the control executes.
+fn writes_m6(job: &Job<'_>, file: FileId, from: Loc) -> bool {
+    let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return false };
+    let (mut block, mut ignored) = (Block::default(), Vec::new());
+    loop {
+        let text = match cursor.next(job.sources) {
+            Ok(Next::Block(found)) => found.text,
+            Ok(Next::TooLong { .. }) => continue,
+            Ok(Next::End) | Err(_) => return false,
+        };
+        if !may_hold_m6(text) && !may_end(text) {
+            continue;
+        }
+        parse_block(text, &mut block, &mut ignored);
+        ignored.clear();
+        if matches!(block.stmt, Stmt::End { .. }) {
+            return false;
+        }
+        let skipped = block.skip && job.settings.control.skip_blocks.iter().any(|level| *level <= 1);
+        if !skipped && block.words.iter().any(|word| word.addr == Addr::M(M6)) {
+            return true;
+        }
+    }
+}
+
+/// `M6`, `M06`, `M 6` somewhere in the text, which may still be a comment.
+fn may_hold_m6(text: &[u8]) -> bool {
+    memchr::memchr2_iter(b'M', b'm', text).any(|at| {
+        let number = text[at + 1..].iter().skip_while(|b| matches!(b, b' ' | b'\t' | b'0'));
+        let mut digits = number.take(2);
+        digits.next() == Some(&b'6') && !digits.next().is_some_and(u8::is_ascii_digit)
+    })
+}
+
+/// Could the block be END PGM? Looks at its first letter only.
+fn may_end(text: &[u8]) -> bool {
+    let first = text.iter().find(|b| !matches!(b, b' ' | b'\t' | b'/' | b'0'..=b'9'));
+    matches!(first, Some(b'E' | b'e'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn m6_is_found_in_all_its_forms() {
+        for text in ["L Z+100 FMAX M6", "m06", "M 6", "M3 M006 M8", "STOP M6"] {
+            assert!(may_hold_m6(text.as_bytes()), "{text}");
+        }
+        for text in ["L X+6 M60", "M16", "M", "MM", "M0", "L Z+6"] {
+            assert!(!may_hold_m6(text.as_bytes()), "{text}");
+        }
+    }
+}

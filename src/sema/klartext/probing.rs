@@ -1,0 +1,175 @@
+//! Touch probe cycles that are left out: what they would have set is unknown from there on.
+//!
+//! Source: reference sections 1.3, 5.6, 6.9. Q115 to Q199 take results in every cycle, further parameters where the block
+//! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::lexer::klartext::{QKind, QRef};
+use crate::machine::{Axis, AxisSet};
+use crate::parser::klartext::ast::{Block, Stmt};
+use crate::text::decode::readable;
+
+use super::cycle_words::is_parameter_of;
+use super::vars::{Slot, exists};
+use super::{Outcome, Run};
+
+/// Parameters that a block of results fills from the one it names.
+const RESULTS: u32 = 4;
+
+/// A TCH PROBE block as far as it says what it changes.
+#[derive(Debug, PartialEq)]
+struct Probe {
+    number: u32,
+    /// Not the first block of an old cycle (0.1).
+    goes_on: bool,
+    /// Parameters named as such: results, or inputs that the control keeps.
+    parameters: Vec<QRef>,
+}
+
+impl Probe {
+    /// Reads `TCH PROBE 419 NAME ~ Q263=+25 ;…` with all its lines.
+    fn read(code: &[u8]) -> Probe {
+        let mut lines = code.split(|b| *b == b'\n').map(|line| readable(line).to_ascii_uppercase());
+        let first = lines.next().unwrap_or_default();
+        let body = first.split_once("PROBE").map_or("", |(_, body)| body);
+        let digits: String = body.trim_start().chars().take_while(char::is_ascii_digit).collect();
+        let part = body.trim_start()[digits.len()..].strip_prefix('.').unwrap_or_default();
+        let goes_on = part.starts_with(|c: char| ('1'..='9').contains(&c));
+        let mut probe = Probe { number: digits.parse().unwrap_or(u32::MAX), goes_on, parameters: Vec::new() };
+        for line in std::iter::once(body.to_owned()).chain(lines) {
+            let line = line.split(';').next().unwrap_or_default();
+            // What stands behind the sign is read, not written.
+            let line = line.split('=').next().unwrap_or_default();
+            for word in line.split_whitespace() {
+                if let Some(q) = parameter(word) {
+                    probe.parameters.push(q);
+                }
+            }
+        }
+        probe
+    }
+
+    /// Measuring in a direction fills a run of parameters.
+    fn fills_a_run(&self) -> bool {
+        matches!(self.number, 3 | 4 | 9 | 441 | 444)
+    }
+
+    /// Writes to the tool table.
+    fn measures_tools(&self) -> bool {
+        // 420 to 431 correct the table where they watch a tool (Q330).
+        let watches = self.parameters.iter().any(|q| q.kind == QKind::Q && q.number == 330);
+        watches || matches!(self.number, 30..=33 | 480..=499)
+    }
+
+    /// Turns the table.
+    fn turns(&self) -> bool {
+        !matches!(self.number, 0 | 1 | 3 | 4 | 9 | 400 | 401 | 402 | 404 | 408..=431)
+    }
+}
+
+/// `Q5`, `QL5`, `QR5`.
+fn parameter(word: &str) -> Option<QRef> {
+    let rest = word.strip_prefix('Q')?;
+    let (kind, digits) = match rest.chars().next()? {
+        'L' => (QKind::Ql, &rest[1..]),
+        'R' => (QKind::Qr, &rest[1..]),
+        _ => (QKind::Q, rest),
+    };
+    Some(QRef { kind, number: digits.parse().ok()? }).filter(|q| exists(*q))
+}
+
+impl Run<'_> {
+    /// TCH PROBE: refused, or left out with everything it touches unknown.
+    pub(super) fn probe(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let (name, span) = self.block_name(block, text, 2);
+        if !self.job.settings.control.klartext_choices.probing_left_out {
+            return self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine");
+        }
+        let probe = Probe::read(block.span.of(text));
+        let here = self.here.origin.loc;
+        let run = if probe.fills_a_run() { RESULTS } else { 1 };
+        let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
+        let own = (115..200).map(|number| QRef { kind: QKind::Q, number });
+        let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) else { return Ok(()) };
+        for q in named.chain(own).filter(|q| exists(*q)) {
+            self.vars.set(locals, q, Slot::AtMachine(here));
+        }
+        self.forget_positions(probe.turns());
+        if probe.measures_tools() {
+            self.st.tools_measured = true;
+            if let Some(tool) = &mut self.st.tool {
+                (tool.length, tool.radius, tool.corner_radius) = (None, None, None);
+            }
+        }
+        if probe.goes_on {
+            return Ok(());
+        }
+        let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
+        let message =
+            format!("{name} {} is left out: {what} that it would set are not known from here on", probe.number);
+        self.report(
+            Diagnostic::new(codes::K2851, self.loc(span), message)
+                .help("set up on the target machine what this cycle measures, before the program runs"),
+        );
+        Ok(())
+    }
+
+    /// The probe moved, and the datum may be another: the next block of each axis has to be absolute.
+    fn forget_positions(&mut self, turns: bool) {
+        let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
+        self.st.pos = Pos::UNKNOWN;
+        self.st.nominal = Pos::UNKNOWN;
+        self.st.polar = None;
+        self.st.last = None;
+        if turns {
+            self.st.rotary_moved = self.st.rotary_moved.union(rotary);
+            self.st.rotary_offset = [0.0; 3];
+        }
+        self.lost();
+    }
+
+    /// A block was skipped: the lines of parameters behind it, which belong to it, go with it.
+    pub(super) fn skip(&mut self, block: &Block, text: &[u8]) {
+        self.skipped = match block.stmt {
+            Stmt::Cycle { number, part: None } => Some(number),
+            Stmt::Refused(crate::parser::klartext::ast::Refused::TouchProbe, _) => {
+                Some(Probe::read(block.span.of(text)).number)
+            }
+            _ => None,
+        };
+    }
+
+    /// Is the block a line of parameters of a definition that was skipped?
+    #[inline]
+    pub(super) fn belongs_to_skipped(&mut self, block: &Block) -> bool {
+        let Some(number) = self.skipped else { return false };
+        let belongs = match block.stmt {
+            Stmt::Assign(q) => block.number.is_none() && is_parameter_of(number, q),
+            Stmt::Empty => true,
+            _ => false,
+        };
+        if !belongs {
+            self.skipped = None;
+        }
+        belongs
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_probe_names() {
+        let q = |number| QRef { kind: QKind::Q, number };
+        let probe = Probe::read(b"TCH PROBE 419 DATUM Q ~\n Q263=+Q7 ;1ST POINT Q8 ~\n Q303=+1");
+        assert_eq!(probe, Probe { number: 419, goes_on: false, parameters: vec![q(263), q(303)] });
+        assert!(!probe.measures_tools() && !probe.turns() && !probe.fills_a_run());
+        let probe = Probe::read(b"tch probe 0.0 REF. PLANE Q5 X-");
+        assert_eq!(probe, Probe { number: 0, goes_on: false, parameters: vec![q(5)] });
+        assert!(Probe::read(b"TCH PROBE 481 TOOL LENGTH ~\n Q340=+1").measures_tools());
+        assert!(Probe::read(b"TCH PROBE 421 ~\n Q330=5").measures_tools());
+        assert!(Probe::read(b"TCH PROBE 403 ~").turns());
+    }
+}

@@ -1,0 +1,131 @@
+//! Words that have no counterpart in the output and change no move: what is said of them.
+//!
+//! Source: reference sections 1.5, 2.14 and 3.
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::sinumerik::ast::{Block, Formula, Op};
+use crate::text::Span;
+
+use super::vocabulary::{Code, word};
+use super::{Outcome, Run};
+
+const DYNAMICS: &str = "words that only shape speed and accuracy are left out";
+const CONTROL: &str = "words that only steer the control, or switch off what is not on, are left out";
+
+impl Run<'_> {
+    pub(super) fn dynamics_are_left_out(&self, span: Span) {
+        self.note_once(codes::S8002, span, DYNAMICS);
+    }
+
+    pub(super) fn control_words_are_left_out(&self, span: Span) {
+        self.note_once(codes::S8103, span, CONTROL);
+    }
+
+    /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
+    pub(super) fn left_out_code(&self, code: Code, span: Span) {
+        match (code.group, code.index) {
+            (10..=12 | 21 | 24 | 30 | 34 | 39 | 45 | 57 | 59, _) | (16 | 37 | 55, 1) => {
+                self.dynamics_are_left_out(span)
+            }
+            (16 | 37, _) => {
+                let name = word(code);
+                let what = if code.group == 16 {
+                    "makes the feed on arcs count differently under radius compensation"
+                } else {
+                    "lets the feed run from value to value"
+                };
+                self.changes_feeds(format!("{name} {what}, which is left out"), span);
+            }
+            (55, _) if self.job.diags.first_time(codes::S8102) => {
+                let message =
+                    "under RTLIOF each axis runs at its own rapid traverse; the output goes straight to the point";
+                let found = Diagnostic::new(codes::S8102, self.loc(span), message);
+                self.report(found.help("check that both ways are free, or program RTLION"));
+            }
+            (28 | 60, _) => self.limits_are_left_out(span),
+            (33, 2) | (56, 2..) => {
+                let name = word(code);
+                let what =
+                    if code.group == 33 { "lets other programs shift the tool" } else { "turns the wear of tools" };
+                let message = format!("{name} {what}: the target has tool data of its own");
+                let found = Diagnostic::new(codes::S8010, self.loc(span), message);
+                if !self.job.diags.knows(&found) {
+                    self.report(found);
+                }
+            }
+            (25 | 27 | 50 | 51 | 54 | 61, _) => {
+                self.note_once(codes::S8104, span, "words for tool orientation are left out: the output turns no tool");
+            }
+            // SAR, splines, punching, transformations and frames of the tool are refused themselves.
+            (4 | 19 | 20 | 26 | 33 | 35 | 36 | 38 | 40..=44 | 46 | 47 | 49 | 52 | 53 | 56 | 58 | 62, _) => {
+                self.control_words_are_left_out(span)
+            }
+            // The others are asked for where they count.
+            _ => {}
+        }
+    }
+
+    pub(super) fn limits_are_left_out(&self, span: Span) {
+        self.note_once(
+            codes::S8013,
+            span,
+            "working-area limits and lowest speeds (G25, G26) are left out; G26 S limits the spindle speed",
+        );
+    }
+
+    pub(super) fn changes_feeds(&self, message: String, span: Span) {
+        let found = Diagnostic::new(codes::S8101, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("check the feeds of the program on the target"));
+        }
+    }
+
+    /// WRITE, DELETE and their kin: nothing is written, and nothing is read.
+    pub(super) fn file_access(
+        &mut self,
+        name: &str,
+        formulas: &[Formula],
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        if !matches!(name, "WRITE" | "DELETE") {
+            let message = format!("{name} takes values from a file of the control");
+            return self.fail(codes::S9001, 0, span, message);
+        }
+        self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
+        let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
+        let Some(reference) = self.reference(*formula, block, text)? else { return Ok(()) };
+        self.set_reference(reference, 0);
+        let shown = match block.formula(*formula) {
+            [Op::Name(name, _)] => self.symbols.name(*name).to_owned(),
+            [Op::R(n, _)] => format!("R{n}"),
+            _ => "its first argument".to_owned(),
+        };
+        self.note_word(
+            codes::S8108,
+            formula.span,
+            format!("the error variable of {name}, {shown}, is set to 0: no error"),
+        );
+        Ok(())
+    }
+
+    /// A note that is made once for each text.
+    fn note_word(&self, code: &'static crate::diag::Code, span: Span, message: String) {
+        if self.job.diags.first_text(code, &message) {
+            self.report(Diagnostic::new(code, self.loc(span), message));
+        }
+    }
+
+    /// The manuals say how positive halves are rounded.
+    pub(super) fn says_negative_half(&self, value: f64, made: f64, span: Span) {
+        if value >= 0.0 || value.fract() != -0.5 {
+            return;
+        }
+        let message = format!("{value} is rounded to {made}: the manuals do not say how negative halves are rounded");
+        let found = Diagnostic::new(codes::S8107, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("keep the value off the half"));
+        }
+    }
+}

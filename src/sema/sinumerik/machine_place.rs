@@ -1,0 +1,122 @@
+//! Machine coordinates and the length of the tool: G53, G153, SUPA and SUPD.
+//!
+//! With MD 10760 = 0 the control places the tip of the tool, the target the nose of the spindle: what is printed is a
+//! tool length off unless it is added. Source: reference section 4.8.
+
+use crate::diag::{Diagnostic, codes};
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::system::system_number;
+use super::words::Words;
+use super::{Outcome, Run};
+
+/// Length of the tool in the axis along which it counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum ToolLength {
+    /// No tool, or D0.
+    Off,
+    Known(f64),
+    Unknown,
+}
+
+impl Run<'_> {
+    /// Axes in which the length of a tool counts.
+    fn tool_axes(&self) -> AxisSet {
+        let [_, _, third] = self.st.roles();
+        let mut axes = AxisSet::of(third);
+        if self.st.lathe {
+            axes.insert(Axis::X);
+            axes.insert(Axis::Z);
+        }
+        axes
+    }
+
+    /// The tool in use as the control counts it: length, wear and base length of the edge.
+    fn active_length(&self) -> ToolLength {
+        let tool = &self.st.tool;
+        if tool.edge == Some(0) || tool.active == Some(0) {
+            return ToolLength::Off;
+        }
+        let Some(number) = tool.active else {
+            return if tool.edge.is_some() { ToolLength::Unknown } else { ToolLength::Off };
+        };
+        if tool.edge_in_doubt || self.st.lathe {
+            return ToolLength::Unknown;
+        }
+        let edge = tool.edge.unwrap_or(1);
+        let written = |parameter: u8| system_number(&self.system, &format!("$TC_DP{parameter}[{number},{edge}]"));
+        let listed = || {
+            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
+            tool.length.map(|length| length + tool.deltas[0])
+        };
+        match written(3).or_else(listed) {
+            Some(length) => ToolLength::Known(length + written(12).unwrap_or(0.0) + written(21).unwrap_or(0.0)),
+            None => ToolLength::Unknown,
+        }
+    }
+
+    /// Where the spindle stands when the control has an axis at the machine coordinate `value`.
+    pub(super) fn machine_place(&mut self, axis: Axis, value: f64, span: Span) -> Outcome<f64> {
+        if !self.tool_axes().contains(axis) {
+            return Ok(value);
+        }
+        let length = self.active_length();
+        if length == ToolLength::Off {
+            return Ok(value);
+        }
+        if !self.job.settings.output.tool_length {
+            self.says_tip_in_machine_coordinates(span);
+            return Ok(value);
+        }
+        match length {
+            ToolLength::Known(length) => {
+                let message = format!("the tool length {length} is added to machine coordinates of {}", axis.letter());
+                self.note_once(codes::S8105, span, message);
+                Ok(value + length)
+            }
+            _ => self.length_is_needed(axis, span),
+        }
+    }
+
+    fn length_is_needed<T>(&self, axis: Axis, span: Span) -> Outcome<T> {
+        let message = format!(
+            "the control goes to this machine coordinate of {} with the tip of the tool (MD 10760 = 0), the target with its \
+             spindle: the length of the tool is not known",
+            axis.letter()
+        );
+        let ways = "write D0 in the block, or set `[control] md10760 = true`";
+        let help = match self.st.tool.active {
+            Some(number) if !self.st.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
+            _ => ways.to_owned(),
+        };
+        self.fail_help(codes::S9102, 0, span, message, &help)
+    }
+
+    fn says_tip_in_machine_coordinates(&self, span: Span) {
+        if self.job.diags.first_time(codes::S8106) {
+            let message = "the control goes to this machine coordinate with the tip of the tool (MD 10760 = 0), the target \
+                           with its spindle: a tool length lower";
+            let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \
+                        `[control] md10760 = true`";
+            self.report(Diagnostic::new(codes::S8106, self.loc(span), message).help(help));
+        }
+    }
+
+    /// SUPD: the tool offsets do not count in this block.
+    pub(super) fn suppressed_tool(&mut self, w: &Words, span: Span) -> Outcome {
+        let moves = w.axes.iter().any(|axis| self.tool_axes().contains(axis));
+        let radius = self.st.side() != crate::ir::Side::None;
+        if radius || moves && self.active_length() != ToolLength::Off {
+            return self.fail_help(
+                codes::S9102,
+                0,
+                span,
+                "SUPD moves the spindle, not the tip of the tool, to this position",
+                "write D0 in a block in front of it, and the coordinate of the spindle by SUPA",
+            );
+        }
+        self.note_once(codes::S8103, span, "SUPD is left out: no tool offset counts in the axes of the block");
+        Ok(())
+    }
+}

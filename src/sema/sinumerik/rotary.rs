@@ -1,0 +1,123 @@
+//! End points of rotary axes, those that count modulo 360 degrees among them.
+//!
+//! Source: reference section 2.6.
+
+use crate::diag::codes;
+use crate::machine::Axis;
+use crate::text::Span;
+
+use super::vocabulary::Code;
+use super::words::{Given, Mode};
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    /// The end point of a rotary axis in degrees. Those of a modulo axis count on from the last one, turn by turn.
+    pub(super) fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        let incremental = match given.mode {
+            Mode::Plain => self.st.is(Code::G91),
+            Mode::Ac => false,
+            Mode::Ic => true,
+            Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(axis, given),
+            _ => return self.no_diameter_axis(given.span),
+        };
+        if incremental {
+            return Ok(self.increment_base(axis, given.span)? + given.value);
+        }
+        if self.st.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
+    }
+
+    /// DC, ACP and ACN: the shortest way, or a way of one sense.
+    fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        self.inside_one_turn(given)?;
+        self.st.modulo.insert(axis);
+        let Some(at) = self.st.pos.get(axis) else {
+            return self.first_rotary_target(axis, given);
+        };
+        let way = match given.mode {
+            Mode::Acp => Way::Up,
+            Mode::Acn => Way::Down,
+            _ => Way::Short,
+        };
+        Ok(counted_on(at, given.value, way))
+    }
+
+    /// `C20` of a modulo axis: up or down inside the turn in which it stands.
+    fn modulo_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        self.inside_one_turn(given)?;
+        if self.st.lost.contains(axis) {
+            return Err(Reported);
+        }
+        let Some(at) = self.st.pos.get(axis) else { return Ok(given.value) };
+        let shift = self.st.ctx.frame.shift_of(axis);
+        if reduced(shift) != 0.0 && !self.job.settings.control.siemens.modulo_shortest {
+            return self.modulo_under_a_shift(axis, given.span);
+        }
+        let shortest = self.job.settings.control.siemens.modulo_shortest;
+        Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
+    }
+
+    /// Which way is meant depends on where the turn of the axis begins: in the program or on the machine.
+    fn modulo_under_a_shift(&self, axis: Axis, span: Span) -> Outcome<f64> {
+        let letter = axis.letter();
+        self.fail_help(
+            codes::S9101,
+            0,
+            span,
+            format!("the sense in which {letter} turns is not known: its zero is shifted, and it counts modulo 360"),
+            &format!("write {letter}=DC(…), ACP(…) or ACN(…)"),
+        )
+    }
+
+    fn inside_one_turn(&self, given: Given) -> Outcome {
+        if (0.0..360.0).contains(&given.value) {
+            return Ok(());
+        }
+        let message = format!("{} lies outside 0 to 359.999", given.value);
+        let help = "positions of an axis that counts modulo 360 lie inside one turn; write more turns as increments";
+        self.fail_help(codes::S2061, 16830, given.span, message, help)
+    }
+
+    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
+    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.lost.contains(axis) {
+            return self.unknown_axis(axis, given.span);
+        }
+        let letter = axis.letter();
+        let message =
+            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
+        self.note_once(codes::S8044, given.span, message);
+        Ok(given.value)
+    }
+}
+
+/// An angle inside 0 to below 360 degrees.
+pub(super) fn reduced(angle: f64) -> f64 {
+    angle - 360.0 * libm::floor(angle / 360.0)
+}
+
+/// How an axis that counts modulo 360 degrees goes to a position.
+#[derive(Debug, Clone, Copy)]
+enum Way {
+    Up,
+    Down,
+    /// Half a turn goes up.
+    Short,
+    /// Inside the turn in which it stands.
+    Inside,
+}
+
+/// Angles closer than this are one: increments add up with the last bits of a number, controls count in 0.001 degrees.
+const ONE_ANGLE: f64 = 1e-6;
+
+/// The angle `to` in the turn in which an axis that stands at `at` reaches it.
+fn counted_on(at: f64, to: f64, way: Way) -> f64 {
+    let tiny = ONE_ANGLE / 360.0;
+    let turns = (at - to) / 360.0;
+    let turn = match way {
+        Way::Up => libm::ceil(turns - tiny),
+        Way::Down => libm::floor(turns + tiny),
+        Way::Short => libm::floor(turns + 0.5 + tiny),
+        Way::Inside => libm::floor(at / 360.0 + tiny),
+    };
+    to + 360.0 * turn
+}

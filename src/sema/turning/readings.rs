@@ -1,0 +1,153 @@
+//! What no manual at hand settles: the reading in use, and a word about it where a program depends on it.
+//!
+//! Each question has an option of `[control]`; whoever sets it has decided, and hears nothing. Source: reference
+//! section 16.
+
+use crate::diag::{Code, Diagnostic, codes};
+use crate::text::Span;
+
+use super::Run;
+
+/// A question that the manuals leave open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Question {
+    ThreadLeft,
+    ThreadFace,
+    SimpleThread,
+    Infeed,
+    LineAngle,
+    ArcChoice,
+    UndercutLimit,
+    UndercutSide,
+    ContourWords,
+    RecessBlank,
+    TurningDepth,
+    OffsetOneWay,
+    RecessDepth,
+    RecessWidth,
+    RecessOversize,
+    BlankContour,
+}
+
+impl Question {
+    /// Its code, the reading in use, and the other one.
+    fn text(self) -> (&'static Code, &'static str, &'static str) {
+        match self {
+            Question::ThreadLeft => (
+                codes::T8001,
+                "the side to which H shifts the cuts of a thread is taken as: left is ahead of a cut towards -Z",
+                "set `[control] thread_left = \"minus\"` to confirm it, or \"plus\"",
+            ),
+            Question::ThreadFace => (
+                codes::T8002,
+                "the face of this transverse thread is taken from the edge position of the tool",
+                "set `[control] thread_face = \"front\"` or \"rear\" to say it",
+            ),
+            Question::SimpleThread => (
+                codes::T8003,
+                "the words of G32 are read as docs/turning.md says: no manual at hand lists them",
+                "set `[control] simple_thread = \"documented\"` to confirm it, or \"refuse\"",
+            ),
+            Question::Infeed => (
+                codes::T8004,
+                "the infeed I of G81 is taken as a depth of cut, on the radius",
+                "set `[control] infeed = \"radius\"` to confirm it, or \"diameter\"",
+            ),
+            Question::LineAngle => (
+                codes::T8005,
+                "the angle of a line is taken to count from -Z: the diameter grows where the line runs towards -Z",
+                "set `[control] line_angle = \"minus-z\"` to confirm it, or \"plus-z\"",
+            ),
+            Question::ArcChoice => (
+                codes::T8006,
+                "Q0 of an arc is taken to mean the near one of two solutions, as from software 7.1 on",
+                "set `[control] turning_arc_q = \"near\"` to confirm it, or \"far\" for earlier controls",
+            ),
+            Question::UndercutLimit => (
+                codes::T8007,
+                "the table of G85 has no row for exactly this diameter: the one of smaller diameters is taken",
+                "set `[control] undercut_limit = \"lower\"` to confirm it, or \"upper\"",
+            ),
+            Question::UndercutSide => (
+                codes::T8008,
+                "the tool stands on the cylinder: whether the undercut lies outside or inside is taken from its edge position",
+                "position the tool clear of the cylinder to say it",
+            ),
+            Question::ContourWords => (
+                codes::T8009,
+                "the words of G80 are read as docs/turning.md says: AC and WC lean the walls about their rims",
+                "set `[control] contour_words = \"documented\"` to confirm it, or \"refuse\"",
+            ),
+            Question::RecessBlank => (
+                codes::T8010,
+                "RI of G869 is taken to count on the diameter",
+                "set `[control] recess_blank = \"diameter\"` to confirm it, or \"radius\"",
+            ),
+            Question::TurningDepth => (
+                codes::T8011,
+                "the turning depth compensation of G869 is taken to lift the tool off the floor",
+                "set `[control] turning_depth = \"away\"` to confirm it, or \"towards\"",
+            ),
+            Question::OffsetOneWay => (
+                codes::T8012,
+                "the offset width B has no effect under U1: one way there is no change from turning to plunging",
+                "set `[control] offset_one_way = \"none\"` to confirm it, or \"end\"",
+            ),
+            Question::RecessDepth => (
+                codes::T8013,
+                "an incremental I of G22 is taken to count on the diameter",
+                "set `[control] recess_depth = \"diameter\"` to confirm it, or \"radius\"",
+            ),
+            Question::RecessWidth => (
+                codes::T8014,
+                "K of G23 is taken as the width of the opening, where the flanks lean",
+                "set `[control] recess_width = \"opening\"` to confirm it, or \"floor\"",
+            ),
+            Question::RecessOversize => (
+                codes::T8015,
+                "the oversize of G86 is left on the floor and on the walls until the finishing cut",
+                "set `[control] recess_oversize = \"all\"` to confirm it, or \"floor\"",
+            ),
+            Question::BlankContour => (
+                codes::T8016,
+                "the blank is drawn as a contour, which is not used: cycles take the blank to reach to the tool",
+                "position the tool outside of the blank before each cycle, or describe the blank by G20 or G21",
+            ),
+        }
+    }
+
+    /// Did the configuration decide it?
+    fn is_settled(self, run: &Run<'_>) -> bool {
+        let set = &run.job.settings.control.turning;
+        match self {
+            Question::ThreadLeft => set.left_is_plus.is_some(),
+            Question::ThreadFace => set.rear_face.is_some(),
+            Question::SimpleThread => set.refuse_simple_thread.is_some(),
+            Question::Infeed => set.infeed.is_some(),
+            Question::LineAngle => set.angle_from_plus.is_some(),
+            Question::ArcChoice => set.arc_choice.is_some(),
+            Question::UndercutLimit => set.undercut_upper.is_some(),
+            Question::ContourWords => set.refuse_contour_words.is_some(),
+            Question::RecessBlank => set.recess_blank.is_some(),
+            Question::TurningDepth => set.towards_floor.is_some(),
+            Question::OffsetOneWay => set.offset_one_way.is_some(),
+            Question::RecessDepth => set.recess_depth.is_some(),
+            Question::RecessWidth => set.recess_width.is_some(),
+            Question::RecessOversize => set.oversize_on_floor.is_some(),
+            Question::UndercutSide | Question::BlankContour => false,
+        }
+    }
+}
+
+impl Run<'_> {
+    /// The block depends on `question`: the first one of the program says so.
+    pub(super) fn depends_on(&self, question: Question, span: Span) {
+        if question.is_settled(self) {
+            return;
+        }
+        let (code, message, help) = question.text();
+        self.job
+            .diags
+            .push_once(Diagnostic::new(code, self.loc(span), message).help(help).called(self.here.origin.call));
+    }
+}

@@ -1,0 +1,166 @@
+//! Where the thread of a G31 runs: from the tool to an end point, along a contour, across a face.
+//!
+//! Source: reference section 10.1.
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2};
+use crate::ir::cycle::thread::{MOST_PARTS, ThreadPart};
+use crate::ir::cycle::turning::Towards;
+use crate::machine::Axis;
+
+use super::chain::{AGREES, Coord};
+use super::contour::Outline;
+use super::readings::Question;
+use super::words::Words;
+use super::{Outcome, Run};
+
+/// What a drawing loses at 45 degrees, mm.
+const LEANS: f64 = 1e-3;
+
+/// The thread at depth 0.
+pub(super) struct ThreadLine {
+    pub start: Point2,
+    pub parts: Vec<ThreadPart>,
+    /// It runs across a face: its pitch counts along X, its depth along Z.
+    pub transverse: bool,
+}
+
+impl Run<'_> {
+    /// Start and parts of the thread: from the tool to X and Z, or along a contour.
+    pub(super) fn thread_line(
+        &mut self,
+        w: &Words,
+        outline: Option<&Outline>,
+        at: Point2,
+        lead: f64,
+    ) -> Outcome<ThreadLine> {
+        let span = self.block_span();
+        let (x, z) = (w.get(b'X'), w.get(b'Z'));
+        let across = self.choice(w, b'J', 0, 1)?;
+        let across = w.has(b'J').then_some(across == 1);
+        let rise = w.value(b'R').unwrap_or(0.0) * self.st.mm();
+        if x.is_none() && z.is_none() {
+            let line = self.thread_contour(w, outline, lead, across)?;
+            let end = line.parts.last().map_or(line.start, |part| part.end);
+            if w.has(b'R') && (end.y - line.start.y - rise).abs() > AGREES {
+                return self.fail(
+                    codes::T1006,
+                    w.span(b'R', span),
+                    format!(
+                        "R is not the difference of the radii at the ends of the contour, which is {:.4} mm",
+                        end.y - line.start.y
+                    ),
+                );
+            }
+            return Ok(line);
+        }
+        if outline.is_some() || w.long("NS").is_some() || self.named.is_some() {
+            return self.fail(codes::T1006, span, "the thread has an end point and a contour: only one can hold");
+        }
+        let (Some(_), Some(_)) = (x, z) else {
+            return self.fail_help(
+                codes::T1005,
+                span,
+                "a thread needs both X and Z of its end",
+                "X is the diameter at the end; a thread across a face needs R, its radial length, as well",
+            );
+        };
+        let ordinate = |coord: Coord, from: f64| match coord {
+            Coord::At(v) => Some(v),
+            Coord::By(d) => Some(from + d),
+            Coord::Missing | Coord::Unknown => None,
+        };
+        let (x, z) = (self.coord(x, Axis::X), self.coord(z, Axis::Z));
+        let (Some(x), Some(z)) = (ordinate(x, at.y), ordinate(z, at.x)) else {
+            return self.fail(codes::T1005, span, "the end of a thread cannot be left open");
+        };
+        let end = Point2::new(z, x);
+        // Steeper than 45 degrees to Z it runs across a face, and the tool stands clear of that.
+        let transverse = across.unwrap_or(rise.abs() > (z - at.x).abs() + LEANS);
+        if transverse && rise == 0.0 {
+            return self.fail_help(
+                codes::T1005,
+                span,
+                "a thread across a face has no R: where it starts is not known",
+                "program R with the radial length, (X of the end - X of the start) / 2",
+            );
+        }
+        let start = Point2::new(if transverse { z } else { at.x }, x - rise);
+        Ok(ThreadLine { start, parts: vec![ThreadPart { end, lead }], transverse })
+    }
+
+    fn thread_contour(
+        &mut self,
+        w: &Words,
+        outline: Option<&Outline>,
+        lead: f64,
+        across: Option<bool>,
+    ) -> Outcome<ThreadLine> {
+        let edges = self.contour_of(w, outline, 0)?.edges;
+        // The thread lies on the basic elements; chamfers and undercuts are not cut.
+        let elements: Vec<Element> =
+            edges.iter().filter(|edge| !edge.corner && edge.form.is_none()).map(|edge| edge.element).collect();
+        let span = self.block_span();
+        if elements.len() > MOST_PARTS {
+            let message = format!("the contour of a thread has {} elements, more than {MOST_PARTS}", elements.len());
+            return self.fail(codes::T3003, span, message);
+        }
+        let (Some(first), true) = (elements.first(), elements.iter().all(|e| matches!(e, Element::Line { .. }))) else {
+            return self.fail(codes::T3003, span, "a thread is cut along straight elements, one at least");
+        };
+        let way = first.to() - first.from();
+        let transverse = across.unwrap_or(way.y.abs() > way.x.abs() + LEANS);
+        let gap = elements.windows(2).any(|pair| crate::geo::distance(pair[0].to(), pair[1].from()) > 1e-6);
+        if gap {
+            return self.fail(codes::T3003, span, "a chamfer, rounding or undercut interrupts the thread");
+        }
+        let start = first.from();
+        let parts = elements.iter().map(|element| ThreadPart { end: element.to(), lead }).collect();
+        Ok(ThreadLine { start, parts, transverse })
+    }
+
+    /// The face that a transverse thread is cut in: the configuration says it, else the edge of the tool points to it.
+    pub(super) fn thread_face(&self, w: &Words) -> Outcome<Towards> {
+        let span = w.span(b'U', self.block_span());
+        let told = match self.job.settings.control.turning.rear_face {
+            Some(rear) => Some(rear),
+            None => match self.known_tool().and_then(|tool| tool.orientation) {
+                Some(2 | 3 | 7) => Some(false),
+                Some(1 | 4 | 5) => Some(true),
+                _ => None,
+            },
+        };
+        match told {
+            Some(rear) => {
+                self.depends_on(Question::ThreadFace, span);
+                Ok(if rear { Towards::PlusZ } else { Towards::MinusZ })
+            }
+            None => self.fail_help(
+                codes::T2024,
+                self.block_span(),
+                "the thread runs across a face, and nothing tells whether it is the front or the rear one",
+                "add `orientation` of the tool to partc.toml (2, 3, 7 front, 1, 4, 5 rear), or set `[control] thread_face`",
+            ),
+        }
+    }
+
+    /// A thread across a face stays on its side of the turning centre, with its run-in and run-out.
+    pub(super) fn off_centre(&self, start: Point2, parts: &[ThreadPart], run_in: f64, run_out: f64) -> Outcome {
+        let Some(last) = parts.last() else { return Ok(()) };
+        let inwards = last.end.y < start.y;
+        let (begin, end) =
+            if inwards { (start.y + run_in, last.end.y - run_out) } else { (start.y - run_in, last.end.y + run_out) };
+        if begin.min(end) >= 0.0 {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::T1007,
+            self.block_span(),
+            format!(
+                "the thread with its run-in and run-out leads beyond the turning centre, to X{}",
+                2.0 * begin.min(end)
+            ),
+            "check R, B and P",
+        )
+    }
+}
