@@ -140,7 +140,7 @@ fn hole(name: &str) -> Opened {
     opened(name, Box::new(Memory::new(text.into_bytes())))
 }
 
-/// A program that goes on with blanks up to a size.
+/// A program that says it is larger than it is: nothing comes behind its text.
 struct Sized(Vec<u8>, u64);
 
 impl ReadAt for Sized {
@@ -149,12 +149,10 @@ impl ReadAt for Sized {
     }
 
     fn read_at(&mut self, at: u64, buf: &mut [u8]) -> io::Result<usize> {
-        let n = buf.len().min(usize::try_from(self.1.saturating_sub(at)).unwrap_or(usize::MAX));
-        buf[..n].fill(b'\n');
         let from = usize::try_from(at).unwrap_or(usize::MAX).min(self.0.len());
-        let text = &self.0[from..self.0.len().min(from + n)];
+        let text = &self.0[from..self.0.len().min(from + buf.len())];
         buf[..text.len()].copy_from_slice(text);
-        Ok(n)
+        Ok(text.len())
     }
 }
 

@@ -70,11 +70,15 @@ impl Case {
         !self.replaced
     }
 
-    /// Does the interpreter miss a spindle that a case of findings need not have?
+    /// Does the interpreter miss a spindle that turns, in a case that is no whole program?
     fn is_part(&self, why: &str) -> bool {
         let misses = ["Cannot feed with zero spindle speed", "Spindle not turning in G33"];
-        self.path.components().any(|part| part.as_os_str() == "errors")
-            && misses.iter().any(|text| why.starts_with(text))
+        let turns = self.output.lines().any(|line| matches!(line, "M3" | "M4"))
+            && self
+                .output
+                .lines()
+                .any(|line| !line.starts_with('(') && line.split(' ').any(|word| word.starts_with('S')));
+        !turns && misses.iter().any(|text| why.starts_with(text))
     }
 
     fn is_compensated(&self) -> bool {

