@@ -51,8 +51,8 @@ pub struct Printer<'a> {
     known: AxisSet,
     /// Axes that are printed again even if they do not change.
     stale: AxisSet,
-    feed: Option<(bool, i64)>,
-    per_revolution: bool,
+    feed: Option<(FeedKind, i64)>,
+    feed_kind: FeedKind,
     /// Constant cutting speed is on.
     constant_cut: bool,
     plane: Plane,
@@ -100,7 +100,7 @@ impl<'a> Printer<'a> {
             known: AxisSet::EMPTY,
             stale: AxisSet::EMPTY,
             feed: None,
-            per_revolution: false,
+            feed_kind: FeedKind::PerMinute,
             constant_cut: false,
             plane: if lathe { Plane::Zx } else { Plane::Xy },
             compensation: Compensation::default(),
@@ -402,13 +402,15 @@ impl<'a> Printer<'a> {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
             return Err(());
         };
-        let per_revolution = matches!(feed, Feed::PerRevolution(_));
-        if per_revolution != self.per_revolution {
-            self.per_revolution = per_revolution;
-            self.words(if per_revolution { b"G95" } else { b"G94" }, origin);
+        let kind = FeedKind::of(feed);
+        if kind != self.feed_kind {
+            self.feed_kind = kind;
+            self.words(kind.word(), origin);
         }
-        let new = (per_revolution, units);
-        Ok(if self.feed.replace(new) == Some(new) { None } else { Some(units) })
+        let new = (kind, units);
+        // Under G93 every line has its own F.
+        let known = self.feed.replace(new) == Some(new) && kind != FeedKind::InverseTime;
+        Ok(if known { None } else { Some(units) })
     }
 
     fn arc(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
@@ -461,6 +463,9 @@ impl<'a> Printer<'a> {
         (ends[first], ends[second]) = (to_x, to_y);
         let start = self.at;
         let blocks = if self.traits.turns_in_one_block { 1 } else { turns };
+        if blocks > 1 && matches!(mv.feed, Some(Feed::InverseTime(_))) {
+            return self.report(codes::O1001, origin, "the feed by time cannot be divided over the turns of a helix");
+        }
         for block in 1..=blocks {
             let last = block == blocks;
             self.text.word(if arc.sweep > 0.0 { b"G3" } else { b"G2" });
@@ -512,6 +517,10 @@ impl<'a> Printer<'a> {
             let t = f64::from(i) / count;
             let mut point = *mv;
             point.path = Path::Line;
+            // Equal chords share the time.
+            if let Some(feed @ Feed::InverseTime(f)) = mv.feed {
+                point.feed = Some(feed.with_value(f * count));
+            }
             if t < 1.0 {
                 let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
                 for &(axis, from) in &start {
@@ -526,6 +535,32 @@ impl<'a> Printer<'a> {
                 }
             }
             self.straight(b"G1", &point, origin);
+        }
+    }
+}
+
+/// What the printed F counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FeedKind {
+    PerMinute,
+    PerRevolution,
+    InverseTime,
+}
+
+impl FeedKind {
+    fn of(feed: Feed) -> FeedKind {
+        match feed {
+            Feed::PerMinute(_) => FeedKind::PerMinute,
+            Feed::PerRevolution(_) => FeedKind::PerRevolution,
+            Feed::InverseTime(_) => FeedKind::InverseTime,
+        }
+    }
+
+    fn word(self) -> &'static [u8] {
+        match self {
+            FeedKind::PerMinute => b"G94",
+            FeedKind::PerRevolution => b"G95",
+            FeedKind::InverseTime => b"G93",
         }
     }
 }

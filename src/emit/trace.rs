@@ -65,6 +65,7 @@ impl<'a> Trace<'a> {
         match mv.feed {
             Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(f)),
             Some(Feed::PerRevolution(f)) => line.insert("feed_per_rev".to_owned(), json!(f)),
+            Some(Feed::InverseTime(f)) => line.insert("feed_inverse_time".to_owned(), json!(f)),
             None => None,
         };
         if mv.side != Side::None {

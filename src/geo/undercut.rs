@@ -201,6 +201,44 @@ impl Shape {
         }
     }
 
+    /// All lengths times `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Shape {
+        let edge = |edge: Edge| match edge {
+            Edge::Sharp => Edge::Sharp,
+            Edge::Round(v) => Edge::Round(factor * v),
+            Edge::Chamfer(v) => Edge::Chamfer(factor * v),
+        };
+        let mut made = *self;
+        match &mut made {
+            Shape::Square { length, depth, entry_radius, corner_radius, .. } => {
+                for v in [length, depth, entry_radius, corner_radius] {
+                    *v *= factor;
+                }
+            }
+            Shape::Recessed { length, depth, entry_radius, corner_radius, face_depth, .. } => {
+                for v in [length, depth, entry_radius, corner_radius, face_depth] {
+                    *v *= factor;
+                }
+            }
+            Shape::Groove { width, depth, edge: outer, radius } => {
+                *outer = edge(*outer);
+                for v in [width, depth, radius] {
+                    *v *= factor;
+                }
+            }
+            Shape::Slope { length, radius, .. } => {
+                *length *= factor;
+                *radius *= factor;
+            }
+            Shape::Wedge { depth, radius, .. } => {
+                *depth *= factor;
+                *radius *= factor;
+            }
+        }
+        made
+    }
+
     /// How deep it reaches under the reference line, measured at the corner.
     pub fn depth(&self) -> f64 {
         match *self {

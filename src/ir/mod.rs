@@ -53,12 +53,14 @@ pub enum Feed {
     PerMinute(f64),
     /// mm per revolution of the spindle.
     PerRevolution(f64),
+    /// Moves a minute: a move with F takes 1/F minutes (G93).
+    InverseTime(f64),
 }
 
 impl Feed {
     pub fn value(self) -> f64 {
         match self {
-            Feed::PerMinute(f) | Feed::PerRevolution(f) => f,
+            Feed::PerMinute(f) | Feed::PerRevolution(f) | Feed::InverseTime(f) => f,
         }
     }
 
@@ -67,6 +69,7 @@ impl Feed {
         match self {
             Feed::PerMinute(_) => Feed::PerMinute(value),
             Feed::PerRevolution(_) => Feed::PerRevolution(value),
+            Feed::InverseTime(_) => Feed::InverseTime(value),
         }
     }
 }

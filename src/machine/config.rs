@@ -61,9 +61,13 @@ impl Reader {
             ("machine", "kind") => {
                 s.machine.kind = if text(node) == "lathe" { MachineKind::Lathe } else { MachineKind::Mill };
             }
-            ("machine", "geometry_axes") => s.machine.geometry_axes = geometry_axes(node)?,
+            // The keys come in the order of the alphabet, so the names are known where others use them.
+            ("machine", "axes") => s.machine.axes = axis_names(node)?,
+            ("machine", "geometry_axes") => s.machine.geometry_axes = geometry_axes(node, &s.machine.axes)?,
             ("machine", "diameter_axis" | "md20100") => {
-                s.machine.diameter_axis = if text(node).is_empty() { None } else { Some(axis(text(node), node)?) };
+                let name = text(node);
+                s.machine.diameter_axis =
+                    if name.is_empty() { None } else { Some(named_axis(name, node, &s.machine.axes)?) };
             }
             ("machine", "power_on_diameter") => s.machine.power_on_diameter = flag(node),
             ("machine", "limits") => {
@@ -119,7 +123,11 @@ impl Reader {
                 for (name, node) in table_of(node) {
                     values.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
                 }
-                s.datums.offsets.insert(name.to_ascii_uppercase(), values);
+                if name.eq_ignore_ascii_case("basic") {
+                    s.datums.basic = Some(values);
+                } else {
+                    s.datums.offsets.insert(name.to_ascii_uppercase(), values);
+                }
             }
             ("include", _) => {
                 for (prefix, node) in table_of(node) {
@@ -229,6 +237,12 @@ impl Reader {
             "md10760" => control.siemens.machine_moves_without_tool = flag(node),
             "md30455" => control.siemens.modulo_shortest = text(node) == "shortest",
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
+            "md10617" => control.siemens.save_restores_offset = Some(whole(node) & 1 != 0),
+            "cycle86_lift" => control.siemens.cycle86_lift = Some(text(node) == "lift"),
+            "thread_flank" => {
+                let root = text(node) == "root";
+                control.siemens.thread_flank = Some(if root { FlankReference::Root } else { FlankReference::Crest });
+            }
             "md11120" => control.siemens.main_variables_visible = flag(node),
             _ if self.set_turning(name, node)? => {}
             _ => return self.set_mtc200(name, node),
@@ -383,6 +397,11 @@ impl Reader {
                 }
                 "length" => tool.length = number(node),
                 "corner_radius" => tool.corner_radius = number(node),
+                "tip_angle" => {
+                    let angle = number(node).filter(|angle| *angle > 0.0 && *angle < 180.0);
+                    tool.tip_angle =
+                        Some(angle.ok_or_else(|| node.fail("an angle at a tip is above 0 and below 180"))?);
+                }
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
                 "reference" => {
                     tool.reference = match text(node) {

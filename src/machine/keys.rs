@@ -72,6 +72,7 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     key("radius", Kind::Number, "cutter radius in mm; nose radius of turning and recessing tools"),
     key("length", Kind::Number, "length in mm"),
     key("corner_radius", Kind::Number, "corner radius in mm"),
+    key("tip_angle", Kind::Number, "angle at the tip of a drill or centre drill in degrees"),
     key("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
     key("width", Kind::Number, "cutting width of recessing tools in mm"),
     key(
@@ -96,6 +97,11 @@ pub const SECTIONS: &[Section] = &[
                 "names of the first, second and third geometry axis (MD 20050, MD 20080)",
             )
             .or(r#"["X", "Y", "Z"]"#),
+            key(
+                "axes",
+                Kind::Free,
+                "SINUMERIK: names of channel axes (MD 20080) and the axis that is printed, or \"leave-out\": B1 = \"B\"",
+            ),
             key("diameter_axis", Kind::Text, "axis programmed in diameters (MD 20100); empty for none").or(r#""""#),
             key("md20100", Kind::Text, "same as diameter_axis"),
             key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)").or("true"),
@@ -296,6 +302,17 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
             )
             .or(r#""refuse""#),
+            key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset"),
+            key(
+                "cycle86_lift",
+                Kind::Choice(&["lift", "none"]),
+                "SINUMERIK: what CYCLE86 does under `_GMODE` 1 and 2: lift off at the bottom, or straight out; refused if not given",
+            ),
+            key(
+                "thread_flank",
+                Kind::Choice(&["crest", "root"]),
+                "SINUMERIK: what stands at the programmed start of a thread with a flank infeed; default: crest",
+            ),
             key("md11120", Kind::Flag, "variables of the main program are seen in subprograms").or("false"),
             key(
                 "machine_words",
@@ -346,7 +363,12 @@ pub const SECTIONS: &[Section] = &[
         entry: TOOL_KEYS,
         keys: &[key("table", Kind::Text, "TOOL.T (HEIDENHAIN) or tool.tbl (LinuxCNC)")],
     },
-    Section { name: "datums", doc: "work offsets (G54 = { X = 0.0 }) and preset.N = \"G55\"", entry: &[], keys: &[] },
+    Section {
+        name: "datums",
+        doc: "work offsets (G54 = { X = 0.0 }), preset.N = \"G55\"; SINUMERIK: basic = { X = 0.0 }, the basic frame",
+        entry: &[],
+        keys: &[],
+    },
     Section {
         name: "include",
         doc: "where called programs may come from",

@@ -16,8 +16,9 @@ mod values;
 
 pub use axis::{Axis, AxisSet};
 pub use settings::{
-    ArcChoice, CcMissing, Compensation, Control, CpSign, Generation, Limits, Machine, MachineKind, Modulo,
-    OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings, ShiftAxes, Unit,
+    ArcChoice, AxisUse, CcMissing, Compensation, Control, CpSign, Generation, LONGEST_AXIS_NAME, Limits, Machine,
+    MachineKind, Modulo, OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings,
+    ShiftAxes, Unit,
 };
 pub use tools::{Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

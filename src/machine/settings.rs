@@ -31,12 +31,26 @@ pub enum MachineKind {
     Lathe,
 }
 
+/// What the name of a channel axis stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisUse {
+    /// Words of the axis are printed as words of this one.
+    Printed(Axis),
+    /// The target has no such axis.
+    LeftOut,
+}
+
+/// Most characters of the name of an axis.
+pub const LONGEST_AXIS_NAME: usize = 8;
+
 /// `[machine]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Machine {
     pub kind: MachineKind,
     /// Names of the first, second and third geometry axis (MD 20050, MD 20080).
     pub geometry_axes: [Axis; 3],
+    /// What names of channel axes stand for (MD 20080), by upper-case name; a letter that is missing stands for itself.
+    pub axes: BTreeMap<String, AxisUse>,
     /// MD 20100; `None` for no diameter axis.
     pub diameter_axis: Option<Axis>,
     pub power_on_diameter: bool,
@@ -58,6 +72,7 @@ impl Default for Machine {
         Machine {
             kind: MachineKind::Mill,
             geometry_axes: [Axis::X, Axis::Y, Axis::Z],
+            axes: BTreeMap::new(),
             diameter_axis: None,
             power_on_diameter: true,
             limits: BTreeMap::new(),
@@ -292,6 +307,8 @@ pub struct Siemens {
     pub circle_error_factor: f64,
     /// T changes the tool, not M6; `None` for what the kind of machine does.
     pub tool_change_by_t: Option<bool>,
+    /// Bit 0 of MD 10617: SAVE brings back the frame that the work offset had at the call.
+    pub save_restores_offset: Option<bool>,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
     /// Feed at the start of a program is per revolution (MD 20150).
@@ -304,6 +321,19 @@ pub struct Siemens {
     pub shorten_corners: bool,
     /// A chamfer beside an arc stands across the bisector of the corner.
     pub arc_chamfers: bool,
+    /// CYCLE86 lifts the tool off under `_GMODE` 1 and 2, or does not; `None` refuses them.
+    pub cycle86_lift: Option<bool>,
+    /// Which pass of a flank infeed stands at the programmed start.
+    pub thread_flank: Option<FlankReference>,
+}
+
+/// From where the flank infeed of a thread cycle counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FlankReference {
+    /// The crest stands at the programmed start; the last pass is shifted most.
+    Crest,
+    /// The last pass stands there.
+    Root,
 }
 
 impl Default for Siemens {
@@ -313,12 +343,15 @@ impl Default for Siemens {
             circle_error: 0.01,
             circle_error_factor: 0.001,
             tool_change_by_t: None,
+            save_restores_offset: None,
             main_variables_visible: false,
             feed_per_revolution: None,
             machine_moves_without_tool: false,
             modulo_shortest: false,
             shorten_corners: false,
             arc_chamfers: false,
+            cycle86_lift: None,
+            thread_flank: None,
         }
     }
 }
@@ -326,6 +359,8 @@ impl Default for Siemens {
 /// `[datums]`
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Datums {
+    /// The basic frame of a SINUMERIK, seen from the machine zero, by axis; `None` where nobody said it.
+    pub basic: Option<BTreeMap<Axis, f64>>,
     /// Work offset values the program may read, by name (`G54`).
     pub offsets: BTreeMap<String, BTreeMap<Axis, f64>>,
     /// Work offset that is printed for a word of the program (`G500`), 1 (G54) to 9 (G59.3).

@@ -44,6 +44,8 @@ pub struct Tool {
     pub radius: Option<f64>,
     pub length: Option<f64>,
     pub corner_radius: Option<f64>,
+    /// Angle at the tip of a drill, degrees.
+    pub tip_angle: Option<f64>,
     /// Wear or oversize of length, radius and corner radius in the table.
     pub deltas: [f64; 3],
     /// Cutting-edge position 1 to 9.

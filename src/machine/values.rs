@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::axis::{Axis, AxisSet};
 use super::keys::{Key, Kind};
+use super::settings::{AxisUse, LONGEST_AXIS_NAME};
 use super::tools::ToolKey;
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
 
@@ -112,9 +113,64 @@ pub(super) fn axis(name: &str, node: &Node) -> Result<Axis, ConfigError> {
     .ok_or_else(|| node.fail(format!("`{name}` is no axis: X, Y, Z, A, B, C, U, V, W")))
 }
 
-pub(super) fn geometry_axes(node: &Node) -> Result<[Axis; 3], ConfigError> {
+/// `{ B1 = "B", C4 = "leave-out" }`
+pub(super) fn axis_names(node: &Node) -> Result<BTreeMap<String, AxisUse>, ConfigError> {
+    let mut names = BTreeMap::new();
+    for (name, node) in table_of(node) {
+        let name = name.to_ascii_uppercase();
+        if let Some(why) = no_axis_name(&name) {
+            return Err(node.fail(format!("`{name}` cannot be the name of an axis: {why}")));
+        }
+        let stands_for = match text(node) {
+            "leave-out" => AxisUse::LeftOut,
+            letter => AxisUse::Printed(axis(letter, node).map_err(|_| {
+                node.fail(format!("`{name}` becomes one of X, Y, Z, A, B, C, U, V, W, or \"leave-out\""))
+            })?),
+        };
+        if Axis::of(name.as_bytes()[0])
+            .is_some_and(|own| name.len() == 1 && own.is_main() && stands_for != AxisUse::Printed(own))
+        {
+            return Err(node.fail(format!("{name} is a geometry axis and is printed as {name}")));
+        }
+        names.insert(name, stands_for);
+    }
+    Ok(names)
+}
+
+/// Why a name in capitals is not one of an axis.
+fn no_axis_name(name: &str) -> Option<&'static str> {
+    let bytes = name.as_bytes();
+    let letters = bytes.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let only_digits_follow = bytes[letters.min(1)..].iter().all(u8::is_ascii_digit);
+    match bytes {
+        [] => Some("it is empty"),
+        _ if bytes.len() > LONGEST_AXIS_NAME => Some("it has more than 8 characters"),
+        _ if letters == 0 || !bytes.iter().all(|b| b.is_ascii_alphanumeric() || *b == b'_') => {
+            Some("a name begins with a letter and has letters, digits and _")
+        }
+        [b'D'..=b'H' | b'L'..=b'N' | b'P' | b'R'..=b'T' | b'O', ..] if only_digits_follow => {
+            Some("its letter is an address of the language")
+        }
+        [b'I'..=b'K'] | [b'I'..=b'K', b'1'] => Some("it is a word of circles"),
+        _ => None,
+    }
+}
+
+/// An axis by its letter, or by a name of `[machine] axes`.
+pub(super) fn named_axis(name: &str, node: &Node, names: &BTreeMap<String, AxisUse>) -> Result<Axis, ConfigError> {
+    match names.get(&name.to_ascii_uppercase()) {
+        Some(AxisUse::Printed(axis)) => Ok(*axis),
+        Some(AxisUse::LeftOut) => Err(node.fail(format!("`{name}` is left out under `axes`"))),
+        None => axis(name, node).map_err(|mut error| {
+            error.help = Some(format!("name it: `axes = {{ {name} = \"X\" }}`"));
+            error
+        }),
+    }
+}
+
+pub(super) fn geometry_axes(node: &Node, names: &BTreeMap<String, AxisUse>) -> Result<[Axis; 3], ConfigError> {
     let Value::List(items) = &node.value else { return Err(node.fail("needs three axis names")) };
-    let axes = items.iter().map(|item| axis(text(item), item)).collect::<Result<Vec<_>, _>>()?;
+    let axes = items.iter().map(|item| named_axis(text(item), item, names)).collect::<Result<Vec<_>, _>>()?;
     let distinct = |axes: &[Axis; 3]| axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2];
     <[Axis; 3]>::try_from(axes).ok().filter(distinct).ok_or_else(|| node.fail("needs three different axis names"))
 }

@@ -45,6 +45,15 @@ pub enum CornerWord {
     Undercut(Undercut),
 }
 
+/// How the numbers of records are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Written {
+    /// Ordinates are diameters.
+    pub diameter: bool,
+    /// Millimetres in a unit of length.
+    pub unit: f64,
+}
+
 /// The NC half of a contour.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Contour {
@@ -59,6 +68,8 @@ pub struct Contour {
     /// Records of undercuts where nothing else tells that the material lies inside of the corner, and the side of the
     /// part that follows from it.
     pub assumed: Vec<(usize, Surface)>,
+    /// Record of an undercut at the start of the contour.
+    pub start_undercut: Option<usize>,
 }
 
 /// Why records make no contour. Each names the index of its record.
@@ -80,7 +91,7 @@ pub enum Unsolved {
 /// Why a record makes no undercut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoUndercut {
-    /// It stands behind the start point, or beside an arc.
+    /// It stands beside an arc.
     Place,
     /// No size has this index.
     Index(u32),
@@ -92,6 +103,10 @@ pub enum NoUndercut {
     Entry(Option<f64>),
     /// The keys of the free form are not known.
     Free,
+    /// A thread undercut in a contour of inches, whose pitch may be in either unit.
+    InchPitch,
+    /// At the start of the contour, where what is in front of the corner is not known: no direction, or a rounding there.
+    Start,
     /// The corner or its lines do not take it.
     Corner,
     /// A convex edge: the contour reaches the turning centre, so that it tells where the material lies.
@@ -172,31 +187,53 @@ impl Unsolved {
     }
 }
 
-/// Works out the NC blocks as the editor writes them. `diameter`: ordinates are diameters.
+/// Works out the NC blocks as the editor writes them, in mm.
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn solve(records: &[Record], diameter: bool, tables: &Undercuts) -> Result<Contour, Unsolved> {
-    make(records, diameter, tables, true)
+pub fn solve(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
+    make(records, written, tables, true)
 }
 
 /// The same with undercuts as corners, which lowering makes where their conditions hold.
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn outline(records: &[Record], diameter: bool, tables: &Undercuts) -> Result<Contour, Unsolved> {
-    make(records, diameter, tables, false)
+pub fn outline(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
+    make(records, written, tables, false)
 }
 
-fn make(records: &[Record], diameter: bool, tables: &Undercuts, expanded: bool) -> Result<Contour, Unsolved> {
+/// Everything is worked out in the unit of the program, since values are rounded to its places.
+fn make(records: &[Record], written: Written, tables: &Undercuts, expanded: bool) -> Result<Contour, Unsolved> {
     if records.len() > MOST_RECORDS {
         return Err(Unsolved::TooLong);
     }
-    let mut solver = Solver::new(diameter);
+    let mut solver = Solver::new(written.diameter);
     let start = solver.read(records)?;
     let (corner, elements) = solver.elements_from(start)?;
-    let contour = Generator { records, tables, elements, diameter, expanded }.blocks(start, corner)?;
-    Ok(Contour { chosen: solver.chosen, ..contour })
+    let contour = Generator { records, tables, elements, written, expanded }.blocks(start, corner)?;
+    Ok(Contour { chosen: solver.chosen, ..contour.scaled(written.unit) })
+}
+
+impl Contour {
+    /// From the unit of the program to mm. Undercuts are in mm already.
+    fn scaled(mut self, unit: f64) -> Contour {
+        if unit == 1.0 {
+            return self;
+        }
+        let point = |p: Point2| Point2::new(unit * p.x, unit * p.y);
+        self.start = point(self.start);
+        for block in &mut self.blocks {
+            block.end = point(block.end);
+            block.arc = block.arc.map(|(center, ccw)| (point(center), ccw));
+            block.corner = block.corner.map(|corner| match corner {
+                CornerWord::Radius(radius) => CornerWord::Radius(unit * radius),
+                CornerWord::Chamfer(leg) => CornerWord::Chamfer(unit * leg),
+                undercut @ CornerWord::Undercut(_) => undercut,
+            });
+        }
+        self
+    }
 }
 
 #[cfg(test)]

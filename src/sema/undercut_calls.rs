@@ -7,6 +7,7 @@ use crate::geo::undercut::{Allowance, Orientation, Shape};
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::UndercutCycle;
+use crate::ir::cycle::undercut::Leave;
 use crate::ir::undercut::{CORE, Doubts, Surface, ThreadForm, form_e, form_f, thread, usual_pitch};
 use crate::machine::Undercuts;
 use crate::machine::undercut::coarse_pitch;
@@ -82,6 +83,10 @@ pub struct Rests {
     pub roughing: bool,
     /// The corner geometry of the free form, or the position number of the old cycles.
     pub convention: bool,
+    /// An allowance along X, as a radius.
+    pub allowance_along_x: bool,
+    /// The allowance that is not the one chosen by the thousands of `_AMODE`.
+    pub other_allowance: bool,
 }
 
 /// An argument that makes no undercut.
@@ -103,8 +108,8 @@ pub enum CallFault {
     Pitch,
     /// No size of DIN 509 is given; the index of the one that belongs to a diameter is [`proposed_size`].
     SizeMissing,
-    /// An allowance along Z or on all sides for roughing, which only shifts the floor here.
-    RoughingAllowance,
+    /// An allowance on all sides beside one along an axis: the control takes either.
+    BothAllowances,
 }
 
 /// The undercut cycle of CYCLE940.
@@ -130,7 +135,7 @@ pub fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutCycle, R
         face_end: call.vrt.filter(|v| *v != 0.0).map(|v| v / 2.0),
         feed: Feed::PerRevolution(feed),
         step: None,
-        finish: 0.0,
+        leave: Leave::NOTHING,
         finishing: true,
         compensated: true,
     };
@@ -163,15 +168,32 @@ fn roughing(call: &Cycle940, cycle: &mut UndercutCycle, rests: &mut Rests) -> Re
     };
     cycle.finishing = finish;
     if rough {
-        if call.falz.unwrap_or(0.0) != 0.0 || call.fal.unwrap_or(0.0) != 0.0 {
-            return Err(CallFault::RoughingAllowance);
-        }
         rests.roughing = true;
         cycle.step = Some(call.mid.filter(|v| *v > 0.0).ok_or(CallFault::Range("_MID"))?);
-        let allowance = |v: Option<f64>| v.filter(|v| *v != 0.0);
-        cycle.finish = allowance(call.falx).unwrap_or(0.0).abs();
+        cycle.leave = leave(call, rests)?;
     }
     Ok(())
+}
+
+/// What roughing leaves: on all sides, or along the axes.
+fn leave(call: &Cycle940, rests: &mut Rests) -> Result<Leave, CallFault> {
+    let (all, x, z) = (call.fal.unwrap_or(0.0), call.falx.unwrap_or(0.0), call.falz.unwrap_or(0.0));
+    for (value, name) in [(all, "_FAL"), (x, "_FALX"), (z, "_FALZ")] {
+        if value < 0.0 {
+            return Err(CallFault::Range(name));
+        }
+    }
+    let along = x != 0.0 || z != 0.0;
+    if all != 0.0 && along {
+        return Err(CallFault::BothAllowances);
+    }
+    // 1 in both stored calls, which have the one on all sides.
+    let chosen = call.amode.and_then(digits).is_some_and(|mode| mode.get(3) == Some(&1));
+    if chosen && along || !chosen && all != 0.0 {
+        rests.other_allowance = true;
+    }
+    rests.allowance_along_x = x != 0.0;
+    Ok(if along { Leave::Along { z, x } } else { Leave::Around(all) })
 }
 
 fn shape940(
@@ -342,7 +364,7 @@ fn classic(call: &Classic, diameter: f64, shape: Shape) -> Result<UndercutCycle,
         face_end: None,
         feed: call.feed,
         step: None,
-        finish: 0.0,
+        leave: Leave::NOTHING,
         finishing: true,
         compensated: true,
     })
@@ -407,8 +429,11 @@ mod tests {
         assert_eq!(fault(Cycle940 { sta: Some(29.0), ..call(b'A') }), CallFault::Range("_STA"));
         assert_eq!(fault(Cycle940 { vari: Some(1.0), ..call(b'A') }), CallFault::Range("_MID"));
         assert_eq!(fault(Cycle940 { vari: Some(4.0), ..call(b'A') }), CallFault::Range("_VARI"));
-        let both = Cycle940 { vari: Some(1.0), mid: Some(1.0), falz: Some(0.2), ..call(b'A') };
-        assert_eq!(fault(both), CallFault::RoughingAllowance);
+        let both = Cycle940 { vari: Some(1.0), mid: Some(1.0), fal: Some(0.1), falz: Some(0.2), ..call(b'A') };
+        assert_eq!(fault(both), CallFault::BothAllowances);
+        let all = Cycle940 { vari: Some(1.0), mid: Some(1.0), fal: Some(0.1), ..call(b'A') };
+        assert!(made(all).1.other_allowance && made(all).0.leave == Leave::Around(0.1));
+        assert!(!made(Cycle940 { amode: Some(1000.0), ..all }).1.other_allowance);
         assert_eq!(fault(call(b'T')), CallFault::Missing("_EPD and _EPL"));
     }
 

@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod boundaries;
 mod captured;
 mod cli;
 mod cli_config;
@@ -12,6 +13,7 @@ mod cli_run;
 mod common;
 mod compensation_entry;
 mod corners;
+mod cycle_digits;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;
@@ -33,13 +35,16 @@ mod reader;
 mod rs274;
 mod sinumerik;
 mod sinumerik_alarms;
+mod skip_marks;
 mod sweep;
 mod tamper;
 #[path = "../../fuzz/src/targets.rs"]
 mod targets;
 #[allow(dead_code, reason = "the closing line of a run uses more of it")]
 mod tools;
+mod turning_forms;
 mod turning_parameters;
+mod turning_words;
 mod undercut;
 mod undercut_conditions;
 mod vocabulary;

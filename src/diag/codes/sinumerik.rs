@@ -215,6 +215,10 @@ S2091 Error "siemens-cycle-contour" "contour of a cycle is wrong"
 "What CYCLE62, CYCLE95, CYCLE72 and others call is no contour that the cycle can take: it has no start point, moves at rapid traverse inside, \
 leaves its plane, crosses itself, holds functions or cycles, or is not closed where it has to be. The number is the alarm of the control."
 
+S2130 Error "siemens-axis-twice" "two names of one printed axis"
+"Two axes of the machine, such as Z and Z2, would be printed with one letter, so that a move of the one would move the other. Give one of them \
+another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis."
+
 S3001 Error "siemens-radius" "arc by radius does not reach its end"
 "CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value behind it."
 
@@ -279,17 +283,18 @@ S8010 Note "siemens-edges" "tool data of the control are not printed"
 "A tool of the target has one set of offsets, in a table of its own. Edges D2 and higher, and lengths that the program writes ($TC_DP3), are \
 not printed; the target has to be told them. Under G41 and G42 the radius of the edge counts: where it is not known the block is refused."
 
-S8011 Note "siemens-g500" "G500 is printed in machine coordinates"
-"G500 switches the work offset off, so positions count in machine coordinates. The target does that by G53, for straight moves only. If G500 \
-stands for a work offset on your machine, name it: `[datums] G500 = \"G54\"`."
+S8011 Note "siemens-g500" "how positions under G500 are printed"
+"G500 switches the work offset off, so that positions count from the basic system: the machine zero, shifted by the basic frame. Where the program uses no offset \
+of the machine they are printed as they stand; the offset that is active on the target has to be zero or to lie there. Beside offsets of the machine they are \
+printed with G53 through `[datums] basic`, or through the values of the offset in `[datums]`. If G500 stands for a work offset, name it: `[datums] G500 = \"G54\"`."
 
 S8012 Note "siemens-written-offset" "work offset of the program is in the coordinates"
 "The program writes the work offset itself ($P_UIFR). It is put into the printed coordinates, which count from the basic system; no G54 is \
 printed for it. So the work offset that is active on the target has to be zero, or to lie at the basic zero point."
 
 S8101 Warning "siemens-feed-words" "word that changes feeds or speeds"
-"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, GWPSON makes S a speed \
-of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
+"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, FGROUP lets \
+it count along some of the axes, GWPSON makes S a speed of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
 
 S8102 Warning "siemens-rapid-by-axis" "rapid traverse of each axis by itself"
 "Under RTLIOF each axis goes to its end at its own rapid traverse, so that the path between the points is no straight line. The target moves straight: \
@@ -345,9 +350,9 @@ S8020 Note "siemens-thread-variant" "digits of a thread cycle"
 "What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
 those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
 
-S8021 Note "siemens-flank" "reference of the flank infeed"
+S8021 Warning "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
-the crest on. The finished thread is the same up to a shift along its axis."
+the crest on. The finished thread is the same up to a shift along its axis, which matters where a thread is cut anew. `[control] thread_flank` says it."
 
 S8022 Note "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
 "Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing."
@@ -431,8 +436,8 @@ With `[output] compensation = \"control\"` the target computes that path by its 
 corners in its simulation."
 
 S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
-"C=DC(30) takes the shortest way to 30 degrees. No block before says where the axis stands, so the position is printed as it is, and the \
-target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+"C=DC(30) takes the shortest way to 30 degrees, and C30 of an axis that counts modulo 360 degrees stays inside its turn. No block before says where \
+the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
 
 S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
 "What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
@@ -440,7 +445,7 @@ An F of 0.2 means two very different things. Program G94 or G95 in front of the 
 
 S8046 Warning "siemens-speed-frozen" "constant cutting speed ends without a speed"
 "G97, G94 and G95 behind G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
-printed; on the machine it depends on where the control last adapted it. A cut at such a speed is refused. Program S with the word."
+printed; on the machine it depends on where the control last adapted it. Program S with the word."
 
 S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spindle"
 "G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \
@@ -456,6 +461,18 @@ S8049 Note "siemens-goto-start" "jump to the start of the program is left out"
 S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it."
+
+S8130 Note "siemens-axis-left-out" "axis that is left out"
+"`[machine] axes` says that the target has no such axis. Its words are left out of every block; other words of the blocks are printed. See to it that \
+the axis stands where the program needs it."
+
+S8131 Warning "siemens-moves-before-offset" "moves in front of the first work offset"
+"In front of the first G54 a control counts from its basic system (G500), unless a machine datum (MD 20150) says otherwise. On the target these moves run under \
+the offset that is active there at the start. Select the work offset in front of the first move; a retraction in machine coordinates is SUPA or G53."
+
+S8133 Warning "siemens-thread-shifted" "start of a thread is shifted"
+"SF= begins a thread at an angle of the spindle, which the target cannot. It begins farther back by lead · angle / 360 instead and is the same thread from the \
+programmed start on. The tool goes to that place at rapid traverse: see that no shoulder and no tailstock stands there."
 
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
@@ -484,7 +501,8 @@ S9008 Error "siemens-axis-motion" "axis motion that cannot be printed"
 given under [machine]."
 
 S9009 Error "siemens-feed-kind" "kind of feed that cannot be printed"
-"G93, G931 and the feeds that are kept at a switch cannot be printed. Program the feed by G94 or G95."
+"G931 and the feeds that are kept at a switch cannot be printed. Under G93 F is the time of its own block: roundings, chamfers, cycles and \
+radius compensation have no share of it. Program the feed by G94 or G95."
 
 S9010 Error "siemens-resolve" "tool-centre path is not built"
 "Computing the path of the tool centre is not built yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
@@ -493,7 +511,8 @@ S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordina
 "Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value behind it."
 
 S9012 Error "siemens-thread-start" "start angle of a thread"
-"The target starts every thread at the same angle of the spindle. Shift the start point along the thread instead."
+"The target starts every thread at the same angle of the spindle. SF= is made by a start that lies farther back along the thread by lead · angle / 360; \
+in a chain of threads, behind a chamfer or rounding and in a turned or scaled frame that cannot be done. Shift the start point in the program."
 
 S9101 Error "siemens-modulo-shift" "sense of a modulo axis under a shift"
 "An absolute position of a rotary axis that counts modulo 360 degrees is reached inside the turn in which the axis stands. Where its zero is shifted \
@@ -515,6 +534,18 @@ S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
 "The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
 
+S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
+"The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
+blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."
+
+S8161 Warning "siemens-contour-start-undercut" "contour starts with an undercut"
+"The NC blocks of a contour of the contour editor are missing, and its records put an undercut at its start. The contour is begun where the undercut \
+leaves the line in front of it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen."
+
+S8162 Warning "siemens-cycle-reading" "reading of a cycle argument that is not confirmed"
+"The argument has a meaning that follows from a few stored programs or from similar cycles, and no manual at hand says it. partc takes it as the \
+message says; compare with what the machine does."
+
 S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 "The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."
 
@@ -526,9 +557,9 @@ S9017 Error "siemens-mixed-offsets" "work offset of the program beside one of th
 "A work offset that the program writes ($P_UIFR) is put into the coordinates, which then count from the basic system. Offsets that it only \
 selects are those of the machine, whose values are not known. Between the two no way can be computed. Use the one kind or the other."
 
-S9018 Error "siemens-save-offset" "SAVE and a changed work offset"
-"Whether the return from a program with SAVE brings the work offset back depends on machine datum 10617. Select the offset again in the calling \
-program before the next move, or leave it alone in the subprogram."
+S9018 Warning "siemens-save-offset" "SAVE and a changed work offset"
+"A program with SAVE changed the frame of the work offset that is in force before and after it. Bit 0 of machine datum 10617 decides whether the frame of the \
+call comes back; it is read as 0: the frame stays. Set `[control] md10617`, or select the offset again in the calling program."
 
 S9019 Error "siemens-contour-open" "stored contour cannot be made"
 "The NC blocks of a contour of the contour editor are missing, and its hidden records leave elements open. Open the contour in the editor \
@@ -537,5 +568,18 @@ of the control and accept it again."
 S9020 Error "siemens-contour-cycle" "contour cycle is not supported"
 "The arguments of the cycle were read and its contour was run and checked, so what is reported about them is true. But the tracks of the cycle are \
 computed inside the control and are not published. Replace it by plain moves, or have the CAM system put them out."
+
+S9130 Error "siemens-left-out-position" "position that only an axis that is left out makes"
+"Under MCALL each block that moves an axis calls the program or cycle. Here the axis is left out by `[machine] axes`, so that every call would work at one \
+place. Print the axis, or end the modal call before."
+
+S9131 Error "siemens-g500-unrelated" "G500 beside a work offset of the machine"
+"Positions under G500 count from the basic system, those under G54 from where the machine has that offset. The way between the two is known on the machine only. \
+Give the basic frame (`[datums] basic`), the values of the offset (`[datums] G54 = { X = … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`). \
+A retraction in machine coordinates is SUPA or G53."
+
+S9132 Error "siemens-word-not-compiled" "word of the control that is not compiled"
+"The word belongs to the language and is no missing program: what it does has no word in plain G-code, or is not built. The text says what it is and what to write \
+instead. Nothing is left out in silence, so the program is refused."
 
 }

@@ -265,6 +265,14 @@ T8016 Warning "turning-blank-contour" "contour of the blank is not used"
 "The section BLANK draws the blank as a contour. The cycles of partc know bars, tubes and castings (G20, G21); of another blank they take that it reaches \
 to where the tool stands when the cycle begins."
 
+T8017 Note "turning-word-idle" "word changes nothing here"
+"The word is known and does not change the path: the end of an element is given, so Q has nothing to choose; the run-in and run-out of G33 lie inside \
+of the programmed thread. It is named because no word is left out in silence."
+
+T8018 Warning "turning-finishing-side" "side of G41 and G42 behind G89 is partc's reading"
+"The page of G89 prints G41 as right and G42 as left of the contour, the general page of the same manual the other way round. partc compensates the \
+nose on the side on which the tool works: told by its edge position, else by where it stands."
+
 T9001 Error "turning-function" "G function is not supported"
 "The function is known by its name but not compiled, or it is not a function of these controls. Nothing is left out in silence: the program is refused."
 

@@ -24,12 +24,37 @@ pub struct UndercutCycle {
     pub feed: Feed,
     /// Most depth of a cut; `None` for the finishing cut alone.
     pub step: Option<f64>,
-    /// What the depth steps leave for the finishing cut.
-    pub finish: f64,
+    /// What the depth steps leave on the finished undercut.
+    pub leave: Leave,
     /// The depth steps alone, or with the finishing cut.
     pub finishing: bool,
     /// The nose radius is compensated; off if the tool path itself is programmed.
     pub compensated: bool,
+}
+
+/// An allowance; lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Leave {
+    /// Along Z and along X: the whole undercut is moved out of the material.
+    Along { z: f64, x: f64 },
+    /// The same everywhere: its lines lie parallel to those of the finished one.
+    Around(f64),
+}
+
+impl Leave {
+    pub const NOTHING: Leave = Leave::Along { z: 0.0, x: 0.0 };
+
+    fn is_possible(self, depth: f64) -> bool {
+        let good = |v: f64| (0.0..depth).contains(&v);
+        match self {
+            Leave::Along { z, x } => z >= 0.0 && z.is_finite() && good(x),
+            Leave::Around(all) => good(all),
+        }
+    }
+
+    pub fn is_nothing(self) -> bool {
+        matches!(self, Leave::Along { z: 0.0, x: 0.0 } | Leave::Around(0.0))
+    }
 }
 
 /// Arguments that make no undercut cut.
@@ -85,7 +110,7 @@ impl UndercutCycle {
             (positive(self.clearance), UndercutFault::Clearance),
             (positive(self.feed.value()), UndercutFault::Feed),
             (self.step.is_none_or(positive), UndercutFault::Step),
-            (self.finish >= 0.0 && self.finish < self.shape.depth(), UndercutFault::Finish),
+            (self.leave.is_possible(self.shape.depth()), UndercutFault::Finish),
             (self.step.is_some() || self.finishing, UndercutFault::Nothing),
         ];
         if let Some((_, fault)) = rules.iter().find(|(good, _)| !good) {

@@ -96,6 +96,8 @@ fn feed_on(finishing: &Finishing, element: &Element, of: Option<&Element>) -> Fe
     let most = match feed {
         Feed::PerRevolution(_) => of.length() / turns,
         Feed::PerMinute(_) => speed.map_or(f64::INFINITY, |speed| of.length() / turns * speed),
+        // No cycle has its feed by time.
+        Feed::InverseTime(_) => f64::INFINITY,
     };
     if feed.value() > most && most > 0.0 { feed.with_value(most) } else { feed }
 }

@@ -36,7 +36,8 @@ pub fn reversed(element: &Element) -> Element {
 
 impl Slope {
     /// The slope that `contour` makes, given in the view with the cuts beginning at greater x; it may run
-    /// either way. With `bridge`, parts that fall away from the cut are bridged level.
+    /// either way. With `bridge`, parts that fall away from the cut are bridged level, and what an overhang
+    /// shades is left standing.
     ///
     /// # Errors
     /// See [`NoSlope`].
@@ -99,8 +100,7 @@ impl Climb {
         let at = *self.at.get_or_insert(element.from());
         let (from, to) = (element.from(), element.to());
         if from.y >= at.y - LEVEL && to.y >= from.y - LEVEL {
-            self.push(*element);
-            return Ok(());
+            return self.rise(*element);
         }
         if !self.bridge {
             return Err(NoSlope::Falls);
@@ -108,10 +108,30 @@ impl Climb {
         if to.y > at.y + LEVEL {
             let meet = level_point(element, at.y).ok_or(NoSlope::Broken)?;
             self.push(Element::Line { from: at, to: meet });
-            self.push(element.starting_at(meet));
+            return self.rise(element.starting_at(meet));
         } else if to.x < at.x {
             self.push(Element::Line { from: at, to: Point2::new(to.x, at.y) });
         }
+        Ok(())
+    }
+
+    /// An element that does not fall. Where it comes back towards the tool, what lies behind it is in its shadow.
+    fn rise(&mut self, element: Element) -> Result<(), NoSlope> {
+        let to = element.to();
+        if !self.bridge || to.x <= element.from().x + LEVEL {
+            self.push(element);
+            return Ok(());
+        }
+        let mut foot = Point2::new(to.x, element.from().y);
+        while let Some(last) = self.list.pop() {
+            foot.y = last.from().y;
+            if last.from().x >= to.x {
+                foot = upright_point(&last, to.x).ok_or(NoSlope::Broken)?;
+                self.list.push(last.ending_at(foot));
+                break;
+            }
+        }
+        self.push(Element::Line { from: foot, to });
         Ok(())
     }
 
@@ -133,6 +153,19 @@ fn level_point(element: &Element, y: f64) -> Option<Point2> {
             [center.x - half, center.x + half].into_iter().find(inside).map(|x| Point2::new(x, y))
         }
     }
+}
+
+/// The point of `element`, which runs past the place `x`, at that place.
+fn upright_point(element: &Element, x: f64) -> Option<Point2> {
+    let turned = |p: Point2| Point2::new(p.y, p.x);
+    let swapped = match *element {
+        Element::Line { from, to } if from.x == to.x => return Some(to),
+        Element::Line { from, to } => Element::Line { from: turned(from), to: turned(to) },
+        Element::Arc { from, to, center, sweep } => {
+            Element::Arc { from: turned(from), to: turned(to), center: turned(center), sweep: -sweep }
+        }
+    };
+    level_point(&swapped, x).map(turned)
 }
 
 #[cfg(test)]
@@ -163,6 +196,18 @@ mod tests {
         // The bridge at 10 meets the rising cone at -16.
         assert!((wall.touch(10.0) + 16.0).abs() < 1e-9 && (wall.touch(11.0) + 17.0).abs() < 1e-9);
         assert_eq!(Slope::new(&lines(&[(0.0, 1.0), (-5.0, 5.0), (-4.0, 6.0)]), false), Err(NoSlope::Leans));
+    }
+
+    #[test]
+    fn what_lies_behind_an_overhang_is_in_its_shadow() {
+        // A face that is relieved 2 deep from height 10 up to 14.
+        let points = [(0.0, 10.0), (-10.0, 10.0), (-12.0, 11.0), (-10.0, 14.0), (-10.0, 20.0)];
+        assert_eq!(Slope::new(&lines(&points), false), Err(NoSlope::Leans));
+        let slope = Slope::new(&lines(&points), true).expect("a slope");
+        let wall = slope.wall(0.0, Vec2::zeros()).expect("a wall");
+        for height in [10.0, 11.0, 12.0, 14.0, 18.0] {
+            assert!((wall.touch(height) + 10.0).abs() < 1e-9, "{height}");
+        }
     }
 
     #[test]

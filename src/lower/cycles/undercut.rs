@@ -7,7 +7,7 @@ use crate::diag::codes;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Orientation, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Plane, Point2, Vec2};
 use crate::ir::contour::{self, ArcShape, Coords, EndPoint, Move, Path};
-use crate::ir::cycle::undercut::{UndercutCycle, UndercutFault};
+use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
 use super::track::Failure;
@@ -24,8 +24,8 @@ const SLACK: f64 = 1e-9;
 pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -> Result<(), Failure> {
     cycle.check().map_err(fault)?;
     let mut cuts = Vec::new();
-    for shape in steps(cycle)? {
-        cuts.push(cut(cycle, &shape)?);
+    for (shape, moved) in steps(cycle)? {
+        cuts.push(cut(cycle, &shape, moved)?);
     }
     let frame = Frame::new(cycle.corner, cycle.orientation, Reference::First, Allowance::default());
     let start = frame.inward(from);
@@ -58,25 +58,40 @@ fn fault(fault: UndercutFault) -> Failure {
     Failure::new(codes::G3041, fault.to_string(), "check the data of the undercut cycle")
 }
 
-/// The shapes of the cuts, the shallowest first.
-fn steps(cycle: &UndercutCycle) -> Result<Vec<Shape>, Failure> {
+/// The shapes of the cuts, the shallowest first, and how far each is moved out of the material.
+fn steps(cycle: &UndercutCycle) -> Result<Vec<(Shape, Vec2)>, Failure> {
     let mut list = Vec::new();
     if let Some(step) = cycle.step {
-        let depth = cycle.shape.depth() - cycle.finish;
+        let (shape, moved) = left(&cycle.shape, cycle.leave);
+        let depth = shape.depth();
         let count = libm::ceil(depth / step - SLACK).max(1.0);
         if count > MOST_STEPS {
             let message = format!("the undercut takes {count:.0} cuts of {step} mm");
             return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
         }
         let count = count as u32;
-        list.extend((1..=count).map(|i| shallower(&cycle.shape, depth * f64::from(i) / f64::from(count))));
+        list.extend((1..=count).map(|i| (shallower(&shape, depth * f64::from(i) / f64::from(count)), moved)));
     }
     // Without an allowance the last step is the finished undercut.
-    let finished = cycle.finish == 0.0 && cycle.step.is_some();
+    let finished = cycle.leave.is_nothing() && cycle.step.is_some();
     if cycle.finishing && !finished {
-        list.push(cycle.shape);
+        list.push((cycle.shape, Vec2::zeros()));
     }
     Ok(list)
+}
+
+/// The undercut that an allowance leaves, and where its corner lies from that of the finished one.
+fn left(shape: &Shape, leave: Leave) -> (Shape, Vec2) {
+    match (leave, *shape) {
+        (Leave::Along { z, x }, _) => (*shape, Vec2::new(z, x)),
+        // The slope meets the cylinder nearer to the corner: parallel lines, by half of the angle between the two.
+        (Leave::Around(all), Shape::Square { length, depth, entry, entry_radius, corner_radius }) => {
+            let (sin, cos) = Deg(entry.0 / 2.0).sin_cos();
+            let length = length - all * (1.0 + sin / cos);
+            (Shape::Square { length, depth, entry, entry_radius, corner_radius }, Vec2::new(all, all))
+        }
+        (Leave::Around(all), other) => (other, Vec2::new(all, all)),
+    }
 }
 
 /// The same undercut with its floor at `depth`: its slope lies on the same line.
@@ -101,9 +116,9 @@ struct Cut {
     end: Point2,
 }
 
-fn cut(cycle: &UndercutCycle, shape: &Shape) -> Result<Cut, Failure> {
+fn cut(cycle: &UndercutCycle, shape: &Shape, moved: Vec2) -> Result<Cut, Failure> {
     let allowance = cycle.allowance;
-    let at = Point2::new(allowance.other, allowance.reference);
+    let at = Point2::new(allowance.other, allowance.reference) + moved;
     // Longer than any undercut: the cylinder and the face are not part of the cycle.
     let long = 1e4;
     let corner = Corner { from: at + Vec2::new(long, 0.0), at, to: at + Vec2::new(0.0, long) };
@@ -195,7 +210,7 @@ mod tests {
             face_end: None,
             feed: Feed::PerRevolution(0.1),
             step: None,
-            finish: 0.0,
+            leave: Leave::NOTHING,
             finishing: true,
             compensated: true,
         }
@@ -271,13 +286,30 @@ mod tests {
     fn depth_steps_lie_on_the_same_slope() {
         let tables = Undercuts::default();
         let (shape, _) = thread(&tables, tables.thread(2.5).expect("a pitch"), ThreadForm::A, Deg(30.0));
-        let rough = UndercutCycle { step: Some(0.7), finish: 0.1, ..cycle(shape, 1, -30.0, 10.0) };
+        let rough =
+            UndercutCycle { step: Some(0.7), leave: Leave::Along { z: 0.0, x: 0.1 }, ..cycle(shape, 1, -30.0, 10.0) };
         let list = words(&rough, Point2::new(5.0, 30.0));
         let begins: Vec<_> = list.iter().filter(|line| line.contains("Z-21.2912")).collect();
-        // 1.7 in three steps of at most 0.7, then the finishing cut.
+        // 1.8 in three steps of at most 0.7 from X20.2, then the finishing cut.
         assert_eq!(begins.len(), 4, "{list:?}");
         let floors: Vec<_> = list.iter().filter(|line| line.starts_with("G1 Z-28.8")).cloned().collect();
-        assert_eq!(floors, ["X18.8667", "X17.7333", "X16.6", "X16.4"].map(|x| format!("G1 Z-28.8 {x} G42")));
+        assert_eq!(floors, ["X19", "X17.8", "X16.6", "X16.4"].map(|x| format!("G1 Z-28.8 {x} G42")));
+    }
+
+    /// Parallel lines: the slope meets the raised cylinder nearer to the corner by U·tan(A/2).
+    #[test]
+    fn an_allowance_on_all_sides() {
+        let tables = Undercuts::default();
+        let (shape, _) = thread(&tables, tables.thread(2.5).expect("a pitch"), ThreadForm::A, Deg(30.0));
+        let rough = UndercutCycle {
+            step: Some(2.0),
+            leave: Leave::Around(0.3),
+            finishing: false,
+            ..cycle(shape, 1, -30.0, 10.0)
+        };
+        let list = words(&rough, Point2::new(5.0, 30.0));
+        assert!(list.contains(&"G1 Z-21.3715 X20.6 G42".to_owned()), "{list:?}");
+        assert!(list.contains(&"G1 Z-28.5 X17 G42".to_owned()), "{list:?}");
     }
 
     #[test]

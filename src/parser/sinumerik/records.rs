@@ -10,9 +10,10 @@ pub enum Record {
     Begin,
     /// `;#End contour definition end`
     End,
-    /// `CON`: names of abscissa and ordinate.
+    /// `CON`: names of abscissa and ordinate, and whether the editor made a turned contour, in diameters, or a milled one.
     Header {
         axes: Option<(u8, u8)>,
+        turned: Option<bool>,
     },
     /// `S`: start of the contour.
     Start(Keys),
@@ -21,9 +22,9 @@ pub enum Record {
         ccw: bool,
         keys: Keys,
     },
-    /// `R`: radius in mm; 0 for none.
+    /// `R`: radius; 0 for none.
     Rounding(f64),
-    /// `F`: leg of the chamfer in mm; 0 for none.
+    /// `F`: leg of the chamfer; 0 for none.
     Chamfer(f64),
     Undercut(Undercut),
     /// A code this reader does not know: the pole, polar elements, what newer editors write.
@@ -45,7 +46,7 @@ pub enum Heading {
     Any,
 }
 
-/// What was typed; `None` where nothing was. Lengths in mm as written, angles in degrees.
+/// What was typed; `None` where nothing was. Lengths as written, in the unit of the program; angles in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keys {
     /// End point, absolute; `ey` is a diameter in a contour of diameters.
@@ -109,7 +110,7 @@ pub fn read(text: &[u8]) -> Option<Record> {
         return None;
     }
     if code == "CON" {
-        return Some(Record::Header { axes: axes(fields) });
+        return Some(Record::Header { axes: axes(fields), turned: turned(fields) });
     }
     let keys: Vec<(&str, &str)> = parts.map(|part| part.split_once(':').unwrap_or((part, ""))).collect();
     let value = |name: &str| keys.iter().find(|(key, _)| *key == name).and_then(|(_, v)| number(v));
@@ -167,6 +168,16 @@ fn axes(fields: &str) -> Option<(u8, u8)> {
         _ => None,
     };
     Some((letter()?, letter()?))
+}
+
+/// The settings of the editor: 3 for turning, with `DIAM90` in the plane block, 0 for milling, with `DIAMOF`.
+fn turned(fields: &str) -> Option<bool> {
+    let (_, rest) = fields.split_once("MST:")?;
+    match rest.split(',').next()?.trim() {
+        "3" => Some(true),
+        "0" => Some(false),
+        _ => None,
+    }
 }
 
 fn number(text: &str) -> Option<f64> {
@@ -244,7 +255,7 @@ mod tests {
         assert_eq!(line(";#7__DlgK contour definition begin - Don't change!"), Some(Record::Begin));
         assert_eq!(line(";#End contour definition end - Don't change!"), Some(Record::End));
         let header = line(";CON,V64,2,0.0000,0,0,MST:3,2,AX:Z,X,K,I,TRANS:0");
-        assert_eq!(header, Some(Record::Header { axes: Some((b'Z', b'X')) }));
+        assert_eq!(header, Some(Record::Header { axes: Some((b'Z', b'X')), turned: Some(true) }));
         let keys = Keys { ex: Some(-0.5), ..Keys::default() };
         assert_eq!(line(";LL,EX:-.5"), Some(Record::Line(Heading::Left, keys)));
         assert_eq!(line(";LU"), Some(Record::Line(Heading::Up, Keys::default())));

@@ -1,6 +1,6 @@
 //! From solved elements to the NC blocks that the editor makes of them: transitions, undercuts, grinding allowances.
 
-use crate::geo::undercut::{Allowance, Corner, Orientation, Reference, vertices};
+use crate::geo::undercut::{Allowance, Corner, Orientation, Reference, Shape, vertices};
 use crate::geo::{Deg, Point2, SAME_POINT, Vec2, cross, distance, intersect, left};
 use crate::ir::undercut::{Surface, ThreadForm, Undercut, form_e, form_f, thread, thread_by_contour};
 use crate::machine::Undercuts;
@@ -8,18 +8,21 @@ use crate::parser::sinumerik::records::{Record, Undercut as Form};
 
 use super::material::Material;
 use super::solver::{Begin, Solved};
-use super::{Block, Contour, CornerWord, NoUndercut, Unsolved};
+use super::{Block, Contour, CornerWord, NoUndercut, Unsolved, Written};
 
 /// Directions closer than this are the same, in degrees: three decimals of a coordinate over a few mm.
 const SAME_ANGLE: f64 = 0.01;
+/// Cosine of the largest angle that is a right one.
+const SQUARE: f64 = 1e-4;
+/// Longer than any undercut: the line in front of a contour has no length.
+const LONG: f64 = 1e4;
 
 /// Makes NC blocks of solved elements.
 pub(super) struct Generator<'a> {
     pub records: &'a [Record],
     pub tables: &'a Undercuts,
     pub elements: Vec<Solved>,
-    /// Ordinates as written are diameters.
-    pub diameter: bool,
+    pub written: Written,
     /// Undercuts become the blocks that the editor writes.
     pub expanded: bool,
 }
@@ -32,8 +35,8 @@ impl Generator<'_> {
             .first()
             .map_or(corner, |first| if first.typed.keys.dst.is_some() { first.from } else { corner });
         let mut contour = Contour { start: corner, start_record: begin.record, ..Contour::default() };
-        self.start_transition(begin, &mut contour)?;
         let mut material = Material::beside(&self.elements);
+        self.start_transition(begin, &mut contour, &mut material)?;
         for i in 0..self.elements.len() {
             let Some(element) = self.elements.get(i).copied() else { break };
             let next = self.elements.get(i + 1).copied();
@@ -43,13 +46,9 @@ impl Generator<'_> {
                 _ => None,
             });
             if let Some((record, undercut, next)) = undercut {
-                let ways = element.end_direction().zip(next.start_direction()).filter(|_| self.is_turned());
-                if let Some((u, w)) = ways {
-                    let sure = material.take(u, w).map_err(|why| Unsolved::Undercut(record, why))?;
-                    if !sure {
-                        let corner = Corner { from: element.from, at: element.to, to: next.to };
-                        contour.assumed.push((record, surface(&corner)));
-                    }
+                if let Some((u, w)) = element.end_direction().zip(next.start_direction()) {
+                    let corner = Corner { from: element.from, at: element.to, to: next.to };
+                    self.lies_inside(u, w, record, &corner, &mut material, &mut contour)?;
                 }
                 self.undercut(&element, record, undercut, &next, &mut contour)?;
                 continue;
@@ -57,7 +56,10 @@ impl Generator<'_> {
             if distance(element.from, element.to) <= SAME_POINT && element.arc.is_none() {
                 continue;
             }
-            let corner = transition.and_then(|(record, next)| self.corner(&element, record, &next));
+            let corner = match transition {
+                Some((record, next)) => self.corner(&element, record, &next)?,
+                None => None,
+            };
             contour.blocks.push(Block {
                 end: element.to,
                 arc: element.arc,
@@ -70,17 +72,33 @@ impl Generator<'_> {
         Ok(contour)
     }
 
+    /// Refuses an undercut at a convex edge, and notes one of which only its turn tells that it is none.
+    fn lies_inside(
+        &self,
+        u: Vec2,
+        w: Vec2,
+        record: usize,
+        corner: &Corner,
+        material: &mut Material,
+        contour: &mut Contour,
+    ) -> Result<(), Unsolved> {
+        if self.is_turned() && !material.take(u, w).map_err(|why| Unsolved::Undercut(record, why))? {
+            contour.assumed.push((record, surface(corner)));
+        }
+        Ok(())
+    }
+
     /// In the plane of Z and X; elsewhere lowering refuses undercuts.
     fn is_turned(&self) -> bool {
         let axes = self.records.iter().find_map(|record| match record {
-            Record::Header { axes } => *axes,
+            Record::Header { axes, .. } => *axes,
             _ => None,
         });
         axes.is_none_or(|axes| axes == (b'Z', b'X'))
     }
 
     /// The start point moves back, and the corner becomes a block of its own.
-    fn start_transition(&self, begin: Begin, contour: &mut Contour) -> Result<(), Unsolved> {
+    fn start_transition(&self, begin: Begin, contour: &mut Contour, material: &mut Material) -> Result<(), Unsolved> {
         let (Some(record), Some(first)) = (begin.transition, self.elements.first()) else { return Ok(()) };
         let (word, back) = match (self.records.get(record), begin.keys.ase) {
             (Some(Record::Chamfer(leg)), Some(_)) if *leg > 0.0 => (CornerWord::Chamfer(*leg), *leg),
@@ -89,7 +107,10 @@ impl Generator<'_> {
                 let u = Deg(angle).unit();
                 (CornerWord::Radius(*radius), radius * cross(u, w).abs() / (1.0 + u.dot(&w)))
             }
-            (Some(Record::Undercut(_)), _) => return Err(Unsolved::Undercut(record, NoUndercut::Place)),
+            (Some(Record::Undercut(undercut)), Some(angle)) => {
+                return self.start_undercut(*undercut, record, Deg(angle).unit(), first, contour, material);
+            }
+            (Some(Record::Undercut(_)), None) => return Err(Unsolved::Undercut(record, NoUndercut::Start)),
             (Some(Record::Chamfer(size) | Record::Rounding(size)), None) if *size > 0.0 => {
                 return Err(Unsolved::Open(record));
             }
@@ -109,16 +130,78 @@ impl Generator<'_> {
         Ok(())
     }
 
-    fn corner(&self, element: &Solved, record: usize, next: &Solved) -> Option<CornerWord> {
-        let (u, w) = (element.end_direction()?, next.start_direction()?);
+    /// The contour starts where the undercut leaves the line in front of it; its other vertices are blocks. Of starts with
+    /// a rounding or a chamfer the control does the like.
+    fn start_undercut(
+        &self,
+        undercut: Form,
+        record: usize,
+        u: Vec2,
+        first: &Solved,
+        contour: &mut Contour,
+        material: &mut Material,
+    ) -> Result<(), Unsolved> {
+        let refuse = |why| Unsolved::Undercut(record, why);
+        let w = first.start_direction().filter(|_| first.arc.is_none()).ok_or(refuse(NoUndercut::Place))?;
+        let corner = Corner { from: contour.start - u * LONG, at: contour.start, to: first.to };
+        self.lies_inside(u, w, record, &corner, material, contour)?;
+        let made = self.sized(undercut, &corner).map_err(refuse)?;
+        let dst = first.typed.keys.dst.unwrap_or(0.0);
+        let allowance = self.allowances(u, w, 0.0, dst);
+        let list = self.vertices(&made, &corner, allowance).map_err(refuse)?;
+        // On a line that is none a rounding has nowhere to begin.
+        let Some(((start, 0.0), rest)) = list.split_first().map(|(first, rest)| (*first, rest)) else {
+            return Err(refuse(NoUndercut::Start));
+        };
+        contour.start = start;
+        for (end, radius) in rest {
+            let corner = (*radius > 0.0).then_some(CornerWord::Radius(*radius));
+            contour.blocks.push(Block { end: *end, arc: None, radius: None, corner, record, corner_record: record });
+        }
+        contour.start_undercut = Some(record);
+        contour.doubts.extend(self.doubts(undercut, &corner).map(|doubts| (record, doubts)));
+        Ok(())
+    }
+
+    /// The vertices of an undercut in its corner, each with its rounding, in the unit of the program.
+    fn vertices(
+        &self,
+        made: &Undercut,
+        corner: &Corner,
+        allowance: Allowance,
+    ) -> Result<Vec<(Point2, f64)>, NoUndercut> {
+        let refuse = |_| NoUndercut::Corner;
+        let orientation = Orientation::of(corner).map_err(refuse)?;
+        let shape: Shape = if orientation.second > 0.0 { made.external } else { made.internal };
+        let shape = shape.scaled(1.0 / self.written.unit);
+        vertices(&shape, corner, Reference::First, allowance).map_err(refuse)
+    }
+
+    /// How far the lines at an undercut lie outside of the finished part, along the cylinder and along the face: the
+    /// corner turns towards the air, and allowances count to the right.
+    fn allowances(&self, u: Vec2, w: Vec2, before: f64, after: f64) -> Allowance {
+        let outwards = if cross(u, w) > 0.0 { -1.0 } else { 1.0 };
+        // The cylinder is the flatter of the two.
+        let (reference, other) = if u.x.abs() >= u.y.abs() { (before, after) } else { (after, before) };
+        Allowance { reference: outwards * reference, other: outwards * other }
+    }
+
+    fn corner(&self, element: &Solved, record: usize, next: &Solved) -> Result<Option<CornerWord>, Unsolved> {
+        let Some((u, w)) = element.end_direction().zip(next.start_direction()) else { return Ok(None) };
         let smooth = Deg::from_radians(libm::atan2(cross(u, w).abs(), u.dot(&w))).0 < SAME_ANGLE;
         let beside = element.typed.keys.dst.unwrap_or(0.0) + next.typed.keys.dst.unwrap_or(0.0);
-        match self.records.get(record)? {
-            Record::Rounding(radius) => (*radius > 0.0 && !smooth).then_some(CornerWord::Radius(*radius)),
-            // A chamfer keeps its bevel where a neighbour carries an allowance.
-            Record::Chamfer(leg) => (*leg > 0.0).then_some(CornerWord::Chamfer(leg + beside)),
+        Ok(match self.records.get(record) {
+            Some(Record::Rounding(radius)) => (*radius > 0.0 && !smooth).then_some(CornerWord::Radius(*radius)),
+            // A chamfer keeps its bevel where a neighbour carries an allowance: what was seen is an edge of 90 degrees.
+            Some(Record::Chamfer(leg)) if *leg > 0.0 && beside != 0.0 => {
+                if u.dot(&w).abs() > SQUARE || cross(u, w) < 0.0 || leg + beside <= 0.0 {
+                    return Err(Unsolved::Open(record));
+                }
+                Some(CornerWord::Chamfer(leg + beside))
+            }
+            Some(Record::Chamfer(leg)) => (*leg > 0.0).then_some(CornerWord::Chamfer(*leg)),
             _ => None,
-        }
+        })
     }
 
     fn undercut(
@@ -135,11 +218,10 @@ impl Generator<'_> {
         }
         let corner = Corner { from: element.from, at: element.to, to: next.to };
         let mut made = self.sized(undercut, &corner).map_err(refuse)?;
-        let (first, second) = (element.typed.keys.dst.unwrap_or(0.0).abs(), next.typed.keys.dst.unwrap_or(0.0).abs());
-        // The cylinder is the flatter of the two.
-        let along = element.to - element.from;
-        let (reference, other) = if along.x.abs() >= along.y.abs() { (first, second) } else { (second, first) };
-        made.allowance = Allowance { reference, other };
+        let dst = |element: &Solved| element.typed.keys.dst.unwrap_or(0.0);
+        let allowance = self.allowances(element.to - element.from, next.to - next.from, dst(element), dst(next));
+        let unit = self.written.unit;
+        made.allowance = Allowance { reference: unit * allowance.reference, other: unit * allowance.other };
         let block = Block {
             end: corner.at,
             arc: None,
@@ -153,11 +235,7 @@ impl Generator<'_> {
             contour.blocks.push(Block { corner: Some(CornerWord::Undercut(made)), ..block });
             return Ok(());
         }
-        let orientation = Orientation::of(&corner).map_err(|_| refuse(NoUndercut::Corner))?;
-        let shape = if orientation.second > 0.0 { &made.external } else { &made.internal };
-        let list =
-            vertices(shape, &corner, Reference::First, made.allowance).map_err(|_| refuse(NoUndercut::Corner))?;
-        for (end, radius) in list {
+        for (end, radius) in self.vertices(&made, &corner, allowance).map_err(refuse)? {
             let corner = (radius > 0.0).then_some(CornerWord::Radius(radius));
             contour.blocks.push(Block { end, corner, ..block });
         }
@@ -187,7 +265,11 @@ impl Generator<'_> {
             Form::E(index) => size(index).map(|size| Undercut::new(form_e(size))),
             Form::F(index) => size(index).map(|size| Undercut::new(form_f(size))),
             Form::Thread { pitch, entry } => {
-                let scale = if self.diameter { 2.0 } else { 1.0 };
+                // In millimetres or as a lead in inches: no contour of inches was ever seen.
+                if self.written.unit != 1.0 {
+                    return Err(NoUndercut::InchPitch);
+                }
+                let scale = if self.written.diameter { 2.0 } else { 1.0 };
                 let diameter = scale * corner.at.y.abs();
                 let pitch = pitch.ok_or(NoUndercut::PitchMissing { diameter, surface: surface(corner) })?;
                 let row = self.tables.thread(pitch).ok_or(NoUndercut::Pitch(pitch))?;

@@ -5,9 +5,11 @@ use crate::parser::sinumerik::records::{Heading, Keys, Record};
 
 use super::Unsolved;
 
-/// Stored values are rounded to three places, mm.
+/// Stored values are rounded to three places.
 const ROUNDED: f64 = 0.005;
-/// What rounded angles and points make of an arc, mm.
+/// How far an end point and the way to it may differ.
+const SAME_END: f64 = 0.001 + 1e-9;
+/// What rounded angles and points make of an arc.
 const AIMED: f64 = 0.05;
 /// Stored choices that were seen in programs, with their meaning.
 const SEEN: [u32; 5] = [7, 207, 210, 14, 15];
@@ -146,7 +148,7 @@ impl Solver {
         let angle = line_angle(&typed, dir);
         let mut x = keys.ex.or(keys.dex.map(|d| at.x + d));
         let mut y = keys.ey;
-        let twice = keys.ex.zip(keys.dex).is_some_and(|(to, by)| (to - at.x - by).abs() > ROUNDED);
+        let twice = keys.ex.zip(keys.dex).is_some_and(|(to, by)| (to - at.x - by).abs() > SAME_END);
         let of_arcs = [keys.cx, keys.cy, keys.rad, keys.aa].iter().any(Option::is_some);
         if twice || of_arcs || !angles_agree(&typed, dir) {
             return Err(Unsolved::Contradiction(typed.record));
@@ -307,7 +309,7 @@ impl Solver {
         let keys = typed.keys;
         let x = keys.ex.or(keys.dex.map(|d| at.x + d));
         let y = keys.ey;
-        if keys.ex.zip(keys.dex).is_some_and(|(to, by)| (to - at.x - by).abs() > ROUNDED) {
+        if keys.ex.zip(keys.dex).is_some_and(|(to, by)| (to - at.x - by).abs() > SAME_END) {
             return Err(Unsolved::Contradiction(typed.record));
         }
         let end = x.zip(y).map(|(x, y)| Point2::new(x, y));

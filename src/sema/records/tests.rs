@@ -1,6 +1,8 @@
 use super::*;
 use crate::parser::sinumerik::records::read;
 
+const DIAMETERS: Written = Written { diameter: true, unit: 1.0 };
+
 fn records(text: &str) -> Vec<Record> {
     let lines = text.lines().map(|line| format!("{};*GP*;*RO*;*HD*", line.trim()));
     lines.map(|line| read(line.as_bytes()).expect("a record")).collect()
@@ -14,7 +16,8 @@ fn number(v: f64) -> String {
 
 /// The NC half in short: all words of every block, ordinates as written.
 fn words(text: &str, scale: f64) -> Vec<String> {
-    let made = solve(&records(text), scale == 2.0, &Undercuts::default()).expect("a contour");
+    let made =
+        solve(&records(text), Written { diameter: scale == 2.0, unit: 1.0 }, &Undercuts::default()).expect("a contour");
     let point = |p: Point2| format!("{} {}", number(p.x), number(p.y * scale));
     let mut list = vec![format!("G0 {}", point(made.start))];
     for block in &made.blocks {
@@ -81,9 +84,9 @@ fn an_open_line_ends_on_the_next_arc() {
     assert_eq!(words(text, 2.0), ["G0 -3 20", "G1 -3 22", "G2 0 40 AC 0 30"]);
     let far = text.replace("225", "25");
     assert_eq!(words(&far, 2.0)[1], "G1 -3 38");
-    assert_eq!(solve(&records(&far), true, &Undercuts::default()).map(|c| c.chosen), Ok(vec![1]));
+    assert_eq!(solve(&records(&far), DIAMETERS, &Undercuts::default()).map(|c| c.chosen), Ok(vec![1]));
     let open = text.replace(",DIA:225/0", "");
-    assert_eq!(solve(&records(&open), true, &Undercuts::default()), Err(Unsolved::Open(1)));
+    assert_eq!(solve(&records(&open), DIAMETERS, &Undercuts::default()), Err(Unsolved::Open(1)));
 }
 
 #[test]
@@ -91,7 +94,7 @@ fn an_open_line_ends_where_the_next_one_has_its_own_way() {
     let text = ";S,EX:0,EY:100\n;LL,EX:-20\n;LU\n;LA,DEX:-3,EY:160,ASE:150";
     assert_eq!(words(text, 2.0), ["G0 0 100", "G1 -20 100", "G1 -20 156.536", "G1 -23 160"]);
     let wrong_way = text.replace("ASE:150", "ASE:30");
-    assert_eq!(solve(&records(&wrong_way), true, &Undercuts::default()), Err(Unsolved::Open(2)));
+    assert_eq!(solve(&records(&wrong_way), DIAMETERS, &Undercuts::default()), Err(Unsolved::Open(2)));
 }
 
 #[test]
@@ -119,7 +122,7 @@ fn a_line_may_end_where_the_next_arc_has_its_ordinate() {
 
 #[test]
 fn what_is_not_determined_is_not_guessed() {
-    let fails = |text: &str| solve(&records(text), true, &Undercuts::default()).expect_err("unsolved");
+    let fails = |text: &str| solve(&records(text), DIAMETERS, &Undercuts::default()).expect_err("unsolved");
     assert_eq!(fails(";LL,EX:5"), Unsolved::NoStart);
     assert_eq!(fails(";S,EX:0,EY:0\n;LL"), Unsolved::Open(1));
     assert_eq!(fails(";S,EX:0,EY:0\n;LA,EX:5"), Unsolved::Open(1));
@@ -137,12 +140,12 @@ fn what_is_not_determined_is_not_guessed() {
     assert_eq!(thread(",P:2.6,ALFA:30"), Unsolved::Undercut(2, NoUndercut::Pitch(2.6)));
     assert_eq!(thread(",P:2.5"), Unsolved::Undercut(2, NoUndercut::Entry(None)));
     assert_eq!(thread(",P:2.5,ALFA:29"), Unsolved::Undercut(2, NoUndercut::Entry(Some(29.0))));
-    assert_eq!(solve(&vec![Record::Begin; 5001], true, &Undercuts::default()), Err(Unsolved::TooLong));
+    assert_eq!(solve(&vec![Record::Begin; 5001], DIAMETERS, &Undercuts::default()), Err(Unsolved::TooLong));
 }
 
 #[test]
 fn differences_are_found() {
-    let made = solve(&records(SHAFT), true, &Undercuts::default()).expect("a contour");
+    let made = solve(&records(SHAFT), DIAMETERS, &Undercuts::default()).expect("a contour");
     let check = |spoil: &dyn Fn(&mut Vec<Block>)| {
         let mut blocks = made.blocks.clone();
         spoil(&mut blocks);

@@ -369,10 +369,10 @@ impl Run<'_> {
     }
 
     /// A component of a frame: `[X,TR]`.
-    pub(super) fn frame_place(&self, args: &[Val], span: Span) -> Outcome<(crate::machine::Axis, Component)> {
+    pub(super) fn frame_place(&self, args: &[Val], span: Span) -> Outcome<(Option<crate::machine::Axis>, Component)> {
         let component = match args {
             [Val::Axis(axis), Val::Text(name)] => {
-                std::str::from_utf8(name).ok().and_then(Component::of).map(|component| (*axis, component))
+                std::str::from_utf8(name).ok().and_then(Component::of).map(|component| (axis.axis, component))
             }
             _ => None,
         };
@@ -390,6 +390,9 @@ impl Run<'_> {
 
     pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
         let (axis, component) = self.frame_place(args, span)?;
+        let Some(axis) = axis else {
+            return self.fail(codes::S2028, 0, span, "the frame of an axis that is left out is not known");
+        };
         match frame.component(axis, component) {
             Some(value) => Ok(Val::Real(value / self.component_unit(axis, component))),
             None => self.fail(codes::S2034, 0, span, "this chain of rotations and scales has no such components"),
@@ -404,7 +407,10 @@ impl Run<'_> {
         span: Span,
     ) -> Outcome {
         let (axis, component) = self.frame_place(args, span)?;
-        let value = self.as_number(value, span)? * self.component_unit(axis, component);
+        let value = self.as_number(value, span)?;
+        // The frame of an axis that is left out moves nothing.
+        let Some(axis) = axis else { return Ok(()) };
+        let value = value * self.component_unit(axis, component);
         if frame.set_component(axis, component, value) {
             return Ok(());
         }
@@ -417,7 +423,7 @@ impl Run<'_> {
             return *known;
         }
         let word = self.symbols.name(name);
-        let meaning = match super::eval::axis_of(word) {
+        let meaning = match self.axis_names.find(word) {
             Some(axis) => Meaning::Axis(axis),
             None => self.vocabulary.get(word).copied().unwrap_or(Meaning::Unknown),
         };

@@ -18,6 +18,8 @@ use super::{Outcome, Run};
 
 /// Points closer than this are the same, in mm: half the last digit of a program.
 pub(super) const SAME: f64 = 5e-5;
+/// Square of the largest angle, in radians, by which the centre of a circle moves as seen from its start (MD 21000).
+const MOST_TURN_SQUARED: f64 = 1e-3;
 /// Most extra turns of a helix.
 const MOST_TURNS: f64 = 999.0;
 
@@ -175,8 +177,35 @@ impl Run<'_> {
         }
         let solutions = [r1, -r1].map(|radius| center_by_radius(start, to, radius, ccw, SAME, 0.0));
         let near = |point: &Point2| crate::geo::distance(*point, center);
-        let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b)));
-        Ok(best.filter(|point| near(point) <= 10.0 * off + 1e-6).unwrap_or(center))
+        // A chord longer than twice the radius at the start is a diameter.
+        let middle = Point2::from((start.coords + to.coords) / 2.0);
+        let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b))).or(Some(middle));
+        let seen = |point: Point2| libm::atan2(point.y - start.y, point.x - start.x);
+        let turn = |point: &Point2| {
+            let turn = (seen(*point) - seen(center)).abs();
+            turn.min(core::f64::consts::TAU - turn)
+        };
+        match best.filter(|point| turn(point) < libm::sqrt(MOST_TURN_SQUARED)) {
+            Some(point) => {
+                self.warn_of_moved_centre(near(&point), self.circle_tolerance(r1), span);
+                Ok(point)
+            }
+            None => {
+                let message = format!(
+                    "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm, and no centre near it fits both"
+                );
+                self.fail_help(codes::S3007, 14040, span, message, "check start, end and centre")
+            }
+        }
+    }
+
+    /// A centre that has to move much for a small difference of the radii makes another arc.
+    fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
+        if moved > 10.0 * tolerance && self.job.diags.first_time(codes::G8101) {
+            let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
+            let found = Diagnostic::new(codes::G8101, self.loc(span), message);
+            self.report(found.help("program the end point and the centre with more decimals, or the arc by CR="));
+        }
     }
 
     pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Option<Feed>, span: Span) -> Outcome {

@@ -9,6 +9,7 @@ use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
 
+use super::offsets::Outer;
 use super::vocabulary::{Address, Code};
 use super::words::{Mode, Words};
 use super::{Outcome, Reported, Run};
@@ -92,8 +93,13 @@ impl Run<'_> {
                     let axis = if self.st.pos.get(first).is_none() { first } else { second };
                     return self.unknown_axis(axis, given.span);
                 }
-                if self.st.machine_coordinates {
-                    return self.fail(codes::S9011, 0, given.span, "under G500 contour definitions cannot be printed");
+                match self.st.outer {
+                    Outer::Machine => {
+                        let message = "a contour definition cannot be printed in machine coordinates";
+                        return self.in_machine_only_lines(given.span, message);
+                    }
+                    Outer::Unrelated => return self.unrelated(given.span, "G500 stands beside"),
+                    Outer::Basic | Outer::Printed(_) => {}
                 }
                 self.pair_lost = false;
                 self.pending = Some(Box::new(Pending {
@@ -327,6 +333,11 @@ impl Run<'_> {
         if !self.has_corner_words(w) && self.st.rndm == 0.0 {
             return Ok(None);
         }
+        if self.st.is(Code::G93) {
+            let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
+            let span = corner.map(|given| given.span).unwrap_or_default();
+            return self.not_by_time(span, "a chamfer or rounding has no share of the time that G93 gives the blocks");
+        }
         let (rnd, chr, chf, frc) =
             (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
         for given in [rnd, chr, chf].into_iter().flatten() {
@@ -379,12 +390,8 @@ impl Run<'_> {
     }
 
     /// FRCM, which counts as the feeds did where it was programmed.
-    fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
-        let fits = match self.st.frcm {
-            Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
-            Some(Feed::PerMinute(_)) => !self.st.per_revolution(),
-            None => true,
-        };
+    pub(super) fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
+        let fits = self.st.frcm.is_none_or(|feed| self.st.counts_as(feed));
         if fits {
             return Ok(self.st.frcm);
         }

@@ -95,11 +95,16 @@ impl Run<'_> {
             return Err(Reported);
         }
         let taken = match self.meaning(name) {
-            Meaning::Axis(axis) if self.st.geometry_axes.contains(&axis) => Some("a geometry axis"),
+            Meaning::Axis(named) if named.axis.is_some_and(|axis| self.st.geometry_axes.contains(&axis)) => {
+                Some("a geometry axis")
+            }
+            Meaning::Axis(named) if self.axis_names.is_given(named) => Some("an axis"),
             Meaning::Axis(_) => None,
             Meaning::Unknown if is_address(&word) => Some("an address"),
             Meaning::Unknown if functions::NAMES.contains(&word.as_str()) => Some("a function"),
             Meaning::Unknown => None,
+            // Options of the language, whose names machines without them leave free.
+            Meaning::Known(_) => None,
             _ => Some("a word of the language"),
         };
         if let Some(what) = taken {

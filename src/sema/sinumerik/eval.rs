@@ -6,14 +6,15 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Base, Binary, Block, Formula, Op, Unary};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::functions::{self, NoResult};
+use super::known_words::Known;
 use super::value::{Val, to_text, whole};
 use super::vars::{MOST_R, Slot};
+use super::vocabulary::{Meaning, Procedure};
 use super::{Outcome, Reported, Run};
 
 /// Relative difference up to which two REAL values are equal.
@@ -190,8 +191,9 @@ impl Run<'_> {
             return self.variable_value(slot, &[], span);
         }
         let word = self.symbols.name(name);
-        if let Some(axis) = axis_of(word) {
-            return Ok(Val::Axis(axis));
+        if let Some(named) = self.axis_names.find(word) {
+            self.printed_axis(named, span)?;
+            return Ok(Val::Axis(named));
         }
         if let Some(value) = constant(word) {
             return Ok(value);
@@ -209,11 +211,28 @@ impl Run<'_> {
             return Some(slot);
         }
         let word = self.symbols.name(name);
-        if self.definitions_read || axis_of(word).is_some() || constant(word).is_some() {
+        if self.definitions_read || self.axis_names.find(word).is_some() || constant(word).is_some() {
             return None;
         }
         self.definitions_known();
         self.vars.find(name)
+    }
+
+    /// A word that nothing is known of, or one of the language that is not compiled.
+    pub(super) fn undefined_word<T>(&mut self, name: Symbol, span: Span) -> Outcome<T> {
+        match self.meaning(name) {
+            Meaning::Known(known) => self.not_compiled(name, known, span),
+            Meaning::Procedure(Procedure::Refused(what)) => {
+                let message = format!("{} ({what}) is not supported", self.symbols.name(name));
+                self.fail_help(codes::S9005, 0, span, message, "replace it by plain moves")
+            }
+            _ => self.undefined(name, span),
+        }
+    }
+
+    pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
+        let message = format!("{} ({}) is not compiled", self.symbols.name(name), known.what);
+        self.fail_help(codes::S9132, 0, span, message, known.help)
     }
 
     /// A name that nothing is known of.
@@ -342,6 +361,7 @@ impl Run<'_> {
         };
         use NoResult::{Count, Domain, Type, Unknown};
         match error {
+            Unknown if !matches!(self.meaning(name), Meaning::Unknown) => self.undefined_word(name, span),
             Unknown => self.fail_help(
                 codes::S2001,
                 12550,
@@ -493,14 +513,6 @@ fn int_or_real(n: i64) -> Val {
 fn taken(stack: &mut Vec<Val>, count: u32) -> Vec<Val> {
     let from = stack.len().saturating_sub(count as usize);
     stack.split_off(from)
-}
-
-/// An axis by its name.
-pub(super) fn axis_of(name: &str) -> Option<Axis> {
-    match name.as_bytes() {
-        [letter] => Axis::of(*letter),
-        _ => None,
-    }
 }
 
 /// Names of frame components, as texts; they are words in `[X,TR]` only.

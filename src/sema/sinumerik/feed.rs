@@ -14,6 +14,9 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     /// A programmed feed with the kind that is in force.
     pub(super) fn feed_of(&self, value: f64) -> Feed {
+        if self.st.is(Code::G93) {
+            return Feed::InverseTime(value);
+        }
         let value = value * self.st.feed_unit();
         if self.st.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
     }
@@ -39,6 +42,9 @@ impl Run<'_> {
 
     /// The feed of a path block.
     pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
+        if !rapid && self.st.is(Code::G93) && !self.is_capturing() {
+            self.time_of_block(w)?;
+        }
         if let Some(fb) = w.take(Address::Fb) {
             if fb.value <= 0.0 {
                 return self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value));
@@ -96,10 +102,35 @@ impl Run<'_> {
         }
     }
 
+    /// Under G93 F is the time of its own block, which no other block has.
+    fn time_of_block(&self, w: &Words) -> Outcome {
+        if self.st.side() != crate::ir::Side::None {
+            return self.not_by_time(
+                Span::default(),
+                "under radius compensation the length of the path, and so the time of G93, is the target's",
+            );
+        }
+        if w.feed_given || w.get(Address::Fb).is_some() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::S2040,
+            10860,
+            Span::default(),
+            "under G93 the block has no F",
+            "program F in every block that cuts: it is 1 divided by the minutes of the block",
+        )
+    }
+
+    /// Refuses what has no share of the time of a block.
+    pub(super) fn not_by_time<T>(&self, span: Span, message: &str) -> Outcome<T> {
+        self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95 for it")
+    }
+
     pub(super) fn feed_code(&mut self, code: Code, span: Span) -> Outcome {
         let old = self.st.groups[15];
         match code.index {
-            1 | 6 | 9.. => {
+            6 | 9.. => {
                 let message = format!("{} gives feeds that plain G-code cannot say", super::vocabulary::word(code));
                 return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
             }
@@ -119,11 +150,7 @@ impl Run<'_> {
 
     /// F means something else now.
     pub(super) fn feed_mode_changed(&mut self) {
-        let fits = match self.st.feed {
-            Some(Feed::PerRevolution(_)) => self.st.per_revolution(),
-            Some(Feed::PerMinute(_)) => !self.st.per_revolution(),
-            None => true,
-        };
+        let fits = self.st.feed.is_none_or(|feed| self.st.counts_as(feed));
         if !fits {
             self.st.feed = None;
         }

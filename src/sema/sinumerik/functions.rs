@@ -3,7 +3,6 @@
 //! Source: reference section 5.2; angles are degrees.
 
 use crate::geo::Deg;
-use crate::machine::Axis;
 
 use super::value::{Val, to_text, whole};
 
@@ -59,15 +58,8 @@ pub(super) fn call(name: &str, args: &[Val]) -> Made {
         "ITOR" | "BTOR" => Ok(Val::Real(real(one(args)?)?)),
         "RTOI" | "BTOI" => whole(real(one(args)?)?).map(Val::Int).ok_or(Domain("it fits no INT")),
         "RTOB" | "ITOB" => one(args)?.truth().map(Val::Bool).ok_or(Type),
-        "AXNAME" => match one(args)? {
-            Val::Text(text) => match text.as_ref() {
-                [letter] => Axis::of(*letter).map(Val::Axis).ok_or(Domain("it names no axis")),
-                _ => Err(Domain("it names no axis of this machine")),
-            },
-            _ => Err(Type),
-        },
         "AXSTRING" => match one(args)? {
-            Val::Axis(axis) => Ok(Val::text(&[axis.letter() as u8])),
+            Val::Axis(axis) => Ok(Val::text(axis.bytes())),
             _ => Err(Type),
         },
         "SPI" => one(args).cloned(),

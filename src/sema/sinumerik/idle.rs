@@ -336,6 +336,9 @@ impl<'a> Idle<'a> {
                         let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
                         Some(refused(self.job, here, word.span, code))
                     }
+                    Some(Meaning::Known(_)) if !self.variables.contains(&name) => {
+                        Some(refused(self.job, here, word.span, codes::S9132))
+                    }
                     Some(_) => None,
                     None if self.variables.contains(&name) || block.words.len() > 1 => None,
                     None => self.program(&shown, word.span, here),

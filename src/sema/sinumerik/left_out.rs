@@ -3,9 +3,12 @@
 //! Source: reference sections 1.5, 2.14 and 3.
 
 use crate::diag::{Diagnostic, codes};
+use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
 
+use super::axis_names::NamedAxis;
+use super::value::Val;
 use super::vocabulary::{Code, word};
 use super::{Outcome, Run};
 
@@ -78,6 +81,23 @@ impl Run<'_> {
         if !self.job.diags.knows(&found) {
             self.report(found.help("check the feeds of the program on the target"));
         }
+    }
+
+    /// FGROUP: the axes along which F counts. Without arguments, or with the geometry axes, it is the path.
+    pub(super) fn feed_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let mut named = AxisSet::EMPTY;
+        for formula in formulas.iter().filter(|formula| !formula.is_missing()) {
+            if let Val::Axis(NamedAxis { axis: Some(axis), .. }) = self.eval(*formula, block, text)? {
+                named.insert(axis);
+            }
+        }
+        let geometry: AxisSet = self.st.geometry_axes.into_iter().collect();
+        if named.is_empty() || named == geometry {
+            self.dynamics_are_left_out(span);
+        } else {
+            self.changes_feeds("FGROUP lets F count along the named axes only, which is left out".to_owned(), span);
+        }
+        Ok(())
     }
 
     /// WRITE, DELETE and their kin: nothing is written, and nothing is read.

@@ -105,7 +105,8 @@ impl Run<'_> {
 
     /// SUPD: the tool offsets do not count in this block.
     pub(super) fn suppressed_tool(&mut self, w: &Words, span: Span) -> Outcome {
-        let moves = w.axes.iter().any(|axis| self.tool_axes().contains(axis));
+        // On a lathe each end point, also a polar one, lies in the axes of the lengths.
+        let moves = self.st.lathe || w.axes.iter().any(|axis| self.tool_axes().contains(axis));
         let radius = self.st.side() != crate::ir::Side::None;
         if radius || moves && self.active_length() != ToolLength::Off {
             return self.fail_help(

@@ -6,6 +6,7 @@
 
 mod archive;
 mod assign;
+mod axis_names;
 mod calls;
 mod capture;
 mod circle;
@@ -19,6 +20,7 @@ mod flow;
 mod frames;
 mod functions;
 mod idle;
+mod known_words;
 mod left_out;
 mod machine_place;
 mod macros;
@@ -38,6 +40,7 @@ mod spindle;
 mod state;
 mod stored;
 mod stored_difference;
+mod stored_rebuild;
 mod system;
 mod tangent;
 mod tech;
@@ -138,6 +141,7 @@ struct Run<'a> {
     symbols: Symbols,
     meanings: Vec<Option<Meaning>>,
     vocabulary: FxHashMap<&'static str, Meaning>,
+    axis_names: axis_names::AxisNames,
     gcodes: GCodes,
     programs: Programs,
     levels: Vec<Level>,
@@ -218,6 +222,7 @@ impl<'a> Run<'a> {
             symbols: Symbols::default(),
             meanings: Vec::new(),
             vocabulary: vocabulary::words(),
+            axis_names: axis_names::AxisNames::new(job.settings),
             gcodes: GCodes::new(),
             programs: Programs::default(),
             levels: Vec::new(),
@@ -531,6 +536,9 @@ impl<'a> Run<'a> {
             Stmt::Empty => Ok(()),
             Stmt::Bad => Err(Reported),
             Stmt::Call(form) => self.call_form(form, &block, &line),
+            // The program goes on at the target, as behind a jump that stands there.
+            Stmt::IfJump => self.if_jumps(&block, &line),
+            Stmt::Goto(jump) => self.jump(jump, &block, &line),
             _ => {
                 self.fail(codes::S2013, 12080, span, "a control structure or declaration cannot be executed as a text")
             }

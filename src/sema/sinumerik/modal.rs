@@ -53,6 +53,9 @@ impl Run<'_> {
                     self.control_words_are_left_out(span);
                 } else {
                     self.st.groups[29] = code.index;
+                    if let Some(stored) = self.stored.as_mut() {
+                        stored.diameter_said = true;
+                    }
                     self.st.diameter = None;
                 }
             }

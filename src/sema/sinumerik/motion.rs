@@ -9,9 +9,10 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
+use super::axis_names::NamedAxis;
 use super::state::Diameter;
 use super::threads::is_tapping;
-use super::vocabulary::{Address, Code};
+use super::vocabulary::{Address, Code, Meaning};
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Reported, Run};
 
@@ -55,7 +56,12 @@ impl Run<'_> {
         for word in &block.words {
             match word.target {
                 Target::Letter(letter) => {
-                    if let Some(axis) = Axis::of(letter) {
+                    if let Some(axis) = self.axis_names.letter(letter).and_then(|named| named.axis) {
+                        axes.insert(axis);
+                    }
+                }
+                Target::Numbered(_, _, name) | Target::Name(name) => {
+                    if let Meaning::Axis(NamedAxis { axis: Some(axis), .. }) = self.meaning(name) {
                         axes.insert(axis);
                     }
                 }
@@ -116,18 +122,13 @@ impl Run<'_> {
             let alarm = if w.code_of(1).is_some() { 12110 } else { 15460 };
             return self.does_not_fit_code(left.span, alarm);
         }
-        if let Some(span) = w.machine_axes.first().map(|(_, span)| *span) {
-            return self.fail_help(
-                codes::S2016,
-                12050,
-                span,
-                "axes with a number, like X1 or B1, are machine axes, which stand in G74 and G75 only here",
-                "name a geometry axis: X=10; leave out axes that the target does not have",
-            );
+        if let Some(axis) = w.machine_axes.first() {
+            return self.unnamed_axis(*axis);
         }
         if let Some(passes) = w.passes {
             return self.does_not_fit(passes.span);
         }
+        self.left_out_under_modal_call(w)?;
         self.late_functions(w)?;
         if moved && !self.ended.get() {
             self.call_modal()?;
@@ -194,6 +195,9 @@ impl Run<'_> {
             if self.has_corner_words(w) {
                 return self.no_corner(block.span);
             }
+            if let Some((_, span)) = w.code_of(9).filter(|_| w.positioning.is_empty()) {
+                self.control_words_are_left_out(span);
+            }
             return Ok(false);
         }
         if interpolation != Code::G33 {
@@ -243,7 +247,7 @@ impl Run<'_> {
         let off = !self.is_capturing()
             && self.st.tool.edge == Some(0)
             && self.st.tool.active.is_some_and(|number| number != 0);
-        if !off || self.st.machine_coordinates {
+        if !off || self.st.in_machine() {
             return Ok(());
         }
         let [_, _, third] = self.st.roles();

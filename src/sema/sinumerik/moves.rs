@@ -8,6 +8,7 @@ use crate::ir::{Feed, Pos, Side};
 
 use crate::text::Span;
 
+use super::offsets::Outer;
 use super::vocabulary::{Address, Code};
 use super::words::{Mode, Words};
 use super::{Outcome, Run};
@@ -20,9 +21,10 @@ impl Run<'_> {
     }
 
     pub(super) fn send_end(&mut self, end_point: EndPoint, end: &Pos, path: Path, feed: Option<Feed>) {
-        if self.st.machine_coordinates {
+        if self.st.in_machine() {
             return self.send_in_machine(end, path, feed);
         }
+        self.note_outer();
         if self.stored.is_some() {
             self.note_stored(end, &path);
         }
@@ -41,25 +43,24 @@ impl Run<'_> {
         }
     }
 
-    /// G500 is in force: the coordinates are the machine's.
+    /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
     pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
-        if !matches!(path, Path::Rapid | Path::Line) {
-            let _: Outcome = self.fail_help(
-                codes::S9011,
-                0,
-                Span::default(),
-                "under G500 only straight moves can be printed, in machine coordinates",
-                "select G54, or say which work offset G500 is: `[datums] G500 = \"G54\"`",
-            );
+        if self.st.outer == Outer::Unrelated {
+            let _: Outcome = self.unrelated(Span::default(), "G500 stands beside");
+            self.st.lose(end.known());
             return;
         }
-        if !self.st.ctx.frame.is_shift() || self.st.side() != Side::None {
-            let _: Outcome = self.fail(
-                codes::S9011,
-                0,
-                Span::default(),
-                "under G500 neither a rotated frame nor radius compensation can be printed",
-            );
+        let wrong = if !matches!(path, Path::Rapid | Path::Line) {
+            "an arc cannot be printed in machine coordinates"
+        } else if !self.st.ctx.frame.is_shift() {
+            "a move in a rotated or scaled frame cannot be printed in machine coordinates"
+        } else if self.st.side() != Side::None {
+            "radius compensation cannot be printed in machine coordinates"
+        } else {
+            ""
+        };
+        if !wrong.is_empty() {
+            let _: Outcome = self.in_machine_only_lines(Span::default(), wrong);
             return;
         }
         // What is printed with G53 and what the program writes itself count from different places.
@@ -72,6 +73,16 @@ impl Run<'_> {
         let mv = Move { end: EndPoint::Cartesian(machine), path, feed, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);
+    }
+
+    pub(super) fn in_machine_only_lines<T>(&self, span: Span, message: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::S9011,
+            0,
+            span,
+            format!("{message}, as G500 wants"),
+            "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
+        )
     }
 
     /// A block under G53, G153 or SUPA.
@@ -143,12 +154,12 @@ impl Run<'_> {
         if let Some(first) = w.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
-        if let Some((_, span)) = w.code_of(9).filter(|(code, _)| *code != Code::SUPD) {
+        if let Some((_, span)) = w.code_of(9) {
             return self.fail_help(
                 codes::S9011,
                 0,
                 span,
-                "a positioning axis in machine coordinates cannot be printed",
+                "a positioning axis in machine coordinates or without its tool offset cannot be printed",
                 "program the axis by G0 or G1 in this block",
             );
         }

@@ -3,13 +3,13 @@
 //! Source: reference sections 1.3 and 5.6.
 
 use crate::diag::codes;
-use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
 use crate::parser::symbols::Symbol;
 
+use super::axis_names::NamedAxis;
 use super::value::{Val, whole};
 use super::vocabulary::{Address, Code, Indexed, Meaning, Procedure};
-use super::words::{CallWord, Positioning, SWord, Words};
+use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
 use super::{Outcome, Run};
 
 /// Does the block set an interrupt? The program it names is not called here.
@@ -56,9 +56,9 @@ impl Run<'_> {
                     let given = self.given(word, block, text)?;
                     self.set_address(words, address, given)?;
                 }
-                Meaning::Axis(axis) => {
+                Meaning::Axis(named) => {
                     let given = self.given(word, block, text)?;
-                    self.set_axis(words, axis, given)?;
+                    self.axis_word(words, named, given)?;
                 }
                 Meaning::Procedure(Procedure::Refused(what)) => {
                     let message = format!("{} ({what}) is not supported", self.symbols.name(name));
@@ -66,7 +66,7 @@ impl Run<'_> {
                 }
                 _ => {
                     if self.definitions_known() {
-                        return self.undefined(name, word.span);
+                        return self.undefined_word(name, word.span);
                     }
                     return self.name_word(words, name, word, block, text);
                 }
@@ -141,7 +141,7 @@ impl Run<'_> {
         }
         match self.meaning(name) {
             Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
-            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa | Address::Svc) => {
+            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa) => {
                 let spindle = self.spindle_index(args, block, text)?;
                 if spindle == self.st.master
                     && let Meaning::Address(address) = self.meaning(name)
@@ -168,9 +168,13 @@ impl Run<'_> {
                 words.dynamics.get_or_insert(word.span);
                 Ok(false)
             }
+            Meaning::Address(address @ (Address::Toff | Address::Toffl | Address::Toffr)) => {
+                let given = self.given(word, block, text)?;
+                self.set_address(words, address, given).map(|()| false)
+            }
             _ => {
                 if self.definitions_known() {
-                    return self.undefined(name, word.span);
+                    return self.undefined_word(name, word.span);
                 }
                 self.indexed_word(words, base, args, word, block, text)
             }
@@ -249,7 +253,7 @@ impl Run<'_> {
     }
 
     /// The axis in brackets.
-    pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<Axis> {
+    pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<NamedAxis> {
         let [formula] = *block.arguments(args) else {
             return self.fail(codes::S2031, 12040, block.span, "one axis is needed in brackets");
         };
@@ -273,28 +277,33 @@ impl Run<'_> {
     ) -> Outcome {
         match indexed {
             Indexed::Ax => {
-                let axis = self.axis_index(args, block, text)?;
+                let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                if words.axes.contains(axis) {
-                    let message = format!("the axis {} stands twice in the block", axis.letter());
+                if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
+                    let message = format!("the axis {} stands twice in the block", named.text());
                     return self.fail_help(codes::S2007, 16420, given.span, message, "delete one of the words");
                 }
-                self.set_axis(words, axis, given)
+                self.axis_word(words, named, given)
             }
             Indexed::Pos => {
-                let axis = self.axis_index(args, block, text)?;
+                let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                words.positioning.push(Positioning { axis, given });
+                match self.printed_axis(named, given.span)? {
+                    Some(axis) => words.positioning.push(Positioning { axis, given }),
+                    None => words.left_out.push((named, given.span)),
+                }
                 Ok(())
             }
             Indexed::Fa => {
-                let axis = self.axis_index(args, block, text)?;
+                let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if given.value <= 0.0 {
                     let message = format!("the feed {} of a positioning axis is not above 0", given.value);
                     return self.fail(codes::S2041, 14810, given.span, message);
                 }
-                words.axis_feeds.push((axis, given.value));
+                if let Some(axis) = named.axis {
+                    words.axis_feeds.push((axis, given.value));
+                }
                 Ok(())
             }
             Indexed::Override => {
@@ -313,17 +322,35 @@ impl Run<'_> {
                 Ok(())
             }
             Indexed::DiameterOn | Indexed::Diameter90 | Indexed::DiameterOff | Indexed::DiameterChannel => {
-                let axis = self.axis_index(args, block, text)?;
-                words.diameter = Some((indexed, axis, word.span));
+                match self.axis_index(args, block, text)?.axis {
+                    Some(axis) => words.diameter = Some((indexed, axis, word.span)),
+                    None => return self.no_diameter_axis(word.span),
+                }
                 Ok(())
             }
-            Indexed::Posa => self.fail_help(
-                codes::S9008,
-                0,
-                word.span,
-                "an axis that moves beside the path cannot be printed",
-                "move the axis in a path block, or by POS[…]",
-            ),
+            Indexed::Posa => {
+                let named = self.axis_index(args, block, text)?;
+                if self.printed_axis(named, word.span)?.is_none() {
+                    words.left_out.push((named, word.span));
+                    return Ok(());
+                }
+                self.fail_help(
+                    codes::S9008,
+                    0,
+                    word.span,
+                    "an axis that moves beside the path cannot be printed",
+                    "move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`",
+                )
+            }
+            Indexed::CutAxis => {
+                let named = self.axis_index(args, block, text)?;
+                if named.axis.is_some() && named.axis == self.job.settings.machine.diameter_axis {
+                    return Ok(());
+                }
+                let message = format!("SCC refers G96 to {}, which is not the diameter axis", named.text());
+                let help = "name it: `[machine] diameter_axis`, or program S in turns under G97";
+                self.fail_help(codes::S9132, 0, word.span, message, help)
+            }
             Indexed::Polynomial => self.fail_help(
                 codes::S9002,
                 0,
@@ -349,10 +376,18 @@ impl Run<'_> {
             self.assign_word(word, block, text)?;
             return Ok(true);
         }
-        if let Meaning::Address(address) = self.meaning(name) {
-            let given = self.given(word, block, text)?;
-            self.set_address(words, address, given)?;
-            return Ok(false);
+        match self.meaning(name) {
+            Meaning::Address(address) => {
+                let given = self.given(word, block, text)?;
+                self.set_address(words, address, given)?;
+                return Ok(false);
+            }
+            Meaning::Axis(named) => {
+                let given = self.given(word, block, text)?;
+                self.axis_word(words, named, given)?;
+                return Ok(false);
+            }
+            _ => {}
         }
         let spindle = u8::try_from(number).ok();
         match letter {
@@ -384,9 +419,9 @@ impl Run<'_> {
             }
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 self.given(word, block, text)?;
-                words.machine_axes.push((Axis::of(letter).unwrap_or(Axis::X), word.span));
+                words.machine_axes.push(MachineAxis { letter, number, span: word.span });
             }
-            _ => return self.undefined(name, word.span),
+            _ => return self.undefined_word(name, word.span),
         }
         Ok(false)
     }

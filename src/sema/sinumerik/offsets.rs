@@ -2,7 +2,7 @@
 //!
 //! Source: reference section 4.7.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::ir::{Function, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -10,6 +10,30 @@ use crate::text::Span;
 use super::frames::FrameValue;
 use super::system::offset_word;
 use super::{Outcome, Run};
+
+/// What printed positions count from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Outer {
+    /// The offset that is active on the target at the start: the basic system of the control.
+    #[default]
+    Basic,
+    /// A work offset of the machine that is printed, by its number in the program.
+    Printed(u8),
+    /// Machine coordinates, printed with G53.
+    Machine,
+    /// The basic system, whose place is not known here.
+    Unrelated,
+}
+
+/// Moves that were printed before any work offset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum FromBasic {
+    #[default]
+    None,
+    /// In front of the first code of group 8.
+    AtStart,
+    UnderG500,
+}
 
 impl Run<'_> {
     /// A code of group 8: number 0 is G500, 1 is G54.
@@ -22,23 +46,19 @@ impl Run<'_> {
             return self.fail(codes::S2080, 0, span, "the work offset changes while radius compensation is on");
         }
         if let Some(frame) = self.st.written.get(&number).cloned() {
-            self.st.machine_coordinates = false;
             self.resolved_offset_note(span);
             self.resolves_offsets(span)?;
-            self.switch_offset(Some(frame));
+            self.counts_from(Outer::Basic, Some(frame));
             return Ok(());
         }
         let mapped = self.job.settings.datums.words.get(&offset_word(number)).copied();
-        if number == 0 && mapped.is_none() && self.st.offsets_resolved {
-            // Offsets that the program wrote are printed in the basic system, which is what G500 leaves.
-            self.st.machine_coordinates = false;
-            self.switch_offset(Some(FrameValue::default()));
-            return Ok(());
-        }
         let printed = match (mapped, number) {
-            (Some(printed), _) => Some(printed),
-            (None, 0) => None,
-            (None, 1..=9) => Some(number),
+            (Some(printed), _) => printed,
+            (None, 0) => {
+                self.basic_system(span);
+                return Ok(());
+            }
+            (None, 1..=9) => number,
             _ => {
                 let word = offset_word(number);
                 return self.fail_help(
@@ -50,29 +70,100 @@ impl Run<'_> {
                 );
             }
         };
-        let was_machine = self.st.machine_coordinates;
-        self.st.machine_coordinates = printed.is_none();
-        if self.st.settable.take().is_some() {
-            self.refresh_frame();
+        self.counts_from(Outer::Printed(number), None);
+        self.st.offsets_printed = true;
+        if self.st.offsets_resolved {
+            return self.mixed_offsets(span);
         }
-        if let Some(number) = printed {
-            self.st.offsets_printed = true;
-            if self.st.offsets_resolved {
-                return self.mixed_offsets(span);
-            }
-            self.function(Function::WorkOffset(number));
-        }
-        if printed.is_some() || !was_machine {
+        let moved = std::mem::take(&mut self.st.moved_from_basic);
+        if moved == FromBasic::UnderG500 {
             self.forget_all();
+            return self.unrelated(span, "moves under G500 stand in front of");
         }
-        if printed.is_none() {
+        self.function(Function::WorkOffset(printed));
+        self.forget_all();
+        if moved == FromBasic::AtStart {
+            let word = offset_word(number);
+            let message = format!(
+                "moves stand in front of {word}: they run under the offset that is active on the target at the start"
+            );
+            let found = Diagnostic::new(codes::S8131, self.loc(span), message);
+            self.report(found.help("select the work offset in front of the first move"));
+        }
+        Ok(())
+    }
+
+    /// G500: positions count from the basic system, the machine zero shifted by the basic frame.
+    fn basic_system(&mut self, span: Span) {
+        let datums = &self.job.settings.datums;
+        if self.st.offsets_resolved || !self.st.offsets_printed && datums.basic.is_none() {
+            // Everything that is printed counts from there.
+            self.st.under_g500 = true;
+            return self.counts_from(Outer::Basic, Some(FrameValue::default()));
+        }
+        if let Some(basic) = &datums.basic {
+            let frame = FrameValue::shifted(&basic.iter().map(|(axis, value)| (*axis, *value)).collect::<Vec<_>>());
             self.note_once(
                 codes::S8011,
                 span,
-                "under G500 positions count in machine coordinates and are printed with G53",
+                "under G500 positions are printed in machine coordinates with G53, through `[datums] basic`",
             );
+            return self.counts_from(Outer::Machine, Some(frame));
         }
-        Ok(())
+        // Seen from a printed offset whose place is known, the basic system lies the other way.
+        if let Outer::Printed(number) = self.st.outer
+            && let Some(values) = datums.offsets.get(&offset_word(number))
+        {
+            let back: Vec<_> = values.iter().map(|(axis, value)| (*axis, -*value)).collect();
+            let word = offset_word(number);
+            self.note_once(
+                codes::S8011,
+                span,
+                format!("positions under G500 are printed in {word}, through its values in `[datums]`"),
+            );
+            return self.counts_from(Outer::Printed(number), Some(FrameValue::shifted(&back)));
+        }
+        self.counts_from(Outer::Unrelated, None);
+    }
+
+    /// Positions count from another place, or through another frame.
+    pub(super) fn counts_from(&mut self, outer: Outer, frame: Option<FrameValue>) {
+        if outer != self.st.outer {
+            self.forget_all();
+        }
+        self.st.outer = outer;
+        self.st.settable = frame;
+        self.refresh_frame();
+    }
+
+    /// Something is printed that counts from the basic system; a later offset of the machine would count from elsewhere.
+    #[inline]
+    pub(super) fn note_outer(&mut self) {
+        if self.st.outer == Outer::Basic && self.st.moved_from_basic != FromBasic::UnderG500 {
+            self.moves_from_basic();
+        }
+    }
+
+    fn moves_from_basic(&mut self) {
+        if !self.st.under_g500 {
+            self.st.moved_from_basic = FromBasic::AtStart;
+            return;
+        }
+        self.st.moved_from_basic = FromBasic::UnderG500;
+        let message = "positions under G500 are printed as they stand: the offset that is active on the target \
+                       has to be zero, or to lie where the basic system of the control lies";
+        self.note_once(codes::S8011, Span::default(), message);
+    }
+
+    /// G500 beside an offset of the machine: nobody knows the way between the two.
+    pub(super) fn unrelated<T>(&self, span: Span, what: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::S9131,
+            0,
+            span,
+            format!("{what} a work offset of the machine, and where it lies from the basic system is not known"),
+            "give the basic frame (`[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`), the values of the offset (`[datums] G54 = { … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)",
+        )
     }
 
     /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
@@ -91,16 +182,6 @@ impl Run<'_> {
             "the program uses a work offset that it writes itself beside one of the machine",
             "let it write all the offsets it uses, or none",
         )
-    }
-
-    /// A work offset whose values are known goes into the coordinates.
-    pub(super) fn switch_offset(&mut self, frame: Option<FrameValue>) {
-        let known = self.st.settable.is_some() || self.st.offset == 0 || self.st.written.contains_key(&self.st.offset);
-        self.st.settable = frame;
-        if !known {
-            self.forget_all();
-        }
-        self.refresh_frame();
     }
 
     pub(super) fn forget_all(&mut self) {

@@ -46,12 +46,34 @@ impl Run<'_> {
             return self.again(block, text);
         }
         self.begins_executing();
+        if let Meaning::Known(known) = call.meaning {
+            let name = self.symbols.name(call.name).to_owned();
+            if !self.own_program(&name) {
+                self.st.lose(Axis::ALL.into_iter().collect());
+                self.lost();
+                return self.not_compiled(call.name, known, call.span);
+            }
+        }
         if self.has_other_words(w) {
             // Words beside the name of a program; of an unknown word most often.
             let name = self.symbols.name(call.name).to_owned();
             return if self.own_program(&name) { self.call_not_alone(call.span) } else { self.unknown_word(call) };
         }
         let name = self.symbols.name(call.name).to_owned();
+        if (super::functions::NAMES.contains(&name.as_str()) || super::words::is_modifier(&name))
+            && !self.own_program(&name)
+        {
+            let help = format!("give its value to a variable or a word: X={name}(…)");
+            return self.fail_help(codes::S1001, 12080, call.span, format!("{name} is a function and no block"), &help);
+        }
+        let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
+        if cycle && !self.own_program(&name) {
+            self.st.lose(Axis::ALL.into_iter().collect());
+            self.lost();
+            let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
+            let help = "replace it by plain moves, or put its program beside this one";
+            return self.fail_help(codes::S9005, 0, call.span, message, help);
+        }
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
 
@@ -170,6 +192,7 @@ impl Run<'_> {
                 self.changes_feeds(message, call.span);
                 Ok(())
             }
+            Procedure::Dynamics if name == "FGROUP" => self.feed_axes(&formulas, call.span, block, text),
             Procedure::Dynamics => {
                 self.dynamics_are_left_out(call.span);
                 Ok(())
@@ -392,7 +415,7 @@ impl Run<'_> {
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
             let same =
                 match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {
-                    (Some(known), Val::Axis(axis)) => known == axis,
+                    (Some(known), Val::Axis(named)) => named.axis == Some(known),
                     _ => false,
                 };
             if !same {

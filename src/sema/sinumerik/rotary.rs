@@ -47,7 +47,12 @@ impl Run<'_> {
         if self.st.lost.contains(axis) {
             return Err(Reported);
         }
-        let Some(at) = self.st.pos.get(axis) else { return Ok(given.value) };
+        let Some(at) = self.st.pos.get(axis) else {
+            let letter = axis.letter();
+            let message = format!("where {letter} stands is not known: its way to this position is left to the target");
+            self.note_once(codes::S8044, given.span, message);
+            return Ok(given.value);
+        };
         let shift = self.st.ctx.frame.shift_of(axis);
         if reduced(shift) != 0.0 && !self.job.settings.control.siemens.modulo_shortest {
             return self.modulo_under_a_shift(axis, given.span);

@@ -20,6 +20,9 @@ impl Run<'_> {
     /// A code of group 2.
     pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let mut moved = false;
+        if let Some((_, suppressed)) = w.code_of(9) {
+            return self.not_alone(suppressed);
+        }
         if code != Code::G4 {
             self.thread_chain = None;
         }
@@ -31,9 +34,6 @@ impl Run<'_> {
                 self.dwell(span, w)?;
             }
             Code::G63 => {
-                if let Some((_, suppressed)) = w.code_of(9) {
-                    return self.not_alone(suppressed);
-                }
                 self.technology(w)?;
                 self.early_functions(w)?;
                 moved = true;
@@ -41,12 +41,14 @@ impl Run<'_> {
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
                 self.send(&end, Path::Line, feed);
+                w.left_out.clear();
             }
             Code::G74 | Code::G75 => {
                 self.technology(w)?;
                 self.early_functions(w)?;
                 self.fixed_point(code, span, w)?;
                 w.machine_axes.clear();
+                w.left_out.clear();
             }
             _ => {
                 let message = format!("{} is not supported", word(code));
@@ -167,7 +169,10 @@ impl Run<'_> {
     fn fixed_point(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         self.pending_must_be_done(span)?;
         let number = if code == Code::G75 { self.fixed_point_number(w)? } else { 0 };
-        let named: Vec<Axis> = w.axes.iter().chain(w.machine_axes.iter().map(|(axis, _)| *axis)).collect();
+        let mut named: Vec<Axis> = w.axes.iter().collect();
+        for machine_axis in &w.machine_axes {
+            named.extend(self.machine_axis(*machine_axis)?);
+        }
         let machine = &self.job.settings.machine;
         let (points, key) = match number {
             0 => (&machine.reference_point, "reference_point"),
@@ -195,7 +200,9 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, 14091, span, "a fixed point is approached under radius compensation");
         }
-        self.machine_rapid(end);
+        if !named.is_empty() {
+            self.machine_rapid(end);
+        }
         Ok(())
     }
 
@@ -203,6 +210,9 @@ impl Run<'_> {
 
     /// A code of group 3.
     pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        if let Some((_, suppressed)) = w.code_of(9) {
+            return self.not_alone(suppressed);
+        }
         match code {
             Code::G110 | Code::G111 | Code::G112 => self.pole_block(code, span, w)?,
             Code::G25 | Code::G26 => {
@@ -212,6 +222,7 @@ impl Run<'_> {
                     }
                 }
                 w.s.clear();
+                w.left_out.clear();
                 self.limits_are_left_out(span);
             }
             Code::G58 | Code::G59 => self.axial_shift(code, span, w)?,
@@ -227,6 +238,8 @@ impl Run<'_> {
     }
 
     fn frame_statement(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+        // What a frame does to an axis that is left out moves nothing.
+        w.left_out.clear();
         let adds = matches!(code, Code::ATRANS | Code::AROT | Code::ASCALE | Code::AMIRROR);
         if self.st.side() != Side::None {
             return self.fail_help(
@@ -345,6 +358,7 @@ impl Run<'_> {
             return self.work_offset(number + 1, span);
         }
         self.pending_must_be_done(span)?;
+        w.left_out.clear();
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
             self.parameter_of_frame(given)?;

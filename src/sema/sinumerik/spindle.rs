@@ -71,9 +71,9 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Refuses a cut at the speed that a turning spindle happens to have kept since G96.
+    /// Refuses a cut at a speed that a turning spindle kept since G96 and that is not known here.
     pub(super) fn speed_is_known(&mut self) -> Outcome {
-        if !self.st.speed_kept || self.st.turn.is_none() {
+        if !self.st.speed_kept || self.st.turn.is_none() || self.st.turns.is_some() {
             return Ok(());
         }
         // Once is enough.
@@ -194,6 +194,7 @@ impl Run<'_> {
         let message = format!("G96 ends without S: the spindle goes on at about {turns} turns per minute");
         let found = crate::diag::Diagnostic::new(codes::S8046, self.loc(span), message);
         self.report(found.help("program S with G97"));
+        self.st.turns = Some(turns);
         self.send_spindle(self.st.master, Spindle::Speed(turns));
         Ok(())
     }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Pos, Side};
@@ -10,6 +11,7 @@ use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 
 use super::Run;
 use super::frames::FrameValue;
+use super::offsets::{FromBasic, Outer};
 use super::vocabulary::{Code, GROUPS, defaults};
 
 /// How values of the diameter axis count.
@@ -80,8 +82,11 @@ pub(super) struct State {
     /// The program selected offsets of the machine, and offsets that it wrote.
     pub offsets_printed: bool,
     pub offsets_resolved: bool,
-    /// Blocks count in machine coordinates: G500 is in force.
-    pub machine_coordinates: bool,
+    /// What printed positions count from.
+    pub outer: Outer,
+    /// G500 was programmed while nothing else was.
+    pub under_g500: bool,
+    pub moved_from_basic: FromBasic,
     pub diameter: Option<Diameter>,
     pub tool: Tool,
     pub basic_unit: Unit,
@@ -121,6 +126,7 @@ pub(super) struct Tool {
 pub(super) struct Saved {
     groups: [u8; GROUPS],
     programmable: FrameValue,
+    settable: Option<FrameValue>,
 }
 
 impl State {
@@ -178,7 +184,9 @@ impl State {
             offset: 0,
             offsets_printed: false,
             offsets_resolved: false,
-            machine_coordinates: false,
+            outer: Outer::Basic,
+            under_g500: false,
+            moved_from_basic: FromBasic::None,
             diameter: None,
             tool: Tool::default(),
             basic_unit,
@@ -187,6 +195,11 @@ impl State {
 
     pub fn is(&self, code: Code) -> bool {
         self.groups[code.group as usize] == code.index
+    }
+
+    /// Under G500 beside offsets of the machine.
+    pub fn in_machine(&self) -> bool {
+        matches!(self.outer, Outer::Machine | Outer::Unrelated)
     }
 
     pub fn plane(&self) -> Plane {
@@ -214,6 +227,15 @@ impl State {
     /// Does F count per revolution?
     pub fn per_revolution(&self) -> bool {
         matches!(self.groups[15], 3..=5)
+    }
+
+    /// Does a feed count as the kind of feed in force?
+    pub fn counts_as(&self, feed: Feed) -> bool {
+        match feed {
+            Feed::PerRevolution(_) => self.per_revolution(),
+            Feed::InverseTime(_) => self.is(Code::G93),
+            Feed::PerMinute(_) => !self.per_revolution() && !self.is(Code::G93),
+        }
     }
 
     pub fn side(&self) -> Side {
@@ -256,30 +278,37 @@ impl State {
 
 impl Run<'_> {
     pub(super) fn save(&self) -> Saved {
-        Saved { groups: self.st.groups, programmable: self.st.programmable.clone() }
+        Saved { groups: self.st.groups, programmable: self.st.programmable.clone(), settable: self.st.settable.clone() }
     }
 
     pub(super) fn restore(&mut self, saved: Saved) {
         let changed = self.st.groups[15] != saved.groups[15];
-        if self.st.groups[8] != saved.groups[8] {
-            // Whether SAVE brings the work offset back is a machine datum.
-            let _: super::Outcome = self.fail_help(
-                crate::diag::codes::S9018,
-                0,
-                crate::text::Span::default(),
-                "a program with SAVE changed the work offset",
-                "whether it comes back is machine datum 10617: select the offset again in the calling program",
-            );
-        }
-        let (kept_offset, kept_plane) = (self.st.groups[8], saved.groups[6]);
+        let (offset, plane) = (self.st.groups[8], saved.groups[6]);
         self.st.groups = saved.groups;
-        // The work offset of the subprogram stays (MD 10617).
-        self.st.groups[8] = kept_offset;
         self.st.programmable = saved.programmable;
-        self.set_plane(kept_plane);
+        self.set_plane(plane);
+        if offset != self.st.groups[8] {
+            // The work offset of the call comes back, whatever MD 10617 says.
+            let _: super::Outcome = self.work_offset(self.st.groups[8], crate::text::Span::default());
+        } else if self.st.settable != saved.settable {
+            self.restore_offset_frame(saved.settable);
+        }
         self.refresh_frame();
         if changed {
             self.feed_mode_changed();
+        }
+    }
+
+    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
+    fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
+        let chosen = self.job.settings.control.siemens.save_restores_offset;
+        if chosen == Some(true) {
+            self.st.settable = frame;
+        } else if chosen.is_none() {
+            let message =
+                "the program with SAVE changed the frame of the work offset; it stays changed (MD 10617, bit 0 = 0)";
+            let found = Diagnostic::new(codes::S9018, self.here.origin.loc, message);
+            self.report(found.help("set `[control] md10617`, or select the offset again in the calling program"));
         }
     }
 
@@ -313,7 +342,7 @@ impl Run<'_> {
             self.st.lose(Axis::ALL.into_iter().collect());
             self.st.programmable = FrameValue::default();
             let _: super::Outcome = self.fail(
-                crate::diag::codes::S2034,
+                codes::S2034,
                 0,
                 crate::text::Span::default(),
                 "the frame cannot be used: a factor or a shift is zero or out of all range",

@@ -4,11 +4,13 @@
 //! Source: `reference/sinumerik-contours-undercuts-cycles` section 1.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
-use crate::ir::undercut::{Surface, usual_pitch};
-use crate::ir::{Feed, Pos};
+use crate::ir::Pos;
+use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
+use crate::ir::undercut::usual_pitch;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
-use crate::sema::records::{Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, compare, outline, solve};
+use crate::sema::records::{
+    Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, compare, outline, solve,
+};
 use crate::text::{Loc, Span};
 
 use super::state::Diameter;
@@ -16,8 +18,8 @@ use super::stored_difference::Told;
 use super::tangent::Heading;
 use super::{Outcome, Reported, Run};
 
-/// How far blocks and records may differ, in mm.
-const TOLERANCE: f64 = 0.001;
+/// How far blocks and records may differ, in the unit of the program.
+pub(super) const TOLERANCE: f64 = 0.001;
 /// Most blocks of a contour that are compared: an undercut is one record and four of them.
 const MOST_BLOCKS: usize = 4 * MOST_RECORDS;
 
@@ -32,13 +34,15 @@ pub(super) struct Stored {
     centre: Option<crate::geo::Point2>,
     /// The first element that runs at rapid traverse.
     rapid: Option<usize>,
-    records: Vec<Record>,
+    pub(super) records: Vec<Record>,
     /// Where each record stands.
-    record_places: Vec<Loc>,
-    begin: Loc,
-    /// Lengths across the part are diameters: what holds in front of the block of the start point, which the
-    /// editor wrote; words that were added there or behind it do not change what the records mean.
-    diameter: bool,
+    pub(super) record_places: Vec<Loc>,
+    pub(super) begin: Loc,
+    /// Lengths across the part are diameters, and in which unit they are: what holds in front of the block of the start
+    /// point, which the editor wrote; words that were added there or behind it do not change what the records mean.
+    written: Written,
+    /// A block of the contour said how lengths across the part count.
+    pub(super) diameter_said: bool,
 }
 
 impl Stored {
@@ -70,7 +74,8 @@ impl Run<'_> {
                     records: Vec::new(),
                     record_places: Vec::new(),
                     begin: self.here.origin.loc,
-                    diameter: false,
+                    written: Written { diameter: false, unit: 1.0 },
+                    diameter_said: false,
                 }));
                 result
             }
@@ -124,10 +129,17 @@ impl Run<'_> {
 
     /// A block of a stored contour begins.
     pub(super) fn note_stored_block(&mut self) {
-        let diameter = self.st.diameter_mode() != Diameter::Off;
+        let written = self.written_now();
         if let Some(stored) = self.stored.as_mut().filter(|stored| stored.start.is_none()) {
-            stored.diameter = diameter;
+            stored.written = written;
         }
+    }
+
+    /// How the numbers of records count here: ordinates as those of blocks.
+    fn written_now(&self) -> Written {
+        let [_, second, _] = self.st.roles();
+        let diameter = self.is_diameter_axis(second) && self.st.diameter_mode() != Diameter::Off;
+        Written { diameter, unit: self.st.length_unit() }
     }
 
     /// Notes the centre of an arc that follows.
@@ -188,15 +200,15 @@ impl Run<'_> {
         if self.errors.get() > 0 {
             return Ok(());
         }
-        let diameter = if stored.start.is_some() { stored.diameter } else { self.st.diameter_mode() != Diameter::Off };
+        let written = if stored.start.is_some() { stored.written } else { self.written_now() };
         let [first, second, _] = self.st.roles();
         let here = (first.letter() as u8, second.letter() as u8);
         let named = stored.records.iter().find_map(|record| match record {
-            Record::Header { axes } => *axes,
+            Record::Header { axes, .. } => *axes,
             _ => None,
         });
         let other_plane = named.is_some_and(|axes| axes != here);
-        if other_plane && stored.blocks.is_empty() {
+        if other_plane && stored.start.is_none() {
             return self.fail_help(
                 codes::S9019,
                 0,
@@ -213,16 +225,17 @@ impl Run<'_> {
             ));
             return Ok(());
         }
-        if stored.blocks.is_empty() {
-            return match outline(&stored.records, diameter, &self.job.settings.undercut) {
-                Ok(made) => self.rebuild(&made, stored),
+        if stored.start.is_none() {
+            self.can_be_rebuilt(stored)?;
+            return match outline(&stored.records, written, &self.job.settings.undercut) {
+                Ok(made) => self.rebuild(&made, stored, written.unit),
                 Err(why) => self.no_contour(&why, stored),
             };
         }
-        let made = match solve(&stored.records, diameter, &self.job.settings.undercut) {
+        let made = match solve(&stored.records, written, &self.job.settings.undercut) {
             Ok(made) => made,
             Err(why) => {
-                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, diameter) {
+                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, written) {
                     self.unchecked(&why, stored);
                 }
                 return Ok(());
@@ -233,7 +246,10 @@ impl Run<'_> {
             return Ok(());
         }
         let start = stored.start.unwrap_or(made.start);
-        let compared = compare(start, &stored.blocks, &made, TOLERANCE);
+        let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
+        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(stored, written) {
+            compared = Ok(());
+        }
         if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
             let place = stored.places.get(i).copied().unwrap_or(stored.begin);
             let message =
@@ -241,7 +257,7 @@ impl Run<'_> {
             self.report(Diagnostic::new(codes::S8026, place, message).help("program G1 in the first element"));
         }
         if let Err(difference) = compared {
-            let told = Told { axes: here, diameter, start, blocks: &stored.blocks, made: &made };
+            let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
             let (at, message) = told.difference(difference);
             let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
             let record = told.record(difference).and_then(|at| stored.record_places.get(at));
@@ -259,19 +275,28 @@ impl Run<'_> {
     }
 
     /// Do the blocks agree with the records that are known? What is left over is no element then, as the pole is none.
-    fn agrees_without_unknown(&self, stored: &Stored, diameter: bool) -> bool {
+    fn agrees_without_unknown(&self, stored: &Stored, written: Written) -> bool {
         let known: Vec<Record> = stored
             .records
             .iter()
             .map(|record| match record {
-                Record::Unknown(_) => Record::Header { axes: None },
+                Record::Unknown(_) => Record::Header { axes: None, turned: None },
                 known => known.clone(),
             })
             .collect();
-        let made: Option<Contour> = solve(&known, diameter, &self.job.settings.undercut).ok();
+        let made: Option<Contour> = solve(&known, written, &self.job.settings.undercut).ok();
         made.is_some_and(|made| {
             let start = stored.start.unwrap_or(made.start);
-            stored.rapid.is_none() && compare(start, &stored.blocks, &made, TOLERANCE).is_ok()
+            stored.rapid.is_none() && compare(start, &stored.blocks, &made, TOLERANCE * written.unit).is_ok()
+        })
+    }
+
+    /// Are the records in millimetres though the blocks are in inches? No contour of inches was ever seen.
+    fn agrees_in_millimetres(&self, stored: &Stored, written: Written) -> bool {
+        let made = solve(&stored.records, Written { unit: 1.0, ..written }, &self.job.settings.undercut);
+        made.is_ok_and(|made| {
+            let start = stored.start.unwrap_or(made.start);
+            compare(start, &stored.blocks, &made, TOLERANCE * written.unit).is_ok()
         })
     }
 
@@ -318,6 +343,17 @@ impl Run<'_> {
             NoUndercut::Place => {
                 ("an undercut stands between two straight lines".to_owned(), "move or delete it".to_owned())
             }
+            NoUndercut::Start => (
+                "what leads to the undercut at the start of the contour is not known: it has no direction, or begins with a \
+                 rounding"
+                    .to_owned(),
+                accept.to_owned(),
+            ),
+            NoUndercut::InchPitch => (
+                "whether the pitch of a thread undercut is in inches or in millimetres is not known in a contour of inches"
+                    .to_owned(),
+                "write the undercut as blocks, or by CYCLE940".to_owned(),
+            ),
             NoUndercut::Corner => ("the corner does not take the undercut".to_owned(), accept.to_owned()),
             NoUndercut::Convex => (
                 "the undercut stands at a convex edge: the contour reaches the turning centre, so the material lies on \
@@ -358,89 +394,8 @@ impl Run<'_> {
         }
     }
 
-    /// The blocks of a contour of which only the records are left.
-    fn rebuild(&mut self, made: &crate::sema::records::Contour, stored: &Stored) -> Outcome {
-        let plane = self.st.plane();
-        self.note_once(
-            codes::S8028,
-            Span::default(),
-            "the blocks of a stored contour are missing and are made from its records",
-        );
-        let feed = match self.st.feed {
-            Some(feed) => feed,
-            None if self.is_capturing() => Feed::PerRevolution(1.0),
-            None => {
-                self.st.feed_lost = true;
-                return self.fail(codes::S2040, 10860, Span::default(), "no feed is programmed for the contour");
-            }
-        };
-        let here = self.here.origin;
-        for record in &made.chosen {
-            self.stand_at(stored, *record);
-            let found = Diagnostic::new(
-                codes::S8030,
-                self.here.origin.loc,
-                "this record leaves two solutions, and the stored choice is not confirmed",
-            );
-            self.report(found.help("compare the element with the drawing"));
-        }
-        let doubted = |record: usize| made.doubts.iter().find(|(at, _)| *at == record).map(|(_, doubts)| doubts);
-        for (record, surface) in &made.assumed {
-            self.stand_at(stored, *record);
-            let side = match surface {
-                Surface::External => "outside on the part",
-                Surface::Internal => "in a bore",
-            };
-            // A second note at this place would not be seen.
-            let facts = doubted(*record).map(|doubts| format!("; not confirmed is {doubts}")).unwrap_or_default();
-            let message = format!(
-                "the contour does not tell the side of the material; the undercut is taken as one {side}{facts}"
-            );
-            self.report(Diagnostic::new(codes::S8022, self.here.origin.loc, message));
-        }
-        for (record, doubts) in made.doubts.iter().filter(|(at, _)| !made.assumed.iter().any(|(told, _)| told == at)) {
-            self.stand_at(stored, *record);
-            let message = format!("the undercut rests on facts that are not confirmed: {doubts}");
-            self.note_once(codes::S8022, Span::default(), message);
-        }
-        self.stand_at(stored, made.start_record);
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(plane, made.start);
-        self.send(&end, Path::Rapid, None);
-        for block in &made.blocks {
-            self.stand_at(stored, block.record);
-            let mut end = Pos::UNKNOWN;
-            end.set_in_plane(plane, block.end);
-            let path = match block.arc {
-                Some((center, ccw)) => {
-                    Path::Arc(Arc { plane, shape: ArcShape::Center { center, ccw, tol: 2.0 * TOLERANCE }, turns: 0 })
-                }
-                None => Path::Line,
-            };
-            self.send(&end, path, Some(feed));
-            let shape = match block.corner {
-                Some(CornerWord::Radius(radius)) if radius > 0.0 => CornerShape::Rounding { radius },
-                Some(CornerWord::Chamfer(side)) if side > 0.0 => CornerShape::Chamfer { side },
-                Some(CornerWord::Undercut(undercut)) => CornerShape::Undercut(undercut),
-                _ => continue,
-            };
-            self.stand_at(stored, block.corner_record);
-            self.send_corner(Some(Corner {
-                shape,
-                feed: None,
-                early: true,
-                modal: false,
-                large: self.large_corner(),
-                at_arc: self.arc_chamfer(),
-                blocks: Blocks::PassedOver,
-            }));
-        }
-        self.here.origin = here;
-        Ok(())
-    }
-
     /// What follows comes from a record.
-    fn stand_at(&mut self, stored: &Stored, record: usize) {
+    pub(super) fn stand_at(&mut self, stored: &Stored, record: usize) {
         if let Some(place) = stored.record_places.get(record) {
             self.here.origin.loc = *place;
         }

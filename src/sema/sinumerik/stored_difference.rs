@@ -1,15 +1,14 @@
 //! What to say where the blocks of a stored contour and its records differ: both values, and how far they lie apart.
 
 use crate::geo::{Point2, distance};
-use crate::sema::records::{Block, Contour, CornerWord, Difference};
+use crate::sema::records::{Block, Contour, CornerWord, Difference, Written};
 
 /// The two halves of a contour, and how their numbers are written.
 #[derive(Debug)]
 pub(super) struct Told<'a> {
     /// Letters of abscissa and ordinate.
     pub axes: (u8, u8),
-    /// Ordinates are written as diameters.
-    pub diameter: bool,
+    pub written: Written,
     pub start: Point2,
     pub blocks: &'a [Block],
     pub made: &'a Contour,
@@ -44,10 +43,10 @@ impl Told<'_> {
     fn start(&self) -> String {
         let (there, here) = (self.start, self.made.start);
         format!(
-            "the contour starts at {}, by the records of the contour editor at {}: {} mm apart",
+            "the contour starts at {}, by the records of the contour editor at {}: {} apart",
             self.point(there),
             self.point(here),
-            number(distance(there, here))
+            self.way(distance(there, here))
         )
     }
 
@@ -59,11 +58,11 @@ impl Told<'_> {
     fn end(&self, i: usize) -> String {
         let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
         format!(
-            "element {} ends at {}, by the records of the contour editor at {}: {} mm apart",
+            "element {} ends at {}, by the records of the contour editor at {}: {} apart",
             i + 1,
             self.point(there.end),
             self.point(here.end),
-            number(distance(there.end, here.end))
+            self.way(distance(there.end, here.end))
         )
     }
 
@@ -71,9 +70,9 @@ impl Told<'_> {
         let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
         let apart = match (there.arc, here.arc) {
             (Some((_, ccw)), Some((center, sense))) if ccw == sense && there.radius.is_some() => {
-                format!(" with radius {}", number(distance(center, here.end)))
+                format!(" with radius {}", self.length(distance(center, here.end)))
             }
-            (Some((a, ccw)), Some((b, sense))) if ccw == sense => format!(": {} mm apart", number(distance(a, b))),
+            (Some((a, ccw)), Some((b, sense))) if ccw == sense => format!(": {} apart", self.way(distance(a, b))),
             _ => String::new(),
         };
         format!(
@@ -89,31 +88,40 @@ impl Told<'_> {
         format!(
             "the corner behind element {} has {}, by the records of the contour editor {}",
             i + 1,
-            word(there.corner),
-            word(here.corner)
+            self.word(there.corner),
+            self.word(here.corner)
         )
     }
 
     fn shape(&self, block: &Block) -> String {
         match (block.arc, block.radius) {
             (None, _) => "a straight line".to_owned(),
-            (Some((_, ccw)), Some(radius)) => format!("G{} with CR={}", if ccw { 3 } else { 2 }, number(radius)),
+            (Some((_, ccw)), Some(radius)) => format!("G{} with CR={}", if ccw { 3 } else { 2 }, self.length(radius)),
             (Some((center, ccw)), None) => format!("G{} about {}", if ccw { 3 } else { 2 }, self.point(center)),
         }
     }
 
     fn point(&self, p: Point2) -> String {
-        let scale = if self.diameter { 2.0 } else { 1.0 };
-        format!("{}{} {}{}", self.axes.0 as char, number(p.x), self.axes.1 as char, number(scale * p.y))
+        let scale = if self.written.diameter { 2.0 } else { 1.0 };
+        format!("{}{} {}{}", self.axes.0 as char, self.length(p.x), self.axes.1 as char, self.length(scale * p.y))
     }
-}
 
-fn word(corner: Option<CornerWord>) -> String {
-    match corner {
-        None => "no transition".to_owned(),
-        Some(CornerWord::Radius(radius)) => format!("RND={}", number(radius)),
-        Some(CornerWord::Chamfer(leg)) => format!("CHR={}", number(leg)),
-        Some(CornerWord::Undercut(_)) => "an undercut".to_owned(),
+    /// A length as the program writes it.
+    fn length(&self, mm: f64) -> String {
+        number(mm / self.written.unit)
+    }
+
+    fn way(&self, mm: f64) -> String {
+        format!("{} {}", self.length(mm), if self.written.unit == 1.0 { "mm" } else { "in" })
+    }
+
+    fn word(&self, corner: Option<CornerWord>) -> String {
+        match corner {
+            None => "no transition".to_owned(),
+            Some(CornerWord::Radius(radius)) => format!("RND={}", self.length(radius)),
+            Some(CornerWord::Chamfer(leg)) => format!("CHR={}", self.length(leg)),
+            Some(CornerWord::Undercut(_)) => "an undercut".to_owned(),
+        }
     }
 }
 

@@ -46,10 +46,11 @@ impl Run<'_> {
         Ok(Some(match word {
             "$PI" => Val::Real(core::f64::consts::PI),
             "$P_EP" | "$AA_IW" => {
-                let [Val::Axis(axis)] = args else {
+                let [Val::Axis(named)] = args else {
                     return self.fail(codes::S2031, 12040, span, format!("`{word}` needs an axis: `{word}[X]`"));
                 };
-                Val::Real(self.position_value(*axis, span)?)
+                let Some(axis) = named.axis else { return Ok(None) };
+                Val::Real(self.position_value(axis, span)?)
             }
             "$P_TOOLNO" => match self.st.tool.active {
                 Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
@@ -80,10 +81,11 @@ impl Run<'_> {
                     None => return self.fail(codes::S2018, 17020, span, "there is no such G group"),
                 }
             }
-            "$P_AXN1" => Val::Axis(self.st.roles()[0]),
-            "$P_AXN2" => Val::Axis(self.st.roles()[1]),
-            "$P_AXN3" => Val::Axis(self.st.roles()[2]),
+            "$P_AXN1" => Val::Axis(self.axis_names.of(self.st.roles()[0])),
+            "$P_AXN2" => Val::Axis(self.axis_names.of(self.st.roles()[1])),
+            "$P_AXN3" => Val::Axis(self.axis_names.of(self.st.roles()[2])),
             "$P_F" => match self.st.feed {
+                Some(feed @ crate::ir::Feed::InverseTime(_)) => Val::Real(feed.value()),
                 Some(feed) => Val::Real(feed.value() / self.st.feed_unit()),
                 None => Val::Real(0.0),
             },
@@ -104,7 +106,10 @@ impl Run<'_> {
                 return self.frame_or_component(&frame, args, span).map(Some);
             }
             "$P_IFRAME" => {
-                let Some(frame) = self.st.settable.clone() else { return Ok(None) };
+                // Under G500 the frame of the offset is none, whatever its positions are printed through.
+                let none = self.st.offset == 0 && self.st.outer != super::offsets::Outer::Basic;
+                let frame = if none { Some(FrameValue::default()) } else { self.st.settable.clone() };
+                let Some(frame) = frame else { return Ok(None) };
                 return self.frame_or_component(&Rc::new(frame), args, span).map(Some);
             }
             "$P_UIFR" => {
@@ -221,7 +226,7 @@ impl Run<'_> {
                 let frame = self.new_frame(&old, args, &value, span)?;
                 self.resolved_offset_note(span);
                 self.resolves_offsets(span)?;
-                self.switch_offset(Some(frame));
+                self.counts_from(super::offsets::Outer::Basic, Some(frame));
                 Ok(())
             }
             "$P_UIFR" => {
@@ -377,6 +382,7 @@ impl Run<'_> {
                 },
                 _ => self.fail(codes::S2021, 14021, span, "INVFRAME takes a frame"),
             },
+            "AXNAME" => self.axis_of_text(args, span),
             "ISVAR" | "ISFILE" => return self.is_known(name, args, span),
             "MODAXVAL" => match args {
                 [_, value] => match value.number() {
@@ -390,6 +396,19 @@ impl Run<'_> {
             }
             _ => return None,
         })
+    }
+
+    /// `AXNAME("X")`
+    fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
+        let [Val::Text(text)] = args else {
+            return self.fail(codes::S2021, 14021, span, "AXNAME takes a text");
+        };
+        let name = String::from_utf8_lossy(text).to_ascii_uppercase();
+        let Some(named) = self.axis_names.find(&name) else {
+            return self.fail(codes::S2006, 14097, span, format!("AXNAME: `{name}` names no axis of this machine"));
+        };
+        self.printed_axis(named, span)?;
+        Ok(Val::Axis(named))
     }
 
     fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Option<Outcome<Val>> {
@@ -448,8 +467,10 @@ impl Run<'_> {
                 );
             };
             let value = self.as_number(value, span)?;
+            // The shift of an axis that is left out moves nothing.
+            let Some(axis) = axis.axis else { continue };
             let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
-            pairs.push((*axis, value * unit));
+            pairs.push((axis, value * unit));
         }
         Ok(pairs)
     }
@@ -467,9 +488,9 @@ impl Run<'_> {
                 );
             };
             let value = self.as_number(value, span)?;
-            match values.get_mut(axis.index()) {
+            match axis.axis.and_then(|axis| values.get_mut(axis.index())) {
                 Some(place) => *place = value,
-                None => return self.fail(codes::S2031, 12040, span, format!("{} is no geometry axis", axis.letter())),
+                None => return self.fail(codes::S2031, 12040, span, format!("{} is no geometry axis", axis.text())),
             }
         }
         Ok(values)
@@ -479,7 +500,11 @@ impl Run<'_> {
         let mut mirror = [false; 3];
         for value in args {
             match value {
-                Val::Axis(axis) if axis.index() < 3 => mirror[axis.index()] = true,
+                Val::Axis(named) if named.axis.is_none_or(crate::machine::Axis::is_main) => {
+                    if let Some(axis) = named.axis {
+                        mirror[axis.index()] = true;
+                    }
+                }
                 // A number behind the axis does not matter.
                 other if other.number().is_some() => {}
                 _ => return self.fail(codes::S2021, 14020, span, "CMIRROR takes geometry axes"),

@@ -32,6 +32,7 @@ impl Run<'_> {
                     "program a feed above 0",
                 );
             }
+            w.feed_given = true;
             self.st.feed = Some(self.feed_of(f.value));
             self.st.feed_lost = false;
         }

@@ -10,7 +10,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
 use super::vocabulary::{Address, Code};
-use super::words::{MWord, Words};
+use super::words::{Given, MWord, Words};
 use super::{Outcome, Reported, Run};
 
 /// Farthest that an axis may stand off its programmed place and still not move, in mm.
@@ -69,21 +69,14 @@ impl Run<'_> {
                 Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
             self.report(found.help("program M3 or M4 with a speed in front of the thread"));
         }
+        let follows = self.thread_chain.is_some();
         self.chain_is_whole(span)?;
         let end = self.targets(w)?;
-        let start = w.take(Address::Sf);
-        if start.is_none() {
+        let start_angle = w.take(Address::Sf);
+        if start_angle.is_none() {
             self.no_start_angle_by_setting(span)?;
         }
-        if let Some(start) = start.filter(|start| start.value != 0.0) {
-            return self.fail_help(
-                codes::S9012,
-                0,
-                start.span,
-                "a start angle of the thread cannot be printed",
-                "shift the start point along the thread instead: lead · angle / 360",
-            );
-        }
+        let start_angle = start_angle.filter(|start| start.value != 0.0);
         if let Some(given) = self.lead_words(w)? {
             if given.lead < 0.0 {
                 let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
@@ -109,9 +102,57 @@ impl Run<'_> {
                 "give the lead along the axis that moves further",
             );
         }
+        if let Some(given) = start_angle {
+            self.shift_start(given, &end, (axis, lead), follows)?;
+        }
         self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
         let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
         self.thread_chain = Some(ThreadChain { last: self.here.origin.loc, broken });
+        Ok(())
+    }
+
+    /// SF: the thread begins at an angle of the spindle, the one of the target at its zero mark. Begun farther back by
+    /// lead · angle / 360, it passes the programmed start at that angle, and is the same thread from there on.
+    fn shift_start(&mut self, start: Given, end: &Pos, (axis, lead): (Axis, f64), follows: bool) -> Outcome {
+        if !(0.0..360.0).contains(&start.value) {
+            let message = format!("the start angle SF={} lies outside 0 to 359.999", start.value);
+            return self.fail_help(codes::S9012, 0, start.span, message, "program the angle within one turn");
+        }
+        let why = if follows {
+            "this thread follows on another one, which fixes its angle"
+        } else if self.corner_open.is_some() {
+            "a chamfer or rounding stands in front of the thread"
+        } else if !self.st.ctx.frame.is_shift() {
+            "the frame is turned, mirrored or scaled"
+        } else {
+            ""
+        };
+        if !why.is_empty() {
+            let message = format!("the start angle of the thread cannot be made by a shift of its start: {why}");
+            let help = "program the start point farther back by lead · angle / 360, and no SF=";
+            return self.fail_help(codes::S9012, 0, start.span, message, help);
+        }
+        let back = lead * start.value / 360.0;
+        let (Some(to), Some(from)) = (end.get(axis), self.st.pos.get(axis)) else { return Err(Reported) };
+        if (to - from).abs() <= STILL {
+            return self.fail(codes::S2081, 16740, start.span, "the thread does not move along its lead");
+        }
+        // The start lies on the line of the thread, tapered ones included.
+        let part = back / (to - from).abs();
+        let mut shifted = Pos::UNKNOWN;
+        for axis in AxisSet::MAIN.iter() {
+            if let (Some(to), Some(from)) = (end.get(axis), self.st.pos.get(axis)) {
+                shifted.set(axis, from - (to - from) * part);
+            }
+        }
+        let message = format!(
+            "SF={} is made by a start that lies {back:.4} mm farther back along {}, where the tool goes at rapid",
+            start.value,
+            axis.letter()
+        );
+        let found = Diagnostic::new(codes::S8133, self.loc(start.span), message);
+        self.report(found.help("see that nothing stands there"));
+        self.send(&shifted, Path::Rapid, None);
         Ok(())
     }
 

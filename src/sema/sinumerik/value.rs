@@ -4,9 +4,9 @@
 
 use std::rc::Rc;
 
-use crate::machine::Axis;
 use crate::parser::sinumerik::ast::TypeName;
 
+use super::axis_names::NamedAxis;
 use super::frames::FrameValue;
 
 /// Longest text of a variable.
@@ -20,7 +20,7 @@ pub(super) enum Val {
     Bool(bool),
     Char(u8),
     Text(Rc<[u8]>),
-    Axis(Axis),
+    Axis(NamedAxis),
     Frame(Rc<FrameValue>),
     /// Several values in brackets, for `SET` and `PO`.
     List(Rc<[Val]>),
@@ -143,7 +143,7 @@ pub(super) fn to_text(value: &Val) -> Option<Vec<u8>> {
         Val::Bool(b) => vec![if *b { b'1' } else { b'0' }],
         Val::Char(c) => vec![*c],
         Val::Text(text) => text.to_vec(),
-        Val::Axis(axis) => vec![axis.letter() as u8],
+        Val::Axis(axis) => axis.bytes().to_vec(),
         Val::Frame(_) | Val::List(_) | Val::Missing => return None,
     })
 }

@@ -5,7 +5,8 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::machine::Axis;
+use super::axis_names::NamedAxis;
+use super::known_words::{KNOWN, Known};
 
 /// A code of a G group: group number and index in it, both from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -147,7 +148,7 @@ code_names! {
     G18 = 6 2
     G40 = 7 1
     SUPD = 9 4
-    G95 = 15 3
+    G93 = 15 1  G95 = 15 3
     G70 = 13 1
     G91 = 14 2
     DIAMOF = 29 1  DIAMON = 29 2  DIAMCYCOF = 29 4
@@ -185,17 +186,12 @@ pub(super) enum Address {
     Fp,
     Spos,
     Sposa,
-    Svc,
     Disc,
     Offn,
     Disr,
     Discl,
     Disrp,
     Fad,
-    Pl,
-    Pw,
-    Sd,
-    Fd,
     Dl,
     Toff,
     Toffl,
@@ -203,8 +199,6 @@ pub(super) enum Address {
     Tcarr,
     /// Priority of an interrupt.
     Prio,
-    /// Tool orientation: LEAD, TILT, THETA.
-    Orientation,
     /// Feed, acceleration and tolerance of the path or an axis: of no account for the path itself.
     Dynamics,
 }
@@ -215,13 +209,15 @@ pub(super) const ADDRESSES: usize = Address::Dynamics as usize + 1;
 /// What a name means as a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Meaning {
-    Axis(Axis),
+    Axis(NamedAxis),
     Code(Code),
     Address(Address),
     /// `X1`, `Z1`: machine axes, in G74 and G75 only.
     Procedure(Procedure),
     /// `POS[X]=`, `AX[…]=`, `FA[X]=` …
     Indexed(Indexed),
+    /// Not compiled.
+    Known(&'static Known),
     Unknown,
 }
 
@@ -244,6 +240,8 @@ pub(super) enum Indexed {
     Diameter90,
     DiameterOff,
     DiameterChannel,
+    /// The axis to which G96 refers.
+    CutAxis,
     /// `PO[X]=` of polynomials.
     Polynomial,
 }
@@ -380,12 +378,12 @@ const CYCLES: &[&str] = &[
 
 const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO SAVE PREPRO ICYCON ICYCOF IPTRLOCK IPTRUNLOCK BLSYNC \
     GROUP_BEGIN GROUP_END GROUP_ADDEND WORKPIECE NEWCONF WAITS WAITP SPCON SPCOF DRFOF DELAYFSTON DELAYFSTOF GWPSOF \
-    EXTCLOSE EXTOPEN PROTOCOL STARTFIFO MMC ";
+    EXTCLOSE EXTOPEN PROTOCOL STARTFIFO MMC FPRAOF AUXFUDEL AUXFUDELG AUXFUSYNC AUXFUMSEQ WAITENC";
 
 const CHANNEL: &str = "INIT START WAITM WAITMC WAITE SETM CLEARM GET GETD RELEASE AXTOCHAN CLEAR";
 const INTERRUPT: &str = "SETINT DISABLE ENABLE CLRINT CANCEL LOCK UNLOCK RESET";
 const FILES: &str = "WRITE READ DELETE CHECKSUM FILEDATE FILETIME FILESIZE FILESTAT FILEINFO";
-const DYNAMICS: &str = "FGROUP SOFTA BRISKA DRIVEA JERKA CYCLE832 ";
+const DYNAMICS: &str = "FGROUP SOFTA BRISKA DRIVEA JERKA CYCLE832 COMPPATH IPOBRKA ADISPOSA";
 
 const ADDRESS_NAMES: &[(&str, Address)] = &[
     ("I1", Address::I1),
@@ -410,28 +408,18 @@ const ADDRESS_NAMES: &[(&str, Address)] = &[
     ("FP", Address::Fp),
     ("SPOS", Address::Spos),
     ("SPOSA", Address::Sposa),
-    ("SVC", Address::Svc),
     ("DISC", Address::Disc),
     ("OFFN", Address::Offn),
     ("DISR", Address::Disr),
     ("DISCL", Address::Discl),
     ("DISRP", Address::Disrp),
     ("FAD", Address::Fad),
-    ("PL", Address::Pl),
-    ("PW", Address::Pw),
-    ("SD", Address::Sd),
-    ("FD", Address::Fd),
     ("DL", Address::Dl),
     ("TOFF", Address::Toff),
     ("TOFFL", Address::Toffl),
     ("TOFFR", Address::Toffr),
     ("TCARR", Address::Tcarr),
     ("PRIO", Address::Prio),
-    ("LEAD", Address::Orientation),
-    ("TILT", Address::Orientation),
-    ("THETA", Address::Orientation),
-    ("NUT", Address::Orientation),
-    ("PSI", Address::Orientation),
     ("ADIS", Address::Dynamics),
     ("ADISPOS", Address::Dynamics),
     ("OVR", Address::Dynamics),
@@ -440,6 +428,7 @@ const ADDRESS_NAMES: &[(&str, Address)] = &[
     ("OTOL", Address::Dynamics),
     ("DITS", Address::Dynamics),
     ("DITE", Address::Dynamics),
+    ("STOLF", Address::Dynamics),
 ];
 
 const INDEXED_NAMES: &[(&str, Indexed)] = &[
@@ -455,7 +444,15 @@ const INDEXED_NAMES: &[(&str, Indexed)] = &[
     ("ATOL", Indexed::Dynamics),
     ("FGREF", Indexed::Dynamics),
     ("FL", Indexed::Dynamics),
-    ("FXS", Indexed::Posa),
+    ("VELOLIMA", Indexed::Dynamics),
+    ("JERKLIMA", Indexed::Dynamics),
+    ("ACCLIM", Indexed::Dynamics),
+    ("ACCLIMA", Indexed::Dynamics),
+    ("COARSEA", Indexed::Dynamics),
+    ("FINEA", Indexed::Dynamics),
+    ("IPOENDA", Indexed::Dynamics),
+    ("SCPARA", Indexed::Dynamics),
+    ("SCC", Indexed::CutAxis),
     ("DIAMONA", Indexed::DiameterOn),
     ("DIAM90A", Indexed::Diameter90),
     ("DIAMOFA", Indexed::DiameterOff),
@@ -508,6 +505,11 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
     for group in TABLE {
         for (index, name) in group.names.split(' ').enumerate() {
             map.insert(name, Meaning::Code(Code { group: group.number, index: index as u8 + 1 }));
+        }
+    }
+    for row in KNOWN {
+        for name in row.names.split(' ') {
+            map.entry(name).or_insert(Meaning::Known(row));
         }
     }
     map

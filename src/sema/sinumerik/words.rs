@@ -9,6 +9,7 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula, Op, Target, Value, Wor
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
+use super::axis_names::NamedAxis;
 use super::value::Val;
 use super::vocabulary::{ADDRESSES, Address, Code, Indexed, Meaning};
 use super::{Outcome, Run};
@@ -50,6 +51,11 @@ impl Mode {
     }
 }
 
+/// Is the name one of AC, IC, DC and their kin?
+pub(super) fn is_modifier(name: &str) -> bool {
+    Mode::of(name).is_some()
+}
+
 /// A number with its place.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Given {
@@ -70,6 +76,14 @@ pub(super) struct MWord {
 pub(super) struct SWord {
     pub spindle: Option<u8>,
     pub value: f64,
+    pub span: Span,
+}
+
+/// A machine axis: `X1`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MachineAxis {
+    pub letter: u8,
+    pub number: u32,
     pub span: Span,
 }
 
@@ -101,6 +115,8 @@ pub(super) struct Words {
     pub m: Vec<MWord>,
     pub s: Vec<SWord>,
     pub h: Option<Span>,
+    /// F stands in the block.
+    pub feed_given: bool,
     /// Tool by name.
     pub tool_name: Option<String>,
     pub call: Option<CallWord>,
@@ -108,7 +124,9 @@ pub(super) struct Words {
     pub l: Option<(String, Span)>,
     pub passes: Option<Given>,
     /// Machine axes `X1=0`, in G74 and G75 only.
-    pub machine_axes: Vec<(Axis, Span)>,
+    pub machine_axes: Vec<MachineAxis>,
+    /// Words of axes that the target does not have.
+    pub left_out: Vec<(NamedAxis, Span)>,
     pub positioning: Vec<Positioning>,
     /// Feed of positioning axes.
     pub axis_feeds: Vec<(Axis, f64)>,
@@ -135,11 +153,13 @@ impl Words {
             m: Vec::new(),
             s: Vec::new(),
             h: None,
+            feed_given: false,
             tool_name: None,
             call: None,
             l: None,
             passes: None,
             machine_axes: Vec::new(),
+            left_out: Vec::new(),
             positioning: Vec::new(),
             axis_feeds: Vec::new(),
             dynamics: None,
@@ -158,11 +178,13 @@ impl Words {
         self.m.clear();
         self.s.clear();
         self.h = None;
+        self.feed_given = false;
         self.tool_name = None;
         self.call = None;
         self.l = None;
         self.passes = None;
         self.machine_axes.clear();
+        self.left_out.clear();
         self.positioning.clear();
         self.axis_feeds.clear();
         self.dynamics = None;
@@ -195,10 +217,11 @@ impl Words {
         (self.given != 0).then(|| self.addresses[self.given.trailing_zeros() as usize])
     }
 
-    /// A word of an axis besides its end point: a positioning axis, a machine axis.
+    /// A word of an axis besides its end point: a positioning axis, a machine axis, one that is left out.
     pub fn axis_word_left(&self) -> Option<Span> {
         let positioning = self.positioning.first().map(|positioning| positioning.given.span);
-        positioning.or(self.machine_axes.first().map(|(_, span)| *span))
+        let left_out = self.left_out.first().map(|(_, span)| *span);
+        positioning.or(self.machine_axes.first().map(|axis| axis.span)).or(left_out)
     }
 
     pub fn has_addresses(&self) -> bool {
@@ -288,11 +311,10 @@ impl Run<'_> {
             let help = "the radius of an arc is CR=";
             return self.fail_help(codes::S2016, 12050, word.span, "the address R has no meaning", help);
         }
+        if let Some(named) = self.axis_names.letter(letter) {
+            return self.axis_word(words, named, given);
+        }
         match letter {
-            b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
-                let axis = Axis::of(letter).unwrap_or(Axis::X);
-                self.set_axis(words, axis, given)
-            }
             b'G' => self.g_word(words, given),
             b'M' => self.m_word(words, None, given),
             b'F' => self.set_address(words, Address::F, given),

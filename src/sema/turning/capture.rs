@@ -10,7 +10,7 @@ use super::super::here::Here;
 use super::contour::{Builder, Outline};
 use super::geometry::note_adjusted;
 use super::sections::Family;
-use super::words::Words;
+use super::words::{Fun, Words};
 use super::{Outcome, Reported, Run};
 
 /// A cycle whose contour is being read.
@@ -24,6 +24,8 @@ pub(super) struct Capture {
     builder: Builder,
     /// Something of the contour was refused.
     broken: bool,
+    /// G41 or G42 in the block behind G89.
+    side: Option<Fun>,
 }
 
 impl Capture {
@@ -61,6 +63,7 @@ impl Run<'_> {
             here: self.here,
             builder: Builder::default(),
             broken: false,
+            side: None,
         }));
         Ok(())
     }
@@ -81,7 +84,25 @@ impl Run<'_> {
     }
 
     fn captured(&mut self, w: &Words, block: &Block, capture: &mut Capture) -> Outcome {
-        let [fun] = *w.g() else {
+        let (side, functions) = match *w.g() {
+            [side, ref rest @ ..] if capture.number == 89 && matches!(side.number, 41 | 42) => (Some(side), rest),
+            ref all => (None, all),
+        };
+        if let Some(side) = side {
+            if !capture.builder.is_empty() || capture.builder.has_start() || capture.side.is_some() {
+                return self.fail_help(
+                    codes::T2021,
+                    side.span,
+                    format!("G{} stands inside of the contour of G89", side.number),
+                    "program it once, in the block after G89",
+                );
+            }
+            capture.side = Some(side);
+            if functions.is_empty() && w.present() == 0 {
+                return Ok(());
+            }
+        }
+        let [fun] = *functions else {
             return self.fail_help(
                 codes::T3003,
                 block.span,
@@ -134,7 +155,10 @@ impl Run<'_> {
 
     fn captured_cycle(&mut self, capture: &Capture, outline: &Outline) -> Outcome {
         let here = std::mem::replace(&mut self.here, capture.here);
-        let result = self.cycle(capture.number, capture.name, &capture.words, Some(outline));
+        let result = match capture.number {
+            89 => self.contour_finishing(&capture.words, Some(outline), capture.side),
+            _ => self.cycle(capture.number, capture.name, &capture.words, Some(outline)),
+        };
         self.here = here;
         result
     }

@@ -56,6 +56,10 @@ impl Run<'_> {
             ..Partial::default()
         };
         let open = partial.z == Coord::Unknown || partial.x == Coord::Unknown;
+        let cut_off = partial.angle.is_some() && partial.z == Coord::Missing && partial.x == Coord::Missing;
+        if !open && !cut_off {
+            self.without_effect(w, b"Q", "the end of the element is given, so there is nothing to choose");
+        }
         if arc.is_some() && open {
             self.depends_on(Question::ArcChoice, w.span(b'Q', self.block_span()));
         }

@@ -24,10 +24,10 @@ const DESCENDING_SHARE: f64 = 0.5;
 const ON_LINE: f64 = 1e-6;
 
 /// Where the tool is, seen from the contour.
-struct Stance {
-    left: bool,
-    into: Towards,
-    away: Vec2,
+pub(super) struct Stance {
+    pub left: bool,
+    pub into: Towards,
+    pub away: Vec2,
 }
 
 impl Run<'_> {
@@ -182,7 +182,7 @@ impl Run<'_> {
     }
 
     /// On which side of the contour the tool works: told by its edge, else by where it stands.
-    fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
+    pub(super) fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
         let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
             return self.fail(codes::T3003, self.block_span(), "the contour has no element");
         };

@@ -245,6 +245,7 @@ impl Run<'_> {
             Kind::OversizeParaxial => self.oversize(w, false),
             Kind::OversizeEquidistant => self.oversize(w, true),
             Kind::OversizeOff => {
+                self.without_effect(w, b"P", "G52 in a program ends oversizes, as G50 does");
                 self.st.oversize = None;
                 Ok(())
             }

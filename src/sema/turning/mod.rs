@@ -6,6 +6,7 @@
 mod capture;
 mod chain;
 mod contour;
+mod contour_finishing;
 mod contour_words;
 mod coordinates;
 mod cycles;

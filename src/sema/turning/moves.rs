@@ -255,6 +255,8 @@ impl Run<'_> {
                 return self.fail(codes::T9007, num.span, format!("the target cannot cut a {what}"));
             }
         }
+        self.without_effect(w, b"BP", "the run-in and the run-out of G33 lie inside of the programmed thread");
+        self.without_effect(w, b"IK", "the retraction of G33 belongs to a stop inside of the thread");
         let from = self.stand()?;
         let span = self.block_span();
         self.spindle_turns(33)?;

@@ -7,6 +7,7 @@ use crate::diag::{Code, Diagnostic, codes};
 use crate::text::Span;
 
 use super::Run;
+use super::words::Words;
 
 /// A question that the manuals leave open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +28,7 @@ pub(super) enum Question {
     RecessWidth,
     RecessOversize,
     BlankContour,
+    FinishingSide,
 }
 
 impl Question {
@@ -113,6 +115,11 @@ impl Question {
                 "the blank is drawn as a contour, which is not used: cycles take the blank to reach to the tool",
                 "position the tool outside of the blank before each cycle, or describe the blank by G20 or G21",
             ),
+            Question::FinishingSide => (
+                codes::T8018,
+                "two pages of the manual give G41 and G42 behind G89 opposite sides: the side is taken from the tool",
+                "check the side of the tool: where it stands, or `orientation` in partc.toml",
+            ),
         }
     }
 
@@ -134,12 +141,26 @@ impl Question {
             Question::RecessDepth => set.recess_depth.is_some(),
             Question::RecessWidth => set.recess_width.is_some(),
             Question::RecessOversize => set.oversize_on_floor.is_some(),
-            Question::UndercutSide | Question::BlankContour => false,
+            Question::UndercutSide | Question::BlankContour | Question::FinishingSide => false,
         }
     }
 }
 
 impl Run<'_> {
+    /// A word of the block that changes nothing here: worth a note, as no word goes in silence.
+    pub(super) fn without_effect(&self, w: &Words, letters: &[u8], why: &str) {
+        for letter in letters {
+            if let Some(num) = w.get(*letter) {
+                self.note_idle(num.span, *letter as char, why);
+            }
+        }
+    }
+
+    pub(super) fn note_idle(&self, span: Span, word: impl std::fmt::Display, why: &str) {
+        let message = format!("{word} changes nothing here: {why}");
+        self.report(Diagnostic::new(codes::T8017, self.loc(span), message).help("nothing is to be done, or remove it"));
+    }
+
     /// The block depends on `question`: the first one of the program says so.
     pub(super) fn depends_on(&self, question: Question, span: Span) {
         if question.is_settled(self) {

@@ -209,6 +209,11 @@ impl Run<'_> {
     /// How high the blank stands: XA or ZA, the bar of the section BLANK, or up to the clearance below the tool.
     fn blank_height(&self, w: &Words, into: Towards, contour: &[Element], tool: f64, clearance: f64) -> Outcome<f64> {
         let mm = self.st.mm();
+        for name in if into.is_radial() { ["ZA", "RK"] } else { ["XA", "RI"] } {
+            if let Some(num) = w.long(name).filter(|num| name.ends_with('A') || num.value != 0.0) {
+                self.note_idle(num.span, name, "only the height of the blank along the infeed counts");
+            }
+        }
         let out = -(into.unit().x + into.unit().y);
         let ends = contour.iter().flat_map(|element| [element.from(), element.to()]);
         let rim = ends.map(|p| into.depth_coordinate(p) * out).fold(f64::NEG_INFINITY, f64::max);

@@ -3,12 +3,10 @@
 //! Source: reference sections 6.1 to 6.3.
 
 use crate::diag::codes;
-use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::Drilling;
 use crate::ir::cycle::drilling::{Bore, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
 use crate::ir::function::{Spindle, Turn};
-use crate::machine::Axis;
 use crate::machine::undercut::coarse_pitch;
 
 use super::super::value::whole;
@@ -35,21 +33,6 @@ pub(super) fn is_hole(name: &str) -> bool {
     )
 }
 
-/// Places of `_AXN`, `_GMODE`, `_DMODE` and `_AMODE`; 0 for none.
-fn modes(name: &str) -> [usize; 4] {
-    match name {
-        "CYCLE81" => [0, 7, 8, 9],
-        "CYCLE82" => [0, 7, 8, 9],
-        "CYCLE83" => [13, 18, 19, 20],
-        "CYCLE84" => [13, 22, 23, 24],
-        "CYCLE840" => [12, 18, 19, 20],
-        "CYCLE85" => [0, 9, 10, 11],
-        "CYCLE86" => [0, 12, 13, 14],
-        "CYCLE89" => [0, 7, 8, 9],
-        _ => [0; 4],
-    }
-}
-
 /// An angle of the spindle within one turn.
 fn whole_turn(angle: f64) -> f64 {
     angle - 360.0 * libm::floor(angle / 360.0)
@@ -64,6 +47,7 @@ impl Run<'_> {
         let feed = match args.name.as_str() {
             "CYCLE85" => self.own_feed(args, 7)?,
             "CYCLE84" => self.st.feed.unwrap_or(Feed::PerMinute(1.0)),
+            "CYCLE840" if args.or_zero(9) == 11.0 => self.feed_of_pitch(args)?,
             _ => self.cycle_feed(args)?,
         };
         let method = match args.name.as_str() {
@@ -71,7 +55,7 @@ impl Run<'_> {
             "CYCLE83" => self.peck(args, &levels)?,
             "CYCLE84" => self.rigid_tap(args, &levels)?,
             "CYCLE840" => self.tap_with_chuck(args)?,
-            "CYCLE85" => Method::Ream { dwell: self.dwell_of(args, 6)?, back: self.own_feed(args, 8)? },
+            "CYCLE85" => Method::Ream { dwell: self.dwell_at_depth(args, 6)?, back: self.own_feed(args, 8)? },
             "CYCLE86" => self.bore(args)?,
             "CYCLE87" => Method::BoreWithStop { dwell: 0.0, turn: self.spindle_turn(args, 6)? },
             _ => Method::BoreWithStop { dwell: self.dwell_of(args, 6)?, turn: self.spindle_turn(args, 7)? },
@@ -98,117 +82,6 @@ impl Run<'_> {
         }
     }
 
-    fn hole_axis(&self, args: &Arguments) -> Outcome<Axis> {
-        let [axn, gmode, dmode, amode] = modes(&args.name);
-        let [_, _, third] = self.st.roles();
-        let mut axis = third;
-        if axn != 0 {
-            let place = match args.or_zero(axn) {
-                0.0 => None,
-                1.0 => Some(0),
-                2.0 => Some(1),
-                3.0 => Some(2),
-                _ => return self.cycle_fault(args, args.span_of(axn), 61803, "`_AXN` is 0 to 3", "0 is the tool axis"),
-            };
-            if let Some(place) = place {
-                // Axes of the plane, or of the machine: which is counted is not documented.
-                let counted: [Axis; 2] = [self.st.roles()[place], self.st.geometry_axes[place]];
-                if counted[0] != counted[1] {
-                    return self.not_built(
-                        args,
-                        axn,
-                        "an axis by `_AXN` outside G17, which may count the axes of the plane or of the machine,",
-                    );
-                }
-                axis = counted[0];
-            }
-        }
-        if gmode != 0 && args.digit(gmode, 1) != 0 {
-            return self.not_built(args, gmode, "a depth by the diameter or the shank of the tool (`_GMODE`)");
-        }
-        if gmode != 0 && args.or_zero(gmode) != 0.0 {
-            return self.not_built(args, gmode, "this reading of the geometry (`_GMODE`)");
-        }
-        if dmode != 0
-            && let plane = args.digit(dmode, 0)
-            && plane != 0
-            && plane != i32::from(self.st.groups[6])
-        {
-            axis = self.axis_at(args, dmode, plane, axn)?;
-        }
-        // 2 names the depth of DP, beside which nothing stands in DPR: the dialogs of the control write it so.
-        let absolute = amode != 0 && args.digit(amode, 0) == 2 && args.number(4).is_some() && args.or_zero(5) == 0.0;
-        if amode != 0 && args.digit(amode, 0) > 1 && !absolute {
-            return self.not_built(args, amode, "this reading of the depth (`_AMODE`)");
-        }
-        if amode != 0 && args.digit(amode, 1) > 1 {
-            return self.not_built(args, amode, "this unit of the dwell (`_AMODE`)");
-        }
-        // 1 is the reading that was seen in stored calls, 0 the one of old calls. CYCLE83 names its own.
-        if amode != 0 && args.name != "CYCLE83" && (2..10).any(|place| args.digit(amode, place) > 1) {
-            return self.not_built(args, amode, "another reading of an argument (`_AMODE`)");
-        }
-        if axis == Axis::Y && self.st.lathe && self.st.pos.get(axis).is_none() {
-            let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
-            let help =
-                "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
-            return self.cycle_fault(args, args.span, 61005, message, help);
-        }
-        Ok(axis)
-    }
-
-    /// The tool axis of the plane that `_DMODE` names, where it is not the active one: the hole has no other axis.
-    fn axis_at(&self, args: &Arguments, dmode: usize, plane: i32, axn: usize) -> Outcome<Axis> {
-        let plane = match plane {
-            1 => Plane::Xy,
-            2 => Plane::Zx,
-            3 => Plane::Yz,
-            _ => return self.not_built(args, dmode, "this plane (`_DMODE`)"),
-        };
-        let axis = Axis::ALL[plane.axes().2];
-        let lifts = args.name == "CYCLE86" && (8..=10).any(|place| args.or_zero(place) != 0.0);
-        if lifts || axn != 0 && args.or_zero(axn) != 0.0 || self.is_diameter_axis(axis) {
-            return self.not_built(args, dmode, "a plane other than the active one (`_DMODE`)");
-        }
-        Ok(axis)
-    }
-
-    fn levels(&mut self, args: &Arguments) -> Outcome<Levels> {
-        let retract = self.needed_length(args, 1, "the retraction plane RTP")?;
-        let reference = self.needed_length(args, 2, "the reference plane RFP")?;
-        let clearance = self.length_of(args, 3).unwrap_or(0.0);
-        let (absolute, relative) = (self.length_of(args, 4), self.length_of(args, 5));
-        if absolute.is_none() && relative.is_none() {
-            return self.cycle_fault(
-                args,
-                args.span,
-                0,
-                "the depth is missing",
-                "give DP (argument 4) or DPR (argument 5)",
-            );
-        }
-        match Levels::resolve(retract, reference, clearance, absolute, relative) {
-            Ok(made) => {
-                if made.overridden {
-                    let found = crate::diag::Diagnostic::new(
-                        codes::S8018,
-                        self.loc(args.span_of(5)),
-                        format!("{}: DP and DPR give different depths; DPR counts", args.name),
-                    );
-                    self.report(found.help("leave one of them out"));
-                }
-                Ok(made.levels)
-            }
-            Err(fault) => self.cycle_fault(
-                args,
-                args.span_of(4),
-                61101,
-                &fault.to_string(),
-                "RTP lies on the far side of RFP, seen from the depth",
-            ),
-        }
-    }
-
     fn plain_hole(&self, args: &Arguments, feed: Feed) -> Outcome<Method> {
         if args.name == "CYCLE82" && args.or_zero(10) != 0.0 {
             return self.not_built(args, 10, "predrilling and through-drilling (`_VARI`)");
@@ -218,7 +91,7 @@ impl Run<'_> {
                 self.unused(args, place, name, "without predrilling or through-drilling in `_VARI`");
             }
         }
-        let dwell = self.dwell_of(args, 6)?;
+        let dwell = self.dwell_at_depth(args, 6)?;
         Ok(if args.name == "CYCLE89" { Method::Ream { dwell, back: feed } } else { Method::Drill { dwell } })
     }
 
@@ -250,6 +123,13 @@ impl Run<'_> {
 
     fn peck(&self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
         self.two_first_depths(args, levels);
+        if args.digit(18, 1) == 1 {
+            self.reading(
+                args,
+                18,
+                "the first depth counts for the tip of the drill, the last one for its full diameter",
+            );
+        }
         let Some(first) = Peck::first_step(levels, self.length_of(args, 6), self.length_of(args, 7)) else {
             return self.cycle_fault(
                 args,
@@ -263,6 +143,7 @@ impl Run<'_> {
         let percent = args.digit(20, 5) == 2;
         let degression = match args.or_zero(8) {
             percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
+                self.reading(args, 20, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
                 let least = self.length_of(args, 14).unwrap_or(0.0).abs();
                 Degression::Factor { factor: percentage / 100.0, least }
             }
@@ -284,18 +165,8 @@ impl Run<'_> {
             let help = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
             return self.cycle_fault(args, args.span_of(place), 0, "a way back is below 0", help);
         }
-        let dwell = self.dwell_of(args, 9)?;
+        let dwell = self.dwell_at_depth(args, 9)?;
         let dwell_at_bottom = if args.or_zero(16) == 0.0 { dwell } else { self.dwell_of(args, 16)? };
-        // Digits of the newest versions: 1 is the reading that was seen in stored calls, 0 the one of old calls.
-        if let Some(place) = (2..8).find(|place| args.digit(20, *place) > if *place == 5 { 2 } else { 1 }) {
-            let what = match place {
-                4 => "this reading of the first depth (`_AMODE`)",
-                5 => "this reading of the degression (`_AMODE`)",
-                7 => "this reading of the first feed (`_AMODE`)",
-                _ => "this reading of a dwell or a distance (`_AMODE`)",
-            };
-            return self.not_built(args, 20, what);
-        }
         // With all eight digits the first feed is a percentage.
         let percent = args.digit(20, 7) == 1;
         let factor = match args.number(11) {
@@ -390,7 +261,7 @@ impl Run<'_> {
     fn rigid_tap(&mut self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
         self.tapping_speed_is_fixed(args)?;
         self.master_is_main(args.span, "tapping")?;
-        let lead = self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?;
+        let lead = self.hand(args, self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?)?;
         let step = match args.or_zero(16) {
             0.0 => None,
             1.0 => {
@@ -408,6 +279,13 @@ impl Run<'_> {
         }
         if args.or_zero(15) != 0.0 {
             self.note_once(codes::S8002, args.span_of(15), "words that only shape speed and accuracy are left out");
+        }
+        if args.digit(23, 2) != 0 {
+            self.reading(
+                args,
+                23,
+                "the hundreds of `_DMODE` name the spindle of a lathe, and the tap takes the master spindle",
+            );
         }
         let speed = |place: usize| args.number(place).filter(|speed| *speed > 0.0);
         let speed_in = speed(11).or(self.st.speed);
@@ -431,7 +309,7 @@ impl Run<'_> {
         Ok(Method::Tap(Tap {
             lead: Some(lead.abs()),
             turn: if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise },
-            dwell: self.dwell_of(args, 6)?,
+            dwell: self.dwell_at_depth(args, 6)?,
             dwell_reversed: false,
             speed_in,
             speed_out: speed(12).or(speed_in),
@@ -459,6 +337,51 @@ impl Run<'_> {
             4.0 => Ok(Turn::CounterClockwise),
             _ => self.cycle_fault(args, args.span_of(place), 61102, "no spindle direction is given", "give 3 or 4"),
         }
+    }
+
+    /// ENC: with an encoder the pitch is kept (0, and 20 with a dwell), without one F makes it (1), or F made of S and the
+    /// pitch (11).
+    fn chuck_lead(&mut self, args: &Arguments) -> Outcome<Option<f64>> {
+        let pitched = args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0;
+        match args.or_zero(9) {
+            0.0 => {}
+            20.0 => self.reading(args, 9, "ENC 20 is tapping with an encoder and a dwell"),
+            1.0 => {
+                if pitched {
+                    let message = "CYCLE840: the tap needs a compensating chuck on the target; without an encoder F and S \
+                                   make the thread, and the pitch of the call is not used";
+                    self.note_once(codes::S8025, args.span_of(9), message.to_owned());
+                }
+                return Ok(None);
+            }
+            11.0 => {
+                self.reading(args, 9, "ENC 11 is tapping without an encoder, with a feed made of S and the pitch");
+                return Ok(None);
+            }
+            _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
+        }
+        Ok(Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()))
+    }
+
+    /// The feed of CYCLE840 under ENC 11.
+    fn feed_of_pitch(&mut self, args: &Arguments) -> Outcome<Feed> {
+        let pitch = self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs();
+        match self.st.speed.filter(|speed| *speed > 0.0) {
+            Some(_) if self.st.per_revolution() => Ok(Feed::PerRevolution(pitch)),
+            Some(speed) => Ok(Feed::PerMinute(speed * pitch)),
+            None => {
+                let help = "program S in front of the cycle";
+                self.cycle_fault(args, args.span, 61102, "the spindle has no speed", help)
+            }
+        }
+    }
+
+    /// With an encoder and ENC 0 the cycle does not dwell.
+    fn no_dwell(&self, args: &Arguments) -> f64 {
+        if args.or_zero(6) != 0.0 {
+            self.unused(args, 6, "DTB", "with an encoder and ENC 0; ENC 20 dwells");
+        }
+        0.0
     }
 
     fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
@@ -489,24 +412,14 @@ impl Run<'_> {
                 "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
             return self.cycle_fault(args, args.span_of(place), 61001, "the pitch is below 0", help);
         }
-        let lead = match args.or_zero(9) {
-            0.0 => Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()),
-            1.0 => {
-                if args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0 {
-                    let message = "CYCLE840: the tap needs a compensating chuck on the target; without an encoder F and S \
-                                   make the thread, and the pitch of the call is not used";
-                    self.note_once(codes::S8025, args.span_of(9), message.to_owned());
-                }
-                None
-            }
-            _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
-        };
+        let lead = self.chuck_lead(args)?;
+        let dwell = if args.or_zero(9) == 0.0 { self.no_dwell(args) } else { self.dwell_at_depth(args, 6)? };
         // With an automatic reversal the spindle turns on as before, and SDAC may be left out.
         let as_before = args.or_zero(7) == 0.0 && args.or_zero(8) == 0.0;
         Ok(Method::Tap(Tap {
             lead,
             turn,
-            dwell: self.dwell_of(args, 6)?,
+            dwell,
             dwell_reversed: false,
             speed_in: None,
             speed_out: None,
@@ -517,16 +430,31 @@ impl Run<'_> {
         }))
     }
 
+    /// The units of `_GMODE` say whether the tool lifts off: 0 does; what 1 and 2 do says the configuration.
+    fn lifts_off(&self, args: &Arguments) -> Outcome<bool> {
+        match (args.digit(12, 0), self.job.settings.control.siemens.cycle86_lift) {
+            (0, _) => Ok(true),
+            (_, Some(lift)) => Ok(lift),
+            (digit, None) => {
+                let message = format!("CYCLE86: whether the tool lifts off under `_GMODE` {digit} is not known");
+                let help = "say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`";
+                self.fail_help(codes::S9015, 0, args.span_of(12), message, help)
+            }
+        }
+    }
+
     fn bore(&self, args: &Arguments) -> Outcome<Method> {
         let mut lift = [0.0; 3];
-        for (place, way) in [8, 9, 10].into_iter().zip(lift.iter_mut()) {
-            *way = self.length_of(args, place).unwrap_or(0.0);
-            if *way != 0.0 {
-                self.no_diameters(&args.name, self.st.roles()[place - 8], args.span_of(place))?;
+        if self.lifts_off(args)? {
+            for (place, way) in [8, 9, 10].into_iter().zip(lift.iter_mut()) {
+                *way = self.length_of(args, place).unwrap_or(0.0);
+                if *way != 0.0 {
+                    self.no_diameters(&args.name, self.st.roles()[place - 8], args.span_of(place))?;
+                }
             }
         }
         Ok(Method::Bore(Bore {
-            dwell: self.dwell_of(args, 6)?,
+            dwell: self.dwell_at_depth(args, 6)?,
             turn: self.spindle_turn(args, 7)?,
             orient: whole_turn(args.or_zero(11)),
             back: None,

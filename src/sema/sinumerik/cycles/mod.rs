@@ -5,6 +5,7 @@
 mod alarms;
 mod contours;
 mod drilling;
+mod modes;
 mod pattern;
 mod signatures;
 mod thread;
@@ -20,6 +21,7 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
 use super::super::here::Here;
+use super::offsets::Outer;
 use super::state::Diameter;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
@@ -219,8 +221,16 @@ impl Run<'_> {
                 "program G40 before the cycle",
             );
         }
-        if self.st.machine_coordinates {
-            return self.fail(codes::S9011, 0, args.span, "under G500 cycles cannot be printed");
+        match self.st.outer {
+            Outer::Machine => {
+                return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
+            }
+            Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => self.note_outer(),
+        }
+        if self.st.is(super::vocabulary::Code::G93) {
+            return self
+                .not_by_time(args.span, "the moves of a cycle have no share of the time that G93 gives the blocks");
         }
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
@@ -391,6 +401,13 @@ impl Run<'_> {
         self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
     }
 
+    /// A reading of an argument that is not confirmed.
+    fn reading(&self, args: &Arguments, place: usize, what: &str) {
+        let message = format!("{}: {what}; this is not confirmed", args.name);
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(place)), message);
+        self.report(found.help("compare with what the machine does"));
+    }
+
     /// A number that has to be there.
     fn needed(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
         match args.number(place) {
@@ -424,11 +441,16 @@ impl Run<'_> {
     /// Seconds from a dwell that is negative for turns of the spindle.
     fn dwell_of(&self, args: &Arguments, place: usize) -> Outcome<f64> {
         let value = args.or_zero(place);
-        if value >= 0.0 {
-            return Ok(value);
+        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, place, -value) }
+    }
+
+    /// Seconds that so many turns of the spindle take.
+    fn spindle_turns_of(&self, args: &Arguments, place: usize, turns: f64) -> Outcome<f64> {
+        if turns == 0.0 {
+            return Ok(0.0);
         }
         match self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut) {
-            Some(speed) => Ok(-value * 60.0 / speed),
+            Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
                 args,
                 args.span_of(place),

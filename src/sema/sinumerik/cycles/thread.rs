@@ -7,6 +7,7 @@ use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
+use crate::machine::settings::FlankReference;
 
 use super::super::value::whole;
 use super::super::{Outcome, Run};
@@ -68,6 +69,8 @@ const CYCLE99: Places = Places {
 
 /// Half the flank angle of a metric thread, degrees.
 const METRIC_FLANK: f64 = 30.0;
+/// Most passes, or starts; more is a lost decimal point.
+const MOST_PASSES: f64 = 1000.0;
 
 impl Run<'_> {
     pub(super) fn thread_cycle(&mut self, args: &Arguments) -> Outcome {
@@ -209,8 +212,7 @@ impl Run<'_> {
         self.without_signs(args, places)?;
         let depth = self.needed_length(args, places.depth, "the thread depth TDEP")?.abs();
         let finish = self.length_of(args, places.finish).unwrap_or(0.0).abs();
-        self.needed(args, places.passes, "the number of roughing passes NRC")?;
-        let passes = self.whole_of(args, places.passes, 1)?;
+        let passes = self.roughing_passes(args, places, depth - finish, area)?;
         let idle = self.whole_of(args, places.idle, 0)?;
         let starts = self.whole_of(args, places.starts, 0)?.max(1);
         if args.name == "CYCLE99" && starts > 1 {
@@ -238,17 +240,10 @@ impl Run<'_> {
         let flank = if angle == 0.0 {
             Flank::Radial
         } else if angle > 0.0 {
-            Flank::FromCrest { angle: Deg(angle) }
+            self.flank_reference(args, places.angle, angle)
         } else {
             Flank::Alternating { angle: Deg(-angle) }
         };
-        if angle != 0.0 {
-            self.note_once(
-                codes::S8021,
-                args.span_of(places.angle),
-                "a flank infeed counts from the crest, an alternating one from the last pass: the manuals leave open which pass stands at the programmed Z",
-            );
-        }
         let park = self.turning_position(args.span)?;
         let mut parts = Vec::new();
         for (end, lead) in points.iter().skip(1).zip(leads) {
@@ -295,6 +290,55 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// One flank: which pass stands at the programmed start is not documented. Alternating ones close in on the last pass.
+    fn flank_reference(&self, args: &Arguments, place: usize, angle: f64) -> Flank {
+        let chosen = self.job.settings.control.siemens.thread_flank;
+        if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
+            let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
+            let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(place)), message);
+            self.report(found.help("say it by `[control] thread_flank`: \"crest\", or \"root\" for the last pass"));
+        }
+        match chosen {
+            Some(FlankReference::Root) => Flank::Behind { angle: Deg(angle) },
+            _ => Flank::FromCrest { angle: Deg(angle) },
+        }
+    }
+
+    /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.
+    fn roughing_passes(&self, args: &Arguments, places: &Places, way: f64, area: bool) -> Outcome<u32> {
+        const MID: usize = 17;
+        let infeed = match self.length_of(args, MID) {
+            Some(infeed) if args.name == "CYCLE99" && infeed != 0.0 => infeed,
+            _ => {
+                self.needed(args, places.passes, "the number of roughing passes NRC")?;
+                return self.whole_of(args, places.passes, 1);
+            }
+        };
+        if infeed < 0.0 {
+            let help = "give the infeed without a sign, or the number of passes `_NRC` alone";
+            return self.cycle_fault(args, args.span_of(MID), 61001, "the infeed `_MID` is below 0", help);
+        }
+        // The first cut of equal cross-sections is the depth by the root of their number.
+        let cuts = if area { (way / infeed) * (way / infeed) } else { way / infeed };
+        let cuts = libm::ceil(cuts - 1e-9).max(1.0);
+        let given = args.or_zero(places.passes);
+        if given == 0.0 {
+            if cuts > MOST_PASSES {
+                let message = format!("the infeed `_MID` of {infeed} mm makes {cuts:.0} passes");
+                return self.cycle_fault(args, args.span_of(MID), 61001, &message, "give a larger infeed");
+            }
+            return Ok(cuts as u32);
+        }
+        if given != cuts {
+            let message = format!(
+                "the number of passes `_NRC` is {given}, and the infeed `_MID` makes {cuts}: which of them counts is not known"
+            );
+            let help = "leave one of them 0";
+            return self.fail_help(codes::S9015, 0, args.span_of(MID), format!("CYCLE99: {message}"), help);
+        }
+        self.whole_of(args, places.passes, 1)
+    }
+
     /// Digits of `_VARI` in CYCLE99: 1310101 was seen in stored calls, and plain units are those of CYCLE97. Other
     /// digits choose alternating flanks, finishing alone or an order of the starts, and which is which is not confirmed.
     fn variant_digits(&self, args: &Arguments, places: &Places) -> Outcome {
@@ -339,7 +383,7 @@ impl Run<'_> {
 
     fn whole_of(&self, args: &Arguments, place: usize, least: i32) -> Outcome<u32> {
         let value = args.number(place).unwrap_or(f64::from(least));
-        match whole(value).filter(|n| *n >= least && *n <= 1000 && f64::from(*n) == value) {
+        match whole(value).filter(|n| *n >= least && f64::from(*n) <= MOST_PASSES && f64::from(*n) == value) {
             Some(n) => Ok(n as u32),
             None => {
                 let message = format!("{value} is no number of passes or starts");
@@ -367,18 +411,24 @@ impl Run<'_> {
     /// CYCLE99 codes much in digits; what is not known is refused.
     fn check_new_thread(&mut self, args: &Arguments) -> Outcome {
         for (place, what) in [
-            (17, "the first infeed `_MID`"),
-            (18, "`_GDEP`"),
             (19, "a changing pitch (`_PIT1`)"),
             (20, "`_FDEP`"),
             (21, "`_GST`"),
             (22, "`_GUD`"),
-            (29, "a coded reading of positions (`_AMODE`)"),
             (30, "a crowned thread (`_S_XRS`)"),
         ] {
             if args.or_zero(place) != 0.0 {
                 return self.not_built(args, place, what);
             }
+        }
+        if let Some(place) = (0..10).find(|place| args.digit(29, *place) != 0) {
+            let digit = args.digit(29, place);
+            let what =
+                format!("the digit {digit} at place {} from the right of `_AMODE`, which was never seen,", place + 1);
+            return self.not_built(args, 29, &what);
+        }
+        if args.or_zero(18) != 0.0 {
+            self.reading(args, 18, "`_GDEP` is taken for a return distance of the editor, which changes no pass");
         }
         self.flank_agrees(args, 7, 9, 23)?;
         let plane = args.digit(28, 0);

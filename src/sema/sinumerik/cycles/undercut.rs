@@ -124,8 +124,10 @@ impl Run<'_> {
         if args.number(12) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
             return self.cycle_fault(args, args.span_of(12), 0, "the entry angle `_STA` is 0", "give 30 to 90 degrees");
         }
-        if args.digit(7, 0) != 2 && "ABCDT".contains(form.as_str()) && args.or_zero(15) != 0.0 {
-            return self.not_built(args, 15, "an allowance on all sides while roughing (`_FAL`)");
+        if args.digit(7, 0) == 2 && "ABCDT".contains(form.as_str()) {
+            for place in [14, 15, 16, 17].into_iter().filter(|place| args.or_zero(*place) != 0.0) {
+                self.unused(args, place, NAMES[place - 1], "while finishing alone (`_VARI` 2)");
+            }
         }
         let form_e = form == "E" || form == "F";
         for (place, name) in [(8, "_EPD"), (9, "_EPL")] {
@@ -192,6 +194,15 @@ impl Run<'_> {
             _ => Some(0),
         };
         let by_tool = args.or_zero(4) == 0.0;
+        let edge = self.active_tool().and_then(|tool| tool.orientation).filter(|edge| (1..=4).contains(edge));
+        if let (false, Some(edge), Some(given)) = (by_tool, edge, position.filter(|given| (1..=4).contains(given)))
+            && edge != given
+        {
+            let message =
+                format!("the position `_VARI` {given} contradicts the edge of the tool, which lies at {edge}");
+            let help = "give the position of the tool that cuts the undercut, or leave the argument out";
+            return self.cycle_fault(args, args.span_of(4), 61608, &message, help);
+        }
         let Some(position) = position.filter(|position| !by_tool || (1..=4).contains(position)) else {
             return self.cycle_fault(
                 args,
@@ -253,7 +264,7 @@ impl Run<'_> {
                 )
             }
             CallFault::Diameter => {
-                let diameter = args.or_zero(1);
+                let diameter = args.or_zero(1) * self.st.length_unit();
                 let help = match proposed_pitch(diameter) {
                     _ if args.name == "CYCLE94" => "give a diameter from 3 mm".to_owned(),
                     Some(pitch) => format!("the pitch {pitch} is usual for this diameter: CYCLE940 takes it"),
@@ -279,20 +290,26 @@ impl Run<'_> {
             CallFault::Pitch => {
                 let inside = matches!(one_letter(args), Some(b'C' | b'D'));
                 let surface = if inside { Surface::Internal } else { Surface::External };
-                let help = match proposed_index(&self.job.settings.undercut, surface, args.or_zero(1)) {
-                    Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
-                    None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
-                };
+                let help =
+                    match proposed_index(&self.job.settings.undercut, surface, args.or_zero(1) * self.st.length_unit())
+                    {
+                        Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
+                        None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
+                    };
                 self.cycle_fault(args, args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
             }
             CallFault::SizeMissing => {
-                let help = match proposed_size(&self.job.settings.undercut, args.or_zero(1)) {
+                let help = match proposed_size(&self.job.settings.undercut, args.or_zero(1) * self.st.length_unit()) {
                     Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
                     None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
                 };
                 self.cycle_fault(args, args.span, 61001, "the size `_PITI` (argument 18) is missing", &help)
             }
-            CallFault::RoughingAllowance => self.not_built(args, 17, "an allowance along Z while roughing (`_FALZ`)"),
+            CallFault::BothAllowances => {
+                let help = "the control takes either `_FAL` or `_FALX` and `_FALZ`: give one of them";
+                let message = "an allowance on all sides stands beside one along an axis";
+                self.cycle_fault(args, args.span_of(15), 0, message, help)
+            }
         }
     }
 
@@ -313,6 +330,17 @@ impl Run<'_> {
             let verb = if what.len() == 1 { "is" } else { "are" };
             let message = format!("{} {verb} not confirmed: compare with the drawing", what.join(" and "));
             self.note_once(codes::S8022, args.span, message);
+        }
+        if rests.allowance_along_x {
+            self.reading(args, 16, "`_FALX` counts on the radius");
+        }
+        if rests.other_allowance {
+            let place = if args.or_zero(15) != 0.0 { 15 } else { 17 };
+            self.reading(
+                args,
+                place,
+                "the thousands of `_AMODE` (1 for `_FAL`, else `_FALX` and `_FALZ`) choose the other allowance, and roughing leaves this one",
+            );
         }
         if rests.roughing {
             self.note_once(

@@ -4,7 +4,7 @@ use crate::geo::arc::{self, TangentArc};
 use crate::geo::{Point2, SAME_POINT, Vec2, direction, distance, intersect, left};
 
 use super::lines::tangent_point;
-use super::{AGREES, Fault, Partial, Result, Solved, backward_line, chosen, fixed_circle};
+use super::{AGREES, Fault, Partial, Result, Solved, backward_line, chosen, fixed_circle, leaning};
 
 /// Completes an arc.
 pub(super) fn solve(e: &Partial, second: Option<&Partial>, ccw: bool, at: Point2, dir: Option<Vec2>) -> Result<Solved> {
@@ -66,6 +66,9 @@ fn arc_end(
         let tol = if e.tangential { AGREES } else { SAME_POINT };
         return on_circle_near(q, w, center, radius, at, e.far, tol);
     }
+    if let (None, Some(angle), true) = (next.arc, next.angle, e.tangential) {
+        return end_by_direction(next, leaning(angle), ccw, center, radius, at, e.far);
+    }
     let end = next.z.absolute().zip(next.x.absolute()).map(|(z, x)| Point2::new(z, x));
     match (next.arc, end) {
         (None, Some(end)) if next.angle.is_none() && e.tangential => tangent_point(end, center, radius, ccw, false),
@@ -93,6 +96,33 @@ fn on_circle_near(p: Point2, u: Vec2, center: Point2, radius: f64, at: Point2, f
     match direction(point - center, SAME_POINT) {
         Some(out) => Ok(center + out * radius),
         None => Err(Fault::Impossible("it does not meet the next line")),
+    }
+}
+
+/// Where a circle goes over into a line along `u`, or against it, whose end has one coordinate: that tells which way it runs.
+fn end_by_direction(
+    next: &Partial,
+    u: Vec2,
+    ccw: bool,
+    center: Point2,
+    radius: f64,
+    at: Point2,
+    far: bool,
+) -> Result<Point2> {
+    // The radius to the end is the direction of travel turned by a right angle.
+    let foot = |way: Vec2| center + left(way) * if ccw { -radius } else { radius };
+    let reaches = |way: &Vec2| {
+        let from = foot(*way);
+        let along = |goal: Option<f64>, start: f64, slope: f64| goal.is_none_or(|goal| (goal - start) * slope > 0.0);
+        along(next.z.given(from.x), from.x, way.x) && along(next.x.given(from.y), from.y, way.y)
+    };
+    if next.z.given(0.0).is_none() && next.x.given(0.0).is_none() {
+        return Err(Fault::Open("its end is not given, and the line behind it has an angle and no end"));
+    }
+    match [u, -u].into_iter().filter(reaches).map(foot).collect::<Vec<_>>()[..] {
+        [] => Err(Fault::Impossible("no line at the angle of the next element leaves it towards that end")),
+        [end] => Ok(end),
+        [a, b, ..] => chosen([a, b], at, far),
     }
 }
 

@@ -1,0 +1,191 @@
+//! Names of axes: letters, and the names that `[machine] axes` gives (MD 20080).
+//!
+//! A name stands for a printed axis, or is left out. Two names of one program never end on one printed axis: what
+//! two axes of the machine do cannot be done by one.
+//!
+//! Source: reference section 1.3.
+
+use rustc_hash::FxHashSet;
+
+use crate::diag::{Diagnostic, codes};
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisUse, LONGEST_AXIS_NAME, Settings};
+use crate::text::Span;
+
+use super::words::{Given, MachineAxis, Words};
+use super::{Outcome, Run};
+
+/// An axis by the name that the program gives it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct NamedAxis {
+    /// The axis that is printed; `None` for one that is left out.
+    pub axis: Option<Axis>,
+    /// The name, filled with zeros.
+    name: [u8; LONGEST_AXIS_NAME],
+}
+
+impl NamedAxis {
+    fn new(name: &str, axis: Option<Axis>) -> NamedAxis {
+        let mut bytes = [0; LONGEST_AXIS_NAME];
+        for (place, byte) in bytes.iter_mut().zip(name.bytes()) {
+            *place = byte;
+        }
+        NamedAxis { axis, name: bytes }
+    }
+
+    /// A printed axis by its own letter.
+    pub fn letter(axis: Axis) -> NamedAxis {
+        NamedAxis::new(axis.letter().encode_utf8(&mut [0; 4]), Some(axis))
+    }
+
+    pub fn bytes(&self) -> &[u8] {
+        let len = self.name.iter().position(|b| *b == 0).unwrap_or(self.name.len());
+        &self.name[..len]
+    }
+
+    pub fn text(&self) -> &str {
+        std::str::from_utf8(self.bytes()).unwrap_or_default()
+    }
+}
+
+/// What the names of axes stand for, and which of them the program has used.
+#[derive(Debug, Default)]
+pub(super) struct AxisNames {
+    /// Letters, A first.
+    letters: [Option<NamedAxis>; 26],
+    /// Longer names.
+    others: Vec<NamedAxis>,
+    /// The configuration gives names; without it two letters are two axes.
+    given: bool,
+    used: [Option<NamedAxis>; AXES],
+    noted: FxHashSet<NamedAxis>,
+}
+
+impl std::hash::Hash for NamedAxis {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
+}
+
+impl AxisNames {
+    pub fn new(settings: &Settings) -> AxisNames {
+        let mut made = AxisNames { given: !settings.machine.axes.is_empty(), ..AxisNames::default() };
+        for axis in Axis::ALL {
+            made.set(NamedAxis::letter(axis));
+        }
+        for (name, stands_for) in &settings.machine.axes {
+            let axis = match stands_for {
+                AxisUse::Printed(axis) => Some(*axis),
+                AxisUse::LeftOut => None,
+            };
+            made.set(NamedAxis::new(name, axis));
+        }
+        made
+    }
+
+    fn set(&mut self, named: NamedAxis) {
+        match named.bytes() {
+            [letter @ b'A'..=b'Z'] => self.letters[usize::from(letter - b'A')] = Some(named),
+            _ => self.others.push(named),
+        }
+    }
+
+    /// The axis with a letter.
+    #[inline]
+    pub fn letter(&self, letter: u8) -> Option<NamedAxis> {
+        self.letters.get(usize::from(letter.wrapping_sub(b'A'))).copied().flatten()
+    }
+
+    /// The axis with a name, in capitals.
+    pub fn find(&self, name: &str) -> Option<NamedAxis> {
+        match name.as_bytes() {
+            [letter] => self.letter(*letter),
+            bytes => self.others.iter().find(|named| named.bytes() == bytes).copied(),
+        }
+    }
+
+    /// Is the name one that the configuration gives?
+    pub fn is_given(&self, named: NamedAxis) -> bool {
+        named.bytes().len() > 1 || named.axis.map(NamedAxis::letter) != Some(named)
+    }
+
+    /// The name by which the program calls a printed axis.
+    pub fn of(&self, axis: Axis) -> NamedAxis {
+        let other = || self.others.iter().find(|named| named.axis == Some(axis)).copied();
+        self.used[axis.index()].or_else(other).unwrap_or_else(|| NamedAxis::letter(axis))
+    }
+}
+
+impl Run<'_> {
+    /// The printed axis that a name stands for; `None` for one that is left out, which is noted.
+    #[inline]
+    pub(super) fn printed_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
+        if self.axis_names.given { self.given_axis(named, span) } else { Ok(named.axis) }
+    }
+
+    fn given_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
+        let Some(axis) = named.axis else {
+            if self.axis_names.noted.insert(named) {
+                let message = format!("the axis {} is left out, as `[machine] axes` says", named.text());
+                self.report(Diagnostic::new(codes::S8130, self.loc(span), message));
+            }
+            return Ok(None);
+        };
+        let first = *self.axis_names.used[axis.index()].get_or_insert(named);
+        if first == named {
+            return Ok(Some(axis));
+        }
+        let message = format!("{} and {} would both be printed as {}", first.text(), named.text(), axis.letter());
+        let help =
+            "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis";
+        self.fail_help(codes::S2130, 0, span, message, help)
+    }
+
+    /// The word of an axis.
+    #[inline]
+    pub(super) fn axis_word(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
+        match self.printed_axis(named, given.span)? {
+            Some(axis) => self.set_axis(words, axis, given),
+            None if words.left_out.iter().any(|(known, _)| *known == named) => {
+                let message = format!("the axis {} stands twice in the block", named.text());
+                self.fail_help(codes::S2007, 12000, given.span, message, "delete one of the words")
+            }
+            None => {
+                words.left_out.push((named, given.span));
+                Ok(())
+            }
+        }
+    }
+
+    /// A cycle or program that runs behind each position, and a position of an axis that is left out.
+    pub(super) fn left_out_under_modal_call(&self, w: &Words) -> Outcome {
+        let Some((named, span)) = w.left_out.first() else { return Ok(()) };
+        if self.modal.is_none() && self.modal_cycle.is_none() {
+            return Ok(());
+        }
+        let message = format!("{} takes the modal call to another place, and is left out", named.text());
+        let help = "print the axis (`[machine] axes`), or end the modal call in front of this block";
+        self.fail_help(codes::S9130, 0, *span, message, help)
+    }
+
+    /// The printed axis of a machine axis that G74 or G75 names: `X1` is the one of X.
+    pub(super) fn machine_axis(&mut self, axis: MachineAxis) -> Outcome<Option<Axis>> {
+        match self.axis_names.letter(axis.letter) {
+            // What X1 is to X is no second name.
+            Some(NamedAxis { axis: Some(printed), .. }) if axis.number == 1 => Ok(Some(printed)),
+            Some(named) if axis.number == 1 => self.printed_axis(named, axis.span),
+            _ => self.unnamed_axis(axis),
+        }
+    }
+
+    /// `B1=90` without an entry in the configuration.
+    pub(super) fn unnamed_axis<T>(&self, axis: MachineAxis) -> Outcome<T> {
+        let name = format!("{}{}", axis.letter as char, axis.number);
+        let message = format!("which axis {name} is, only the machine knows");
+        let letter = axis.letter as char;
+        let help = format!(
+            "say it: `[machine] axes = {{ {name} = \"{letter}\" }}`, or \"leave-out\" for an axis that the target does not have"
+        );
+        self.fail_help(codes::S2016, 12050, axis.span, message, &help)
+    }
+}

@@ -1,0 +1,208 @@
+//! Contours of the contour editor of which only the records are left: their blocks are made anew.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
+use crate::ir::undercut::Surface;
+use crate::ir::{Feed, Pos};
+use crate::machine::Axis;
+use crate::parser::sinumerik::records::Record;
+use crate::sema::records::{Block, Contour, CornerWord};
+use crate::text::Span;
+
+use super::state::Diameter;
+use super::stored::{Stored, TOLERANCE};
+use super::vocabulary::Code;
+use super::{Outcome, Run};
+
+impl Run<'_> {
+    /// What holds where the blocks are missing must be what the editor would have written into them.
+    pub(super) fn can_be_rebuilt(&mut self, stored: &Stored) -> Outcome {
+        let place = |run: &mut Self| run.here.origin.loc = stored.begin;
+        let here = self.here.origin;
+        place(self);
+        let result = self.diameters_are_told(stored).and_then(|()| self.no_state_beside(stored));
+        self.here.origin = here;
+        result
+    }
+
+    /// The plane block of the editor says DIAM90 for turning and DIAMOF for milling, and the header which it was.
+    fn diameters_are_told(&self, stored: &Stored) -> Outcome {
+        let [first, second, _] = self.st.roles();
+        let on = self.st.diameter_mode() != Diameter::Off;
+        let turned = stored.records.iter().find_map(|record| match record {
+            Record::Header { turned, .. } => *turned,
+            _ => None,
+        });
+        if on && self.is_diameter_axis(first) {
+            let what = format!("{} counts in diameters, which its records never do", first.letter());
+            return self.not_rebuilt(&what, "program DIAMOF in front of the contour");
+        }
+        let across = second == Axis::X || self.is_diameter_axis(second);
+        let wanted = across && turned.unwrap_or_else(|| self.is_diameter_axis(second));
+        let taken = on && self.is_diameter_axis(second);
+        if stored.diameter_said || wanted == taken {
+            return Ok(());
+        }
+        let (what, help) = if wanted && self.job.settings.machine.diameter_axis.is_none() {
+            (
+                "the editor writes turned contours in diameters (DIAM90), and no diameter axis is configured",
+                "set `[machine] diameter_axis = \"X\"`",
+            )
+        } else if wanted {
+            (
+                "the editor writes turned contours in diameters (DIAM90), and DIAMOF is in force",
+                "program DIAM90 in front of the contour; where its values are radii, DIAMOF inside of it",
+            )
+        } else {
+            (
+                "the editor writes milled contours with DIAMOF, and diameters are in force",
+                "program DIAMOF in front of the contour",
+            )
+        };
+        self.not_rebuilt(what, help)
+    }
+
+    /// What would act on each block of the contour, and is not made for records.
+    fn no_state_beside(&self, stored: &Stored) -> Outcome {
+        if self.modal_cycle.is_some() || self.modal.is_some() {
+            return self.not_rebuilt("a modal call is active", "end it by MCALL in front of the contour");
+        }
+        if self.st.in_machine() {
+            return self.not_rebuilt("G500 is in force", "select a work offset in front of the contour");
+        }
+        let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
+        if undercut && self.st.rndm != 0.0 {
+            return self.not_rebuilt(
+                "RNDM is in force and would round the edges of its undercut",
+                "program RNDM=0 in front of the contour",
+            );
+        }
+        if undercut && self.st.frcm.is_some() {
+            return self.not_rebuilt(
+                "FRCM is in force and is the feed of the roundings of its undercut alone",
+                "program FRCM=0 in front of the contour",
+            );
+        }
+        Ok(())
+    }
+
+    fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
+        let message = format!("the contour has no blocks, and they are not made from its records: {what}");
+        self.fail_help(codes::S9019, 0, Span::default(), message, help)
+    }
+
+    /// The blocks of a contour of which only the records are left.
+    pub(super) fn rebuild(&mut self, made: &Contour, stored: &Stored, unit: f64) -> Outcome {
+        let plane = self.st.plane();
+        self.note_once(
+            codes::S8028,
+            Span::default(),
+            "the blocks of a stored contour are missing and are made from its records",
+        );
+        if unit != 1.0 {
+            let message = "the records of this contour are read in inches, the unit in force where it stands";
+            let found = Diagnostic::new(codes::S8160, stored.begin, message);
+            self.report(found.help("no contour of inches is known to us: compare its size with the drawing"));
+        }
+        let feed = match self.st.feed {
+            Some(feed) => feed,
+            None if self.is_capturing() => Feed::PerRevolution(1.0),
+            None => {
+                self.st.feed_lost = true;
+                return self.fail(codes::S2040, 10860, Span::default(), "no feed is programmed for the contour");
+            }
+        };
+        let modal_feed = if self.st.rndm > 0.0 || made.blocks.iter().any(|block| block.corner.is_some()) {
+            self.modal_corner_feed()?
+        } else {
+            None
+        };
+        let here = self.here.origin;
+        self.tell_of_records(made, stored);
+        self.stand_at(stored, made.start_record);
+        self.st.groups[1] = Code::G0.index;
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(plane, made.start);
+        self.send(&end, Path::Rapid, None);
+        for block in &made.blocks {
+            self.rebuild_block(block, stored, unit, feed, modal_feed);
+        }
+        self.here.origin = here;
+        Ok(())
+    }
+
+    fn rebuild_block(&mut self, block: &Block, stored: &Stored, unit: f64, feed: Feed, modal_feed: Option<Feed>) {
+        let plane = self.st.plane();
+        self.stand_at(stored, block.record);
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(plane, block.end);
+        // The code holds on behind the contour, as that of a block does.
+        let (code, path) = match block.arc {
+            Some((center, ccw)) => {
+                let shape = ArcShape::Center { center, ccw, tol: 2.0 * TOLERANCE * unit };
+                (if ccw { Code::G3 } else { Code::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }))
+            }
+            None => (Code::G1, Path::Line),
+        };
+        self.st.groups[1] = code.index;
+        self.send(&end, path, Some(feed));
+        let (shape, modal) = match block.corner {
+            Some(CornerWord::Radius(radius)) if radius > 0.0 => (CornerShape::Rounding { radius }, false),
+            Some(CornerWord::Chamfer(side)) if side > 0.0 => (CornerShape::Chamfer { side }, false),
+            Some(CornerWord::Undercut(undercut)) => (CornerShape::Undercut(undercut), false),
+            _ if self.st.rndm > 0.0 => (CornerShape::Rounding { radius: self.st.rndm }, true),
+            _ => return,
+        };
+        if !modal {
+            self.stand_at(stored, block.corner_record);
+        }
+        self.send_corner(Some(Corner {
+            shape,
+            feed: if matches!(shape, CornerShape::Undercut(_)) { None } else { modal_feed },
+            early: true,
+            modal,
+            large: self.large_corner(),
+            at_arc: self.arc_chamfer(),
+            blocks: Blocks::PassedOver,
+        }));
+    }
+
+    /// What of the contour is a choice of ours or rests on facts that are not confirmed.
+    fn tell_of_records(&mut self, made: &Contour, stored: &Stored) {
+        for record in &made.chosen {
+            self.stand_at(stored, *record);
+            let found = Diagnostic::new(
+                codes::S8030,
+                self.here.origin.loc,
+                "this record leaves two solutions, and the stored choice is not confirmed",
+            );
+            self.report(found.help("compare the element with the drawing"));
+        }
+        if let Some(record) = made.start_undercut {
+            self.stand_at(stored, record);
+            let message =
+                "the contour starts with an undercut, and is taken to begin where that leaves the line in front of it";
+            let found = Diagnostic::new(codes::S8161, self.here.origin.loc, message);
+            self.report(found.help("compare the start of the contour with the drawing"));
+        }
+        let doubted = |record: usize| made.doubts.iter().find(|(at, _)| *at == record).map(|(_, doubts)| doubts);
+        for (record, surface) in &made.assumed {
+            self.stand_at(stored, *record);
+            let side = match surface {
+                Surface::External => "outside on the part",
+                Surface::Internal => "in a bore",
+            };
+            // A second note at this place would not be seen.
+            let facts = doubted(*record).map(|doubts| format!("; not confirmed is {doubts}")).unwrap_or_default();
+            let message = format!(
+                "the contour does not tell the side of the material; the undercut is taken as one {side}{facts}"
+            );
+            self.report(Diagnostic::new(codes::S8022, self.here.origin.loc, message));
+        }
+        for (record, doubts) in made.doubts.iter().filter(|(at, _)| !made.assumed.iter().any(|(told, _)| told == at)) {
+            self.stand_at(stored, *record);
+            let message = format!("the undercut rests on facts that are not confirmed: {doubts}");
+            self.note_once(codes::S8022, Span::default(), message);
+        }
+    }
+}

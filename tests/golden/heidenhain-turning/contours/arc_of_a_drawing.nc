@@ -1,0 +1,14 @@
+HEADER
+#UNIT METRIC
+FINISHED PART
+N1 G0 X33.400 Z0
+N2 G1 Z-24.300
+N3 G2 X49.780 Z-37.665 I15.000 K0.000
+N4 G1 X60
+MACHINING
+[radii 15 and 14.99998: the arc of a drawing with three decimals is roughed, finished and printed as drawn]
+N7 T1 G95 F0.2 G97 S800 M3
+N8 G0 X60 Z3
+N9 G810 NS2 NE4 P7
+N10 G890 NS2 NE4 E0.1 O1
+END

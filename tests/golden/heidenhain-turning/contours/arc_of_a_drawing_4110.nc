@@ -1,0 +1,11 @@
+%1.nc
+[the same on the 4110, where I counts on the diameter]
+N1 T1 G95 F0.2 G97 S800 M3
+N2 G0 X60 Z3
+N3 G817 P7
+N4 G0 X33.400 Z0
+N5 G1 Z-24.300
+N6 G2 X49.780 Z-37.665 I30.000 K0.000
+N7 G1 X60
+N8 G80
+END

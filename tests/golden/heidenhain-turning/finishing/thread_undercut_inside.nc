@@ -1,0 +1,15 @@
+HEADER
+#UNIT METRIC
+BLANK
+N1 G20 X60 Z50 I15
+FINISHED PART
+N2 G0 X18.3762 Z0
+N3 G1 Z-30
+N4 G25 H7 I1.0619 FP1.5
+N5 G1 X14
+MACHINING
+[in a bore FP1.5 gives the internal width 7.8 and R0.8: slope from Z-22.2, floor X20.5, arc to the shoulder at X18.9]
+N7 T1 G95 F0.2 G97 S800 M3
+N8 G0 X13 Z3
+N9 G890 NS3 NE5 E0.1 O1
+END

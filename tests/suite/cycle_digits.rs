@@ -1,0 +1,150 @@
+//! Every digit of every coded argument: changed alone it changes the output, gives a finding, or is documented as one that
+//! changes nothing.
+//!
+//! The table of those that change nothing is docs/cycle-digits.md.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use partc::machine::Settings;
+
+use super::common::{Beside, compile_bytes, settings};
+
+const MILL: &str = "T1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\n";
+const HOLES: &str = "T1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\nMCALL CYCLE81(10,0,2,-15)\n";
+const LATHE: &str = "T1 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\n";
+
+/// The program in front of the call, the call with `#` for the coded argument, the name of the argument and its value.
+const CALLS: &[(&str, &str, &str, u32)] = &[
+    (MILL, "CYCLE81(10,0,2,,15,0.5,#,1,11)", "_GMODE", 0),
+    (MILL, "CYCLE81(10,0,2,,15,0.5,0,#,11)", "_DMODE", 1),
+    (MILL, "CYCLE81(10,0,2,,15,0.5,0,1,#)", "_AMODE", 11),
+    (MILL, "CYCLE82(10,0,2,,15,0.5,#,1,11)", "_GMODE", 0),
+    (MILL, "CYCLE82(10,0,2,,15,0.5,0,#,11)", "_DMODE", 1),
+    (MILL, "CYCLE82(10,0,2,,15,0.5,0,1,#)", "_AMODE", 11),
+    (MILL, "CYCLE82(10,0,2,,15,0.5,0,1,11,#,1,50,2,50)", "_VARI", 0),
+    (MILL, "CYCLE83(10,0,2,,40,,20,5,0.5,0.3,50,#,0,1.2,1.4,0.7,1.6,0,1,11111111)", "VARI", 1),
+    (MILL, "CYCLE83(10,0,2,,40,,20,5,0.5,0.3,50,1,0,1.2,1.4,0.7,1.6,#,1,11111111)", "_GMODE", 0),
+    (MILL, "CYCLE83(10,0,2,,40,,20,5,0.5,0.3,50,1,0,1.2,1.4,0.7,1.6,0,#,11111111)", "_DMODE", 1),
+    (MILL, "CYCLE83(10,0,2,,40,,20,5,0.5,0.3,50,1,0,1.2,1.4,0.7,1.6,0,1,#)", "_AMODE", 11_111_111),
+    (MILL, "CYCLE84(10,0,2,,15,0.5,5,,1,0,300,300,0,1,0,#,5,1,,,,0,1,1001001)", "_VARI", 1),
+    (MILL, "CYCLE84(10,0,2,,15,0.5,5,,1,0,300,300,0,1,#,1,5,1,,,,0,1,1001001)", "_TECHNO", 0),
+    (MILL, "CYCLE84(10,0,2,,15,0.5,5,,1,0,300,300,0,1,0,1,5,1,,,,#,1,1001001)", "_GMODE", 0),
+    (MILL, "CYCLE84(10,0,2,,15,0.5,5,,1,0,300,300,0,1,0,1,5,1,,,,0,#,1001001)", "_DMODE", 1),
+    (MILL, "CYCLE84(10,0,2,,15,0.5,5,,1,0,300,300,0,1,0,1,5,1,,,,0,1,#)", "_AMODE", 1_001_001),
+    (MILL, "CYCLE840(10,0,2,,15,0.5,4,3,20,,1.25,,,#,,,,0,1,1)", "_TECHNO", 0),
+    (MILL, "CYCLE840(10,0,2,,15,0.5,4,3,20,,1.25,,,,,,,#,1,1)", "_GMODE", 0),
+    (MILL, "CYCLE840(10,0,2,,15,0.5,4,3,20,,1.25,,,,,,,0,#,1)", "_DMODE", 1),
+    (MILL, "CYCLE840(10,0,2,,15,0.5,4,3,20,,1.25,,,,,,,0,1,#)", "_AMODE", 1),
+    (MILL, "CYCLE840(10,0,2,,15,0.5,4,3,#,,1.25,,,,,,,0,1,1)", "ENC", 0),
+    (MILL, "CYCLE85(10,0,2,,15,0.5,80,200,#,1,1)", "_GMODE", 0),
+    (MILL, "CYCLE85(10,0,2,,15,0.5,80,200,0,#,1)", "_DMODE", 1),
+    (MILL, "CYCLE85(10,0,2,,15,0.5,80,200,0,1,#)", "_AMODE", 1),
+    (MILL, "CYCLE86(10,0,2,,15,0.5,3,-0.5,0.3,0.8,45,#,1,1)", "_GMODE", 0),
+    (MILL, "CYCLE86(10,0,2,,15,0.5,3,-0.5,0.3,0.8,45,0,#,1)", "_DMODE", 1),
+    (MILL, "CYCLE86(10,0,2,,15,0.5,3,-0.5,0.3,0.8,45,0,1,#)", "_AMODE", 1),
+    (MILL, "CYCLE89(10,0,2,,15,0.5,#,1,1)", "_GMODE", 0),
+    (MILL, "CYCLE89(10,0,2,,15,0.5,0,#,1)", "_DMODE", 1),
+    (MILL, "CYCLE89(10,0,2,,15,0.5,0,1,#)", "_AMODE", 1),
+    (HOLES, "HOLES1(0,0,30,5,10,4,#,,,,1)", "_VARI", 0),
+    (HOLES, "HOLES1(0,0,30,5,10,4,0,#,,,1)", "_UMODE", 0),
+    (HOLES, "HOLES1(0,0,30,5,10,4,0,,,,#)", "_DMODE", 1),
+    (HOLES, "HOLES2(0,0,30,5,40,4,#,,,,1)", "_VARI", 0),
+    (HOLES, "HOLES2(0,0,30,5,40,4,0,#,,,1)", "_UMODE", 0),
+    (HOLES, "HOLES2(0,0,30,5,40,4,0,,,,#)", "_DMODE", 1),
+    (HOLES, "CYCLE801(0,0,30,5,10,4,3,#,0,,,,,1)", "_VARI", 0),
+    (HOLES, "CYCLE801(0,0,30,5,10,4,3,0,#,,,,,1)", "_UMODE", 0),
+    (HOLES, "CYCLE801(0,0,30,5,10,4,3,0,0,,,,,#)", "_DMODE", 1),
+    (HOLES, "CYCLE802(#,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,1)", "_XA", 111_111_111),
+    (HOLES, "CYCLE802(111111111,#,1,2,3,4,,,,,,,,,,,,,,,0,0,1)", "_YA", 111_111_111),
+    (HOLES, "CYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,#,0,1)", "_VARI", 0),
+    (HOLES, "CYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,#,1)", "_UMODE", 0),
+    (HOLES, "CYCLE802(111111111,111111111,1,2,3,4,,,,,,,,,,,,,,,0,0,#)", "_DMODE", 1),
+    (LATHE, "CYCLE94(20,-30,\"E\",#)", "_VARI", 3),
+    (LATHE, "CYCLE96(20,-30,\"A\",#)", "_VARI", 3),
+    (LATHE, "CYCLE940(20,-30,\"T\",1,1,0.1,#,2,8,1,0.5,45,30,5,0.3,0,0,,,,2,1011)", "_VARI", 1),
+    (LATHE, "CYCLE940(20,-30,\"T\",1,1,0.1,1,2,8,1,0.5,45,30,5,0.3,0,0,,,,#,1011)", "_DMODE", 2),
+    (LATHE, "CYCLE940(20,-30,\"T\",1,1,0.1,1,2,8,1,0.5,45,30,5,0.3,0,0,,,,2,#)", "_AMODE", 1011),
+    (LATHE, "CYCLE940(20,-30,\"F\",#,1,0.1,,0.1,0.1,,,,40,,,,,0,,,2,11)", "_LAGE", 1),
+    (LATHE, "CYCLE940(20,-30,\"F\",1,1,0.1,,0.1,0.1,,,,40,,,,,#,,,2,11)", "_PITI", 0),
+    (LATHE, "CYCLE97(1.5,,0,-20,20,20,3,2,0.92,0.05,30,0,5,1,#,1)", "VARI", 3),
+    (LATHE, "CYCLE98(0,20,-10,20,-20,22,-30,22,3,2,0.92,0.05,0,0,5,1,1.5,1.5,2,#,1,,,,,1,,,,2,0)", "VARI", 3),
+    (LATHE, "CYCLE98(0,20,-10,20,-20,22,-30,22,3,2,0.92,0.05,0,0,5,1,1.5,1.5,2,3,1,,,,,1,,,,#,0)", "_DMODE", 2),
+    (LATHE, "CYCLE98(0,20,-10,20,-20,22,-30,22,3,2,0.92,0.05,0,0,5,1,1.5,1.5,2,3,1,,,,,1,,,,2,#)", "_AMODE", 0),
+    (LATHE, "CYCLE99(0,20,-20,20,3,2,0.92,0.05,30,0,5,1,1.5,#,1,2,0,0,,,,,,1,,,,102,0)", "_VARI", 1_310_101),
+    (LATHE, "CYCLE99(0,20,-20,20,3,2,0.92,0.05,30,0,5,1,1.5,1310101,1,2,0,0,,,,,,1,,,,#,0)", "_DMODE", 102),
+    (LATHE, "CYCLE99(0,20,-20,20,3,2,0.92,0.05,30,0,5,1,1.5,1310101,1,2,0,0,,,,,,1,,,,102,#)", "_AMODE", 0),
+];
+
+/// Digits of a whole number of an argument.
+const PLACES: u32 = 9;
+
+/// The moves and what is said.
+fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
+    let settings = if head == LATHE {
+        settings("[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n")
+    } else {
+        Settings::default()
+    };
+    let text = format!("{head}{}\nM30\n", call.replace('#', value));
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf();
+    let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &Beside(folder));
+    let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
+    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+    (moves, said)
+}
+
+/// Rows of the table: cycle, argument, place of the digit from the right, its values.
+fn documented() -> BTreeSet<(String, String, u32, u32)> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/cycle-digits.md");
+    let text = fs::read_to_string(path).expect("the table");
+    let mut list = BTreeSet::new();
+    for line in text.lines().filter(|line| line.starts_with("| ")) {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        let [cycles, name, places, values, _] = cells[..] else { panic!("five cells: {line}") };
+        if cycles == "cycle" || cycles.starts_with("--") {
+            continue;
+        }
+        let numbers = |cell: &str| -> Vec<u32> {
+            match cell.split_once(" to ") {
+                Some((from, to)) => (from.parse().expect("a number")..=to.parse().expect("a number")).collect(),
+                None => cell.split_whitespace().map(|n| n.parse().expect("a number")).collect(),
+            }
+        };
+        for cycle in cycles.split(' ') {
+            for place in numbers(places) {
+                for value in numbers(values) {
+                    list.insert((cycle.to_owned(), name.trim_matches('`').to_owned(), place, value));
+                }
+            }
+        }
+    }
+    list
+}
+
+#[test]
+fn no_digit_is_ignored_in_silence() {
+    let mut silent = BTreeSet::new();
+    for (head, call, name, value) in CALLS {
+        let cycle = call.split('(').next().expect("a name").to_owned();
+        let base = result(head, call, &value.to_string());
+        let errors = base.1.iter().filter(|said| said.starts_with("S9") || said.starts_with("S2"));
+        assert_eq!(errors.count(), 0, "{call} with {value} is refused: {:?}", base.1);
+        for place in 0..PLACES {
+            let power = 10_u32.pow(place);
+            let here = value / power % 10;
+            for digit in (0..10).filter(|digit| *digit != here) {
+                let changed = value - here * power + digit * power;
+                if result(head, call, &changed.to_string()) == base {
+                    silent.insert((cycle.clone(), (*name).to_owned(), place + 1, digit));
+                }
+            }
+        }
+    }
+    let documented = documented();
+    let missing: Vec<_> = silent.difference(&documented).collect();
+    let stale: Vec<_> = documented.difference(&silent).collect();
+    assert!(missing.is_empty(), "these change nothing, and docs/cycle-digits.md does not say so: {missing:#?}");
+    assert!(stale.is_empty(), "these change something, and docs/cycle-digits.md says they do not: {stale:#?}");
+}

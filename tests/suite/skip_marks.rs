@@ -1,0 +1,38 @@
+//! The skip mark: which blocks are left out, in every dialect.
+//!
+//! A mark without a level is the one of the first level, so it is skipped where level 1 is switched on.
+
+use partc::text::files::NoFiles;
+
+use super::common::{compile_bytes, settings};
+
+/// Dialect, file name, program with `MARK` in front of the move to 7, levels that it can write.
+const PROGRAMS: &[(&str, &str, &str, &[u8])] = &[
+    ("klartext", "A.H", "0 BEGIN PGM A MM\n1 L X+1 Y+1 R0 F100\nMARK2 L X+7\n3 L Y+5\n4 END PGM A MM\n", &[]),
+    ("sinumerik", "A.MPF", "N1 G90 G1 X1 Y1 F100\nMARKN2 X7\nN3 Y5\nM30\n", &[1, 2]),
+    ("heidenhain-turning", "A.nc", "%1.nc\nN1 G94 F100\nN2 G0 X2 Z1\nMARKN3 G1 Z7\nN4 G1 X60\nEND\n", &[1, 2]),
+    ("mtc200", "A.mtc", "N1 G90 G71 G94 G01 X1 Y1 F100\nMARKN2 X7\nN3 Y5\nN4 M30\n", &[]),
+];
+
+/// `skip_blocks`, and the levels of marks (0: none written) that it skips.
+const OPTIONS: &[(&str, &[u8])] = &[("[]", &[]), ("[1]", &[0, 1]), ("[2]", &[2]), ("[1, 2]", &[0, 1, 2])];
+
+#[test]
+fn a_mark_without_a_level_is_that_of_level_1() {
+    for (dialect, name, program, levels) in PROGRAMS {
+        for (option, skipped) in OPTIONS {
+            let options = settings(&format!("[control]\nskip_blocks = {option}\n"));
+            for level in levels.iter().copied().chain([0]) {
+                for blank in ["", " "] {
+                    let mark = if level == 0 { "/".to_owned() } else { format!("/{level}") };
+                    let text = program.replace("MARK", &format!("{mark}{blank}"));
+                    let compiled = compile_bytes(name, text.clone().into_bytes(), dialect, &options, &NoFiles);
+                    assert!(!compiled.has_errors(), "{dialect}, {mark}: {:?}", compiled.rendered);
+                    // X7 or Z7 is reached by this block alone.
+                    let runs = compiled.output.lines().any(|line| line.ends_with("X7") || line.contains("Z7"));
+                    assert_eq!(runs, !skipped.contains(&level), "{dialect}, skip_blocks = {option}: {text}");
+                }
+            }
+        }
+    }
+}
