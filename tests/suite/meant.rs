@@ -69,11 +69,20 @@ pub struct Cutter {
     pub diameter: Option<f64>,
 }
 
+/// What a feed counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    PerMinute,
+    PerRevolution,
+    /// The way itself, so many times in a minute.
+    Inverse,
+}
+
 /// What holds during a move.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct How {
-    /// Per revolution, and the value; `None` for rapid traverse and threads.
-    pub feed: Option<(bool, f64)>,
+    /// Its kind and the value; `None` for rapid traverse and threads.
+    pub feed: Option<(Kind, f64)>,
     /// Way per turn of the spindle in a thread.
     pub lead: Option<f64>,
     pub cutter: Cutter,
@@ -186,7 +195,7 @@ impl Recorder {
             return How { feed: None, lead: Some(lead), cutter, machine, plane };
         }
         let feed = mv.feed.filter(|_| mv.path != Path::Rapid);
-        let feed = feed.map(|feed| (matches!(feed, Feed::PerRevolution(_)), feed.value()));
+        let feed = feed.map(|feed| (kind_of(feed), feed.value()));
         How { feed, lead: None, cutter, machine, plane }
     }
 
@@ -281,6 +290,14 @@ impl Sink for Recorder {
     fn lost(&mut self, _: &Origin) {}
 }
 
+fn kind_of(feed: Feed) -> Kind {
+    match feed {
+        Feed::PerMinute(_) => Kind::PerMinute,
+        Feed::PerRevolution(_) => Kind::PerRevolution,
+        Feed::InverseTime(_) => Kind::Inverse,
+    }
+}
+
 /// An M function that is printed as it stands is one of the target's own, if it has one of this number.
 fn as_known(number: u32) -> Does {
     match number {
@@ -357,7 +374,7 @@ fn same_how(found: &How, meant: &How, tolerance: f64) -> Result<(), &'static str
         (a, b) => a.is_none() && b.is_none(),
     };
     let value = |how: &How| how.feed.map(|(_, value)| value);
-    let mode = |how: &How| how.feed.map(|(per_revolution, _)| per_revolution);
+    let mode = |how: &How| how.feed.map(|(kind, _)| kind);
     if mode(found) != mode(meant) || !near(value(found), value(meant)) {
         return Err("another feed");
     }

@@ -43,6 +43,7 @@ const WRONG: &[(&str, &str)] = &[
     ("real_to_int.MPF", "keeps fractions in INT"),
     ("program_beside.MPF", "calls no programs"),
     ("joined_text.MPF", "writes a CHAR as a number"),
+    ("start_angle_of_a_taper.MPF", "knows no start angle"),
     ("file_access.MPF", "leaves the error variable of WRITE and DELETE as it was"),
 ];
 /// Largest difference of two end points.

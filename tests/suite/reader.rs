@@ -2,7 +2,7 @@
 
 use partc::machine::axis::AXES;
 
-use super::meant::{BEFORE, Cutter, Does, Found, How, Way};
+use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way};
 
 /// Position in units of 1e-7, so that nothing is rounded twice, halved diameters neither.
 type Units = [i64; AXES];
@@ -17,7 +17,7 @@ struct Reader {
     plane: [usize; 3],
     diameter: bool,
     feed: f64,
-    per_revolution: bool,
+    kind: Kind,
     cutter: Cutter,
     offset: u8,
     length: u32,
@@ -34,7 +34,7 @@ pub fn read(program: &str, decimals: u8) -> Result<Vec<Found>, String> {
         plane: [0, 1, 2],
         diameter: false,
         feed: 0.0,
-        per_revolution: false,
+        kind: Kind::PerMinute,
         cutter: Cutter::default(),
         offset: 1,
         length: 0,
@@ -134,9 +134,14 @@ impl Reader {
                     self.does(Does::WorkOffset(number));
                 }
             }
-            "94" | "95" => {
+            "93" | "94" | "95" => {
+                let kind = match value {
+                    "93" => Kind::Inverse,
+                    "94" => Kind::PerMinute,
+                    _ => Kind::PerRevolution,
+                };
                 // A feed of another kind counts no longer.
-                if std::mem::replace(&mut self.per_revolution, value == "95") != (value == "95") {
+                if std::mem::replace(&mut self.kind, kind) != kind {
                     self.feed = 0.0;
                 }
             }
@@ -183,7 +188,7 @@ impl Reader {
     }
 
     fn how(&self, line: &Line) -> How {
-        let feed = matches!(line.motion, Some(1..=3)).then_some((self.per_revolution, self.feed));
+        let feed = matches!(line.motion, Some(1..=3)).then_some((self.kind, self.feed));
         let lead = line.offset[2].filter(|_| line.motion == Some(33)).map(|lead| lead as f64 / UNIT);
         How { feed, lead, cutter: self.cutter, machine: line.machine, plane: Some(self.plane) }
     }

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use partc::machine::axis::AXES;
 
-use super::meant::{BEFORE, Cutter, Does, Found, How, Way};
+use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way};
 use super::tools;
 
 /// X Y Z A B C; the stand-alone interpreter has no U V W.
@@ -178,6 +178,9 @@ fn marked(program: &str, thin: bool) -> String {
                 continue;
             }
         }
+        if let Some(feed) = word('F') {
+            mark(format!("feed {feed}"));
+        }
         if has("G53") {
             mark("machine".to_owned());
         }
@@ -229,6 +232,8 @@ struct Canon {
     feed: f64,
     per_revolution: bool,
     inverse_time: bool,
+    /// What stands behind F: of inverse times the calls show what they come to.
+    printed_feed: f64,
     lead: Option<f64>,
     /// What G41 and G42 will name, and what holds.
     named: Cutter,
@@ -252,6 +257,7 @@ fn read(canonical: &str) -> Answer {
         feed: 0.0,
         per_revolution: false,
         inverse_time: false,
+        printed_feed: 0.0,
         lead: None,
         named: Cutter::default(),
         cutter: Cutter::default(),
@@ -297,7 +303,7 @@ impl Canon {
             "STOP_SPEED_FEED_SYNCH" => self.lead = None,
             "STRAIGHT_TRAVERSE" => self.straight(Way::Rapid(end_of(&numbers)?), None),
             "STRAIGHT_FEED" => {
-                let feed = (self.per_revolution, self.feed);
+                let feed = self.feed_in_force();
                 self.straight(Way::Feed(end_of(&numbers)?), Some(feed));
             }
             "ARC_FEED" => self.arc(&numbers)?,
@@ -367,6 +373,7 @@ impl Canon {
         let value: f64 = value.parse().map_err(|e| format!("{value}: {e}"))?;
         match what {
             "machine" => self.machine = true,
+            "feed" => self.printed_feed = value,
             "cutter" => self.named = Cutter { side: 0, number: value as u32, diameter: None },
             "diameter" => self.named = Cutter { side: 0, number: 0, diameter: Some(value) },
             "length" => {
@@ -381,11 +388,19 @@ impl Canon {
         Ok(what == "end")
     }
 
+    fn feed_in_force(&self) -> (Kind, f64) {
+        match (self.inverse_time, self.per_revolution) {
+            (true, _) => (Kind::Inverse, self.printed_feed),
+            (false, true) => (Kind::PerRevolution, self.feed),
+            (false, false) => (Kind::PerMinute, self.feed),
+        }
+    }
+
     fn does(&mut self, does: Does) {
         self.list.push(Found::Does(does));
     }
 
-    fn straight(&mut self, way: Way, feed: Option<(bool, f64)>) {
+    fn straight(&mut self, way: Way, feed: Option<(Kind, f64)>) {
         let how = How {
             feed: feed.filter(|_| self.lead.is_none()),
             lead: self.lead,
@@ -408,7 +423,7 @@ impl Canon {
         if off > 0.001 + 1.5e-4 {
             return Err(format!("the radii differ by {off:.5}"));
         }
-        let feed = Some((self.per_revolution, self.feed));
+        let feed = Some(self.feed_in_force());
         self.straight(Way::Arc { plane, center: [i, j], turns: turns as i32, end }, feed);
         Ok(())
     }

@@ -21,6 +21,7 @@ const FAULTS: &[(&str, Fault)] = &[
     ("a feed tenfold", |l, i| number(&mut l[i], 'F', |f| f * 10.0)),
     ("no feed", |l, i| no_word(l, i, 'F')),
     ("another kind of feed", |l, i| swap_line(l, i, &["G94", "G95"])),
+    ("inverse time as feed per minute", |l, i| swap_line(l, i, &["G93", "G94"])),
     ("no new kind of feed", |l, i| drop_line(l, i, &["G94", "G95"])),
     ("another speed", |l, i| number(&mut l[i], 'S', |s| s + 1.0)),
     ("no speed", |l, i| l[i].starts_with('S').then(|| drop(l.remove(i)))),
