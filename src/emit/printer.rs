@@ -8,7 +8,7 @@ use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Plane, Point2, turned};
 use crate::ir::function::CutterData;
 use crate::ir::motion::{Arc, Move, Path, Sink};
-use crate::ir::{Feed, Function, Origin, Side};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::text::Loc;
@@ -580,6 +580,21 @@ impl Sink for Printer<'_> {
 
     fn lost(&mut self, _: &Origin) {
         self.known = AxisSet::EMPTY;
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        for (axis, value) in at.iter() {
+            if let Some(units) = self.places.units(value) {
+                self.at[axis.index()] = units;
+                self.known.insert(axis);
+                // The target has not heard of it.
+                self.stale.insert(axis);
+            }
+        }
+    }
+
+    fn full(&self) -> bool {
+        self.full
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rounding and chamfering the corner between two contour elements.
 
-use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, distance, intersect, left};
+use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, distance, intersect, left, turned};
 
 /// What replaces a corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,6 +77,25 @@ pub fn chamfer(before: &Element, after: &Element, side: f64, tol: f64) -> Result
     let (u, w) = directions(before, after)?;
     fits(side, before, after, tol)?;
     Ok(Cut { leave: before.to() - u * side, join: after.from() + w * side, arc: None })
+}
+
+/// Chamfers the corner by `side`, measured along each of the two elements.
+///
+/// # Errors
+/// See [`NoCut`].
+pub fn chamfer_along(before: &Element, after: &Element, side: f64, tol: f64) -> Result<Cut, NoCut> {
+    directions(before, after)?;
+    fits(side, before, after, tol)?;
+    Ok(Cut { leave: at_way(before, before.length() - side), join: at_way(after, side), arc: None })
+}
+
+/// The point of an element at `way` from its start, along it.
+fn at_way(element: &Element, way: f64) -> Point2 {
+    let share = way / element.length();
+    match *element {
+        Element::Line { from, to } => from + (to - from) * share,
+        Element::Arc { from, center, sweep, .. } => center + turned(from - center, sweep * share),
+    }
 }
 
 /// How much a corner cuts off each of two lines; `None` beside an arc.

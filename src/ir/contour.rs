@@ -136,6 +136,10 @@ pub enum ArcChamfer {
     Ask,
     /// It stands at a right angle to the bisector of the corner, its ends on both elements.
     AcrossBisector,
+    /// The compiler of the control makes it, but how it is measured is not confirmed: the user may choose ours.
+    AskAlong,
+    /// Its width is measured along each element.
+    Along,
 }
 
 /// What becomes of a corner that cuts off more than a neighbour has.
@@ -166,6 +170,15 @@ pub enum CornerShape {
     Undercut(Undercut),
 }
 
+/// What a sink took so far: what a run costs shows here, not in the number of its blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Load {
+    /// Moves, those of cycles and of described contours included; what takes as long as several counts as several.
+    pub moves: u64,
+    /// The output takes no more, which was reported.
+    pub full: bool,
+}
+
 /// Takes what was programmed, in order. Each item comes with the state it was programmed under and the
 /// block that caused it.
 pub trait Sink {
@@ -177,6 +190,10 @@ pub trait Sink {
     /// The position is no longer what the moves so far say: an error was reported, or the program moves in
     /// a way that is not in the stream.
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin);
+    /// Before everything else: the tool stands here, although no move says so; in the programmed frame.
+    fn begins_at(&mut self, at: &Pos);
+    /// What was taken so far. Looked at once per block, and between the places of a pattern.
+    fn load(&self) -> Load;
     /// From here on the moves describe a contour of at most `limit` elements and are not carried out. The position is
     /// unknown inside and afterwards what it was.
     fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, origin: &Origin);

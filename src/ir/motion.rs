@@ -50,4 +50,10 @@ pub trait Sink {
     fn function(&mut self, function: &Function, origin: &Origin);
     /// What the target believes of its position no longer holds.
     fn lost(&mut self, origin: &Origin);
+    /// Axes stand here although no move said so.
+    fn begins_at(&mut self, _: &Pos) {}
+    /// What comes now is not taken any more, which was reported: the run may stop.
+    fn full(&self) -> bool {
+        false
+    }
 }

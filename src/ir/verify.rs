@@ -62,4 +62,13 @@ impl Sink for Verify<'_> {
         self.at.clear();
         self.out.lost(origin);
     }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.at.update(at);
+        self.out.begins_at(at);
+    }
+
+    fn full(&self) -> bool {
+        self.out.full()
+    }
 }

@@ -321,6 +321,11 @@ fn cut(
         }
         Err(NoCut::Arc) => {
             let refused = refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned());
+            if corner.at_arc == ArcChamfer::AskAlong {
+                let help = "program a rounding beside an arc; how the control measures a chamfer there is not confirmed: \
+                            for its width along both elements set `[control] cf_at_arcs = \"along\"`";
+                return refused.map_err(|found| Box::new(found.help(help)));
+            }
             if corner.at_arc != ArcChamfer::Ask {
                 return refused;
             }
@@ -354,6 +359,9 @@ fn make(before: &Element, after: &Element, shape: CornerShape, at_arc: ArcChamfe
         CornerShape::Chamfer { side } if across => corner::chamfer_at_arc(before, after, Size::Side(side), SHORT),
         CornerShape::ChamferLength { length } if across => {
             corner::chamfer_at_arc(before, after, Size::Length(length), SHORT)
+        }
+        CornerShape::Chamfer { side } if !lines && at_arc == ArcChamfer::Along => {
+            corner::chamfer_along(before, after, side, SHORT)
         }
         CornerShape::Rounding { radius } => corner::rounding(before, after, radius, SHORT),
         CornerShape::Chamfer { side } => corner::chamfer(before, after, side, SHORT),

@@ -18,7 +18,7 @@ use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags};
 use crate::ir::captured::{Captured, Unfit};
-use crate::ir::contour::{self, Coords, Corner, CtxRef, EndPoint, Sink};
+use crate::ir::contour::{self, Coords, Corner, CtxRef, EndPoint, Load, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, motion};
 use crate::machine::{Axis, Machine};
@@ -26,6 +26,11 @@ use crate::machine::{Axis, Machine};
 use arcs::{Adjusted, Extra, Last};
 use capture::{Before, Recording};
 use corner::{Corners, Event};
+
+/// Moves that an arc counts as: its centre and its printed numbers take as long.
+const ARC: u64 = 3;
+/// Moves that a cycle without a path counts as: its depths may have been computed up to the fault.
+const REFUSED: u64 = 500;
 
 /// The passes of one run, from contour items to `out`.
 pub struct Lower<'a> {
@@ -40,6 +45,12 @@ pub struct Lower<'a> {
     corners: Corners,
     /// A contour that is described now.
     recording: Option<Box<Recording>>,
+    /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
+    start: Pos,
+    /// Moves taken so far.
+    moves: u64,
+    /// The last cycle that made no path, which was reported: a modal one comes again at each place.
+    refused: Option<Box<Cycle>>,
 }
 
 impl std::fmt::Debug for Lower<'_> {
@@ -60,6 +71,9 @@ impl<'a> Lower<'a> {
             adjusted: Adjusted::default(),
             corners: Corners::default(),
             recording: None,
+            start: Pos::UNKNOWN,
+            moves: 0,
+            refused: None,
         }
     }
 
@@ -117,6 +131,9 @@ impl<'a> Lower<'a> {
             }
         };
         step.mv.axes = programmed.known();
+        if !self.start.known().is_empty() {
+            step.mv.axes.iter().for_each(|axis| self.start.forget(axis));
+        }
         if step.mv.machine {
             step.mv.path = if mv.path == contour::Path::Rapid { motion::Path::Rapid } else { motion::Path::Line };
             step.mv.end = *programmed;
@@ -177,13 +194,14 @@ impl<'a> Lower<'a> {
     fn displace(&mut self, function: &Function) {
         match function {
             Function::WorkOffset(_) => {
-                self.at = Pos::UNKNOWN;
+                self.at = self.ctx.frame.unapply(&self.start);
                 self.last.forget();
             }
             // A tool of another length.
             Function::ToolChange { .. } => {
                 let (_, _, third) = self.ctx.plane.axes();
                 self.at.forget(Axis::ALL[third]);
+                self.start.forget(Axis::ALL[third]);
                 self.last.forget();
             }
             _ => {}
@@ -207,6 +225,7 @@ impl<'a> Lower<'a> {
 impl Sink for Lower<'_> {
     fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
+        self.moves += if matches!(mv.path, contour::Path::Arc(_)) { ARC } else { 1 };
         self.path_element(mv, origin);
     }
 
@@ -228,15 +247,39 @@ impl Sink for Lower<'_> {
         self.displace(function);
         let (corners, mut finish) = self.split();
         corners.function(function, origin, finish.diags, &mut |event| finish.event(event));
+        if matches!(function, Function::WorkOffset(_)) && !self.start.known().is_empty() {
+            self.out.begins_at(&self.start);
+        }
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
         let start = self.at;
-        if let Err(found) = cycles::expand(cycle, &start, ctx, origin, self) {
-            let end = cycle.leaves(&start);
-            self.refuse(Some(found), &end, origin);
+        let modal = matches!(cycle, Cycle::Drilling(_));
+        let known = modal && self.refused.as_deref() == Some(cycle);
+        let found = match known {
+            true => None,
+            false => match cycles::expand(cycle, &start, ctx, origin, self) {
+                Ok(()) => return,
+                Err(found) => Some(found),
+            },
+        };
+        // What was not made is work as well.
+        self.moves += if known { 1 } else { REFUSED };
+        if modal && !known {
+            self.refused = Some(Box::new(cycle.clone()));
         }
+        self.refuse(found, &cycle.leaves(&start), origin);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.start = *at;
+        self.at.update(at);
+        self.out.begins_at(at);
+    }
+
+    fn load(&self) -> Load {
+        Load { moves: self.moves, full: self.out.full() }
     }
 
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin) {

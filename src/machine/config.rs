@@ -1,7 +1,7 @@
 //! Turns the tree of a `partc.toml` into [`Settings`]. Every key is in [`SECTIONS`]; others are errors.
 
 use super::keys::{SECTIONS, Section, TOOL_KEYS};
-use super::mtc200::{Centres, G52, InchSpeed};
+use super::mtc200::{Centres, G52, InchSpeed, Reading, ShiftedIncrement};
 use super::settings::*;
 use super::tools::{Corner, Tool};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
@@ -136,6 +136,11 @@ impl Reader {
                 }
             }
             ("undercut", _) => s.undercut.set(name, node)?,
+            ("start", _) => {
+                let value =
+                    number(node).filter(|v| v.is_finite()).ok_or_else(|| node.fail("a position is a number"))?;
+                s.start.insert(axis(name, node)?, value);
+            }
             ("variables", _) => {
                 let value = number(node).ok_or_else(|| node.fail("a start value is a number"))?;
                 s.variables.insert(name.to_ascii_uppercase(), value);
@@ -327,12 +332,35 @@ impl Reader {
                 }
             }
             "g53" => control.g53_is_machine = text(node) == "machine",
-            "dwell" => control.dwell_ms = text(node) == "ms",
+            "dwell" => {
+                control.dwell_ms = text(node) == "ms";
+                control.confirmed.push(Reading::Dwell);
+            }
+            "g91_after_offset" => {
+                control.g91_after_offset = match text(node) {
+                    "with-offset" => ShiftedIncrement::WithOffset,
+                    "increment" => ShiftedIncrement::Increment,
+                    _ => ShiftedIncrement::Refuse,
+                }
+            }
+            "spindle_nose" => control.refuse_spindle_nose = text(node) == "refuse",
+            "cf_at_arcs" => control.chamfers_along_arcs = text(node) == "along",
+            "confirmed" => {
+                for name in texts(node) {
+                    let known = Reading::ALL.into_iter().find(|reading| reading.name() == name);
+                    let names = Reading::ALL.map(Reading::name).join(", ");
+                    let fault = || node.fail(format!("`{name}` is no reading: {names}"));
+                    control.confirmed.push(known.ok_or_else(fault)?);
+                }
+            }
             "tool_change" => {
                 control.t_changes = text(node) == "t";
                 self.settings.control.siemens.tool_change_by_t = Some(text(node) == "t");
             }
-            "angles" => control.radians = text(node) == "radians",
+            "angles" => {
+                control.radians = text(node) == "radians";
+                control.confirmed.push(Reading::Degrees);
+            }
             "rotary" => control.rotary_absolute = text(node) == "absolute",
             "inch_speed" => {
                 control.inch_speed = match text(node) {

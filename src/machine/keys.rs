@@ -328,13 +328,37 @@ pub const SECTIONS: &[Section] = &[
             .or(r#""settle""#),
             key("circle_tolerance", Kind::Number, "MTC200: how far the end of an arc may miss the circle, in mm")
                 .or(r#"0.01"#),
-            key("start", Kind::Free, "MTC200: where the axes stand at the start, in mm: X = 0.0 (radius)"),
+            key("start", Kind::Free, "MTC200: older name of [start], X as a radius"),
             key("home", Kind::Free, "MTC200: machine coordinates of the home position that G74 goes to, in mm"),
             key("repeated_words", Kind::Choice(&["refuse", "last"]), "MTC200: which of two equal words counts")
                 .or(r#""refuse""#),
             key("zero_feed", Kind::Choice(&["refuse", "previous"]), "MTC200: what F0 means").or(r#""refuse""#),
             key("g52", Kind::Choice(&["refuse", "position", "shift"]), "MTC200: what G52 does").or(r#""refuse""#),
             key("g53", Kind::Choice(&["refuse", "machine"]), "MTC200: what positions under G53 are").or(r#""refuse""#),
+            key(
+                "g91_after_offset",
+                Kind::Choice(&["refuse", "with-offset", "increment"]),
+                "MTC200: what an increment behind a changed zero offset travels: the change as well, or itself alone",
+            )
+            .or(r#""refuse""#),
+            key(
+                "spindle_nose",
+                Kind::Choice(&["warn", "refuse"]),
+                "MTC200: moves along the tool axis under G47, or before the first G48",
+            )
+            .or(r#""warn""#),
+            key(
+                "cf_at_arcs",
+                Kind::Choice(&["refuse", "along"]),
+                "MTC200: CF beside an arc; along: its width is measured along the arc",
+            )
+            .or(r#""refuse""#),
+            key(
+                "confirmed",
+                Kind::Texts,
+                "MTC200: readings that no manual at hand confirms and that this control has: [\"flow\", \"degrees\"]",
+            )
+            .or("[]"),
             key("dwell", Kind::Choice(&["s", "ms"]), "MTC200: unit of the F of G04").or(r#""s""#),
             key(
                 "tool_change",
@@ -402,6 +426,12 @@ pub const SECTIONS: &[Section] = &[
             )
             .or(r#""core""#),
         ],
+    },
+    Section {
+        name: "start",
+        doc: "where the axes stand before the first block, in mm and degrees: X = 0.0 (lathe: diameter); only axes a program relies on",
+        entry: &[],
+        keys: &[],
     },
     Section { name: "variables", doc: "start values of parameters: Q50 = 3.0, R1 = 5.0", entry: &[], keys: &[] },
     Section {

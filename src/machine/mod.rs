@@ -20,5 +20,5 @@ pub use settings::{
     MachineKind, Modulo, OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings,
     ShiftAxes, Unit,
 };
-pub use tools::{Tool, ToolKey, Tools};
+pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

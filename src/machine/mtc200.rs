@@ -38,6 +38,63 @@ pub enum InchSpeed {
     Feet,
 }
 
+/// Where an increment behind a changed zero offset starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ShiftedIncrement {
+    #[default]
+    Refuse,
+    /// At the last programmed number: the change of the offset is travelled, too.
+    WithOffset,
+    /// Where the tool stands: only the increment is travelled.
+    Increment,
+}
+
+/// What no manual at hand confirms, and partc reads all the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    AtStart,
+    Degrees,
+    Flow,
+    ArcRadius,
+    Helix,
+    Dwell,
+    DiameterCodes,
+    G50,
+    ThreadTaper,
+    MFunctions,
+}
+
+impl Reading {
+    pub const ALL: [Reading; 10] = [
+        Reading::AtStart,
+        Reading::Degrees,
+        Reading::Flow,
+        Reading::ArcRadius,
+        Reading::Helix,
+        Reading::Dwell,
+        Reading::DiameterCodes,
+        Reading::G50,
+        Reading::ThreadTaper,
+        Reading::MFunctions,
+    ];
+
+    /// Name in the configuration.
+    pub fn name(self) -> &'static str {
+        match self {
+            Reading::AtStart => "at-start",
+            Reading::Degrees => "degrees",
+            Reading::Flow => "flow",
+            Reading::ArcRadius => "arc-radius",
+            Reading::Helix => "helix",
+            Reading::Dwell => "dwell",
+            Reading::DiameterCodes => "diameter-codes",
+            Reading::G50 => "g50",
+            Reading::ThreadTaper => "thread-taper",
+            Reading::MFunctions => "m-functions",
+        }
+    }
+}
+
 /// Settings of the MTC200 dialect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mtc200 {
@@ -66,6 +123,13 @@ pub struct Mtc200 {
     /// An absolute position of a rotary axis is taken as it is, not the short way.
     pub rotary_absolute: bool,
     pub inch_speed: InchSpeed,
+    pub g91_after_offset: ShiftedIncrement,
+    /// Moves of the spindle nose (G47) are refused, not only warned of.
+    pub refuse_spindle_nose: bool,
+    /// CF beside an arc is measured along the arc.
+    pub chamfers_along_arcs: bool,
+    /// Readings that the user confirms.
+    pub confirmed: Vec<Reading>,
 }
 
 impl Default for Mtc200 {
@@ -85,6 +149,10 @@ impl Default for Mtc200 {
             radians: false,
             rotary_absolute: false,
             inch_speed: InchSpeed::default(),
+            g91_after_offset: ShiftedIncrement::default(),
+            refuse_spindle_nose: false,
+            chamfers_along_arcs: false,
+            confirmed: Vec::new(),
         }
     }
 }

@@ -17,6 +17,9 @@ pub struct Settings {
     pub datums: Datums,
     pub include: Include,
     pub undercut: Undercuts,
+    /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins
+    /// under diameter programming: the diameter) and degrees.
+    pub start: BTreeMap<Axis, f64>,
     /// Start values of parameters, by upper-case name (`Q50`, `R1`, `@50`).
     pub variables: BTreeMap<String, f64>,
     pub output: OutputSettings,

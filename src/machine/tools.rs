@@ -1,6 +1,6 @@
 //! Tool data, from the program's surroundings: `[tools]`, a HEIDENHAIN `TOOL.T` or a LinuxCNC `tool.tbl`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use crate::text::number::decimal;
@@ -79,6 +79,26 @@ impl Tools {
         self.named(|other| other == name)
     }
 
+    /// A name that differs from `name` in nothing but case, blanks, `_` and `-`. Anything else would be another tool.
+    pub fn alike(&self, name: &str) -> Option<&str> {
+        let bare = |name: &str| -> String {
+            name.chars().filter(|c| !matches!(c, ' ' | '_' | '-')).flat_map(char::to_lowercase).collect()
+        };
+        let wanted = bare(name);
+        let names = self.table.iter().filter_map(|(key, tool)| match key {
+            ToolKey::Name(name) => Some(name.as_str()),
+            ToolKey::Number(..) => tool.name.as_deref(),
+        });
+        names.into_iter().find(|other| bare(other) == wanted && *other != name)
+    }
+
+    /// Is the number given to a tool, as its key or to print?
+    fn is_taken(&self, number: u32) -> bool {
+        self.table
+            .iter()
+            .any(|(key, tool)| tool.number == Some(number) || matches!(key, ToolKey::Number(n, _) if *n == number))
+    }
+
     /// Radius of the tool that is printed as `number`; `None` if it is not known, or edges of it differ.
     pub fn radius_of_printed(&self, number: u32) -> Option<f64> {
         let mut radii = self.table.iter().filter_map(|(key, tool)| match (key, tool.number) {
@@ -99,6 +119,40 @@ impl Tools {
             }
             _ => None,
         })
+    }
+}
+
+/// Numbers proposed for tools that the program calls by a name without a number.
+#[derive(Debug, Clone, Default)]
+pub struct Proposed {
+    names: Vec<(String, u32)>,
+    /// Numbers that the program called.
+    called: BTreeSet<u32>,
+}
+
+impl Proposed {
+    /// The program called this number: it is no free one.
+    pub fn call(&mut self, number: u32) {
+        self.called.insert(number);
+    }
+
+    /// What to put into the configuration for the tool `name`: each name gets a number of its own.
+    pub fn help(&mut self, name: &str, tools: &Tools) -> String {
+        let known = self.names.iter().find(|(known, _)| known == name).map(|(_, number)| *number);
+        let number = known.unwrap_or_else(|| {
+            let free = |n: &u32| {
+                !tools.is_taken(*n) && !self.called.contains(n) && !self.names.iter().any(|(_, given)| given == n)
+            };
+            let number = (1..).find(free).unwrap_or(1);
+            self.names.push((name.to_owned(), number));
+            number
+        });
+        let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
+        let line = format!("give it a number in partc.toml: `[tools.{number}]` with `name = \"{escaped}\"`");
+        match tools.alike(name) {
+            Some(alike) => format!("{line}; the table has a tool `{alike}`, whose name is written differently"),
+            None => line,
+        }
     }
 }
 

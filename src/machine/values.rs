@@ -80,6 +80,14 @@ pub(super) fn wholes(node: &Node) -> impl Iterator<Item = i64> + '_ {
     items.iter().map(whole)
 }
 
+pub(super) fn texts(node: &Node) -> impl Iterator<Item = &str> {
+    let items: &[Node] = match &node.value {
+        Value::List(items) => items,
+        _ => &[],
+    };
+    items.iter().map(text)
+}
+
 pub(super) fn table_of(node: &Node) -> &Table {
     static NONE: Table = Table::new();
     match &node.value {

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use rustc_hash::FxHashMap;
 
 use crate::diag::{CallPath, Diagnostic, codes};
+use crate::ir::contour::Sink;
 use crate::text::blocks::{OpenError, Place};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
 use crate::text::{Cursor, FileError, FileId, Loc, Next, Request, Span, SplitRules};
@@ -12,37 +13,87 @@ use crate::text::{Cursor, FileError, FileId, Loc, Next, Request, Span, SplitRule
 use super::Job;
 use super::here::Here;
 
-/// Counts executed blocks and knows which jump ran most often.
+/// Moves of one block that cost nothing while a program runs straight on.
+const FREE_MOVES: u64 = 16;
+/// Bytes of a block, and operations of its formulas, that are one step.
+const BYTES_A_STEP: u32 = 64;
+const OPERATIONS_A_STEP: usize = 8;
+/// Steps that parsing a block costs.
+const PARSING: u64 = 5;
+/// Steps that looking for a called program on the disk costs.
+const SEARCH: u64 = 250;
+
+/// Counts what a run costs in steps, and knows which jump ran most often.
+///
+/// A step is a block, a move or a long stretch of text: each takes about the same time, so that the limit of steps is
+/// one of time, too.
 #[derive(Debug)]
 pub struct Budget {
     left: u64,
     limit: u64,
     jumps: FxHashMap<Loc, u64>,
+    /// Moves that the sink had taken at the last look.
+    moves: u64,
+    /// Other things than blocks were counted.
+    mixed: bool,
 }
 
 impl Budget {
     pub fn new(limit: u64) -> Budget {
-        Budget { left: limit, limit, jumps: FxHashMap::default() }
+        Budget { left: limit, limit, jumps: FxHashMap::default(), moves: 0, mixed: false }
     }
 
-    /// Takes one step; false when none is left. Up to the first jump nothing can run for ever: a file that is read
-    /// once may have any length.
+    /// Takes the steps of the block before and one for the next; false when none is left, or when `out` is full. Up to
+    /// the first jump nothing can run for ever: a file that is read once may have any length.
     #[inline]
-    pub fn step(&mut self) -> bool {
-        if self.left == 0 {
+    pub fn step(&mut self, out: &dyn Sink) -> bool {
+        let load = out.load();
+        if self.left == 0 || load.full {
             return false;
         }
-        if !self.jumps.is_empty() {
+        let made = load.moves - self.moves;
+        self.moves = load.moves;
+        if made > 1 && (made > FREE_MOVES || !self.jumps.is_empty()) {
+            self.mixed = true;
+            self.left = self.left.saturating_sub(made);
+        } else if !self.jumps.is_empty() {
             self.left -= 1;
         }
         true
     }
 
+    /// The same between two places of a pattern, or wherever one block does much: is there anything left?
+    pub fn goes_on(&mut self, out: &dyn Sink) -> bool {
+        let load = out.load();
+        self.mixed = true;
+        self.left = self.left.saturating_sub(load.moves - self.moves);
+        self.moves = load.moves;
+        self.left > 0 && !load.full
+    }
+
     /// Takes `n` steps, for work that grows with a number of the program; false when fewer are left.
     pub fn take(&mut self, n: u64) -> bool {
+        self.mixed |= n > 0;
         let enough = self.left >= n;
         self.left = self.left.saturating_sub(n);
         enough
+    }
+
+    /// Takes what a block costs over the one step that every block has: its length in bytes, the operations of its
+    /// formulas, and that it was parsed although it ran before.
+    #[inline]
+    pub fn block(&mut self, bytes: u32, operations: usize, parsed_again: bool) {
+        if (bytes > BYTES_A_STEP || operations > OPERATIONS_A_STEP || parsed_again) && !self.jumps.is_empty() {
+            let parsing = if parsed_again { PARSING } else { 0 };
+            self.take(u64::from(bytes / BYTES_A_STEP) + (operations / OPERATIONS_A_STEP) as u64 + parsing);
+        }
+    }
+
+    /// Takes the steps of looking for a called program.
+    pub fn search(&mut self) {
+        if !self.jumps.is_empty() {
+            self.take(SEARCH);
+        }
     }
 
     /// Notes a jump, repeat or call at `from`.
@@ -50,10 +101,17 @@ impl Budget {
         *self.jumps.entry(from).or_default() += 1;
     }
 
-    /// The report for a run that has no steps left; `here` is where it stopped.
-    pub fn exceeded(&self, here: Loc, call: CallPath) -> Diagnostic {
+    /// Reports a run that has no steps left; `here` is where it stopped. That the output is full was reported.
+    pub fn report_end(&self, job: &Job<'_>, out: &dyn Sink, here: Loc, call: CallPath) {
+        if !out.load().full {
+            job.diags.push(self.exceeded(here, call));
+        }
+    }
+
+    fn exceeded(&self, here: Loc, call: CallPath) -> Diagnostic {
         let busiest = self.jumps.iter().max_by_key(|(loc, n)| (**n, std::cmp::Reverse((loc.file, loc.span.start))));
-        let stopped = format!("stopped after {} blocks", self.limit);
+        let what = if self.mixed { "steps (blocks, moves and long lines)" } else { "blocks" };
+        let stopped = format!("stopped after {} {what}", self.limit);
         let found = match busiest {
             Some((&loc, n)) => Diagnostic::new(codes::P4001, loc, stopped)
                 .here(format!("taken {n} times"))
@@ -109,6 +167,10 @@ pub struct Source<B> {
     pub file: FileId,
     pub cursor: Cursor,
     cache: Cache<Parsed<B>>,
+    /// Up to here the file was read at least once.
+    furthest: u32,
+    /// The last block had been read before, and was parsed again.
+    pub parsed_again: bool,
 }
 
 /// What [`Source::read`] found.
@@ -125,7 +187,13 @@ pub enum Read {
 impl<B: Clone> Source<B> {
     /// Opens a file; reports what is wrong with it.
     pub fn open(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) -> Option<Source<B>> {
-        open_cursor(job, file, rules, from).map(|cursor| Source { file, cursor, cache: Cache::default() })
+        open_cursor(job, file, rules, from).map(|cursor| Source {
+            file,
+            cursor,
+            cache: Cache::default(),
+            furthest: 0,
+            parsed_again: false,
+        })
     }
 
     /// The next block, if it was read before.
@@ -137,6 +205,7 @@ impl<B: Clone> Source<B> {
         let place = self.cursor.place();
         let parsed = self.cache.get(place.at)?;
         self.cursor.resume(parsed.next);
+        self.parsed_again = false;
         let here = Here::new(self.file, place.at, place.line, parsed.lines, call);
         Some((parsed, here))
     }
@@ -170,6 +239,8 @@ impl<B: Clone> Source<B> {
     ) -> Read {
         into.text.clear();
         let place = self.cursor.place();
+        self.parsed_again = place.at < self.furthest;
+        self.furthest = self.furthest.max(place.at.saturating_add(1));
         match self.cursor.next(job.sources) {
             Ok(Next::Block(found)) => {
                 parse(found.text, into);

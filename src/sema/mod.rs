@@ -9,6 +9,7 @@ pub mod klartext;
 pub mod mtc200;
 pub mod records;
 pub mod sinumerik;
+pub mod start;
 pub mod turning;
 pub mod undercut_calls;
 

@@ -29,7 +29,7 @@ const PROGRAMS: &[(&str, &str, &str)] = &[
 fn refused(program: &(&str, &str, &str), from: &str, to: &str, radius: Option<&str>) -> bool {
     let (name, dialect, text) = program;
     // The turning program leaves along Z as well: its contour ends at Z40.
-    let to = if *dialect == "heidenhain-turning" { to.replace('-', "").replace('X', "") } else { to.to_owned() };
+    let to = if *dialect == "heidenhain-turning" { to.replace(['-', 'X'], "") } else { to.to_owned() };
     let text = text.replace("{from}", from).replace("{to}", &to);
     let tool = radius.map(|radius| format!("[tools.1]\nradius = {radius}\n")).unwrap_or_default();
     let settings = settings(&format!("[output]\ncompensation = \"control\"\n{tool}"));

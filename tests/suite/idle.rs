@@ -32,7 +32,7 @@ fn blocks_behind_the_end_are_looked_at() {
         (9, "K1004"),
         (10, "K1005"),
         (11, "K8001"),
-        (12, "K2202"),
+        (12, "K8001"),
     ];
     assert_eq!(codes(text), expected);
 }

@@ -235,3 +235,68 @@ fn every_statement_is_used_or_spoken_of() {
     }
     assert!(lost.is_empty(), "left out in silence: {lost:?}");
 }
+
+/// Statements as they are right, each line of which takes no word more.
+const COMPLETE: &[&str] = &[
+    "STOP",
+    "TOOL CALL 2 Z S500",
+    "TOOL CALL S500",
+    "TOOL DEF 5",
+    "TOOL DEF 1 L+0 R+4",
+    "CC X+10 Y+5",
+    "LBL 1",
+    "LBL \"A\"",
+    "LBL 0",
+    "BLK FORM 0.1 Z X+0 Y+0 Z-20",
+    "BLK FORM CYLINDER Z R50 L105",
+    "CYCL DEF 7.0\nCYCL DEF 7.1 X+0",
+    "CYCL DEF 8.0\nCYCL DEF 8.1 X",
+    "CYCL DEF 8.0\nCYCL DEF 8.1",
+    "CYCL DEF 9.0\nCYCL DEF 9.1 DWELL 1",
+    "CYCL DEF 10.0\nCYCL DEF 10.1 ROT+0",
+    "CYCL DEF 11.0\nCYCL DEF 11.1 SCL 1",
+    "CYCL DEF 13.0\nCYCL DEF 13.1 ANGLE 90",
+    "CYCL DEF 19.0\nCYCL DEF 19.1 A+0 B+0 C+0",
+    "CYCL DEF 19.0\nCYCL DEF 19.1",
+    "CYCL DEF 26.0\nCYCL DEF 26.1 X1",
+    "CYCL DEF 32.0\nCYCL DEF 32.1 T0.05",
+    "CYCL DEF 247 Q339=2",
+    "CYCL DEF 200 Q200=2 Q201=-10 Q206=100 Q202=5 Q210=0 Q203=0 Q204=20 Q211=0",
+    "TRANS DATUM AXIS X+0",
+    "TRANS DATUM RESET",
+    "PLANE RESET STAY",
+    "PLANE SPATIAL SPA+0 SPB+0 SPC+0 STAY",
+    "PATTERN DEF POS1 (X+1 Y+1 Z+0)",
+    "DECLARE STRING QS1 = \"MILL\"",
+    "Q5 = 3 + 4",
+    "QS1 = \"A\" || \"B\"",
+    "FN 0: Q5 = +3",
+    "FN 9: IF +1 EQU +2 GOTO LBL 5\nLBL 5",
+    "FN 18: SYSREAD Q5 = ID270 NR1 IDX1",
+    "FN 20: WAIT FOR SYNC",
+    "FN 37: EXPORT QL5",
+    "L X+20",
+    "L M8",
+    "M8",
+    "X+20",
+    "L",
+    "L F500",
+];
+
+#[test]
+fn a_stray_word_is_never_lost() {
+    let start = ["1 TOOL CALL 1 Z S1000", "2 L X+10 Y+0 Z+50 R0 F100"];
+    let settings = Settings::default();
+    let mut lost = Vec::new();
+    for statement in COMPLETE {
+        let without: Vec<&str> = start.iter().copied().chain(statement.lines()).chain(["L X+30"]).collect();
+        for stray in ["FOO", "X", "7", "\"TEXT\"", "#", ":", "Q7"] {
+            let with = format!("{}\n{statement} {stray}\nL X+30", start.join("\n"));
+            let with: Vec<&str> = with.lines().collect();
+            if silent(&with, &without, &settings) {
+                lost.push(format!("{statement} {stray}"));
+            }
+        }
+    }
+    assert!(lost.is_empty(), "left out in silence: {lost:#?}");
+}

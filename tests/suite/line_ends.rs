@@ -59,7 +59,7 @@ const CASES: &[Case] = &[
         name: "PART.npg",
         lines: &["N1 G00 X0 Y0 Z5", "N2 G01 X10 F100", "N3 Y20", "N4 X30", "N5 RET"],
         marked: 1,
-        comments: &[],
+        comments: &[(";", ""), ("(", ")")],
     },
 ];
 

@@ -101,10 +101,10 @@ fn deep_brackets() {
 fn loops_and_calls_end() {
     let d = Settings::default();
     let few = settings("[limits]\nsteps = 100000\n");
-    assert_eq!(codes(".A BRA .A\nRET\n", &few), ["P4001"]);
-    assert_eq!(codes(".A BSR .A\nRET\n", &d), ["P4003"]);
-    assert_eq!(codes("@001=1\n.A @002=1\nBNE .A\nRET\n", &few), ["P4001"]);
-    assert_eq!(codes("JSR P5\nRET\n", &d), ["P0101"]);
+    assert_eq!(codes(".A BRA .A\nRET\n", &few), ["M8004", "P4001"]);
+    assert_eq!(codes(".A BSR .A\nRET\n", &d), ["M8004", "P4003"]);
+    assert_eq!(codes("@001=1\n.A @002=1\nBNE .A\nRET\n", &few), ["M8004", "P4001"]);
+    assert_eq!(codes("JSR P5\nRET\n", &d), ["M8004", "P0101"]);
 }
 
 /// Answers every call with the same program.
@@ -121,7 +121,7 @@ impl Files for Same {
 fn programs_that_call_each_other_end() {
     let few = settings("[limits]\nsteps = 10000\n");
     let compile = |main: &str, called| compile_bytes("m.npg", main.as_bytes().to_vec(), "mtc200", &few, &Same(called));
-    assert_eq!(compile("JSR P5\nRET\n", "JSR P5\nRTS\n").codes(), ["P4003"]);
+    assert_eq!(compile("JSR P5\nRET\n", "JSR P5\nRTS\n").codes(), ["M8004", "P4003"]);
     assert_eq!(compile("JMP P5\n", "JMP P5\n").codes(), ["P4001"]);
 }
 

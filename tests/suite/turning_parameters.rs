@@ -38,6 +38,11 @@ const THREAD: &[Case] = &[
     ("threads/data_of_g37", "P0.8", "P0.9"),
     ("threads/data_of_g37_overridden", " U-0.3", ""),
     ("threads/example_14_successive", "X34 Z-40", "X35 Z-40"),
+    ("threads/transverse_front", "R-20", "R-15"),
+    ("threads/transverse_front", "B4", "B3"),
+    ("threads/transverse_front", "P2", "P1"),
+    ("threads/transverse_front", "U-1.2", "U-1.1"),
+    ("threads/transverse_front", "V1", "V0"),
 ];
 
 /// G869 and the G80 that closes the unit with direct contour input.
@@ -151,6 +156,13 @@ const OTHERS: &[Case] = &[
     ("recess/finished", "I0.4", "I0.6"),
     ("recess/finished", "K8", "K7"),
     ("recess/axial", " K0.2", ""),
+    ("finishing/contour_of_g89", " I0.2", ""),
+    ("finishing/contour_of_g89_inside", " K0.5", ""),
+    ("finishing/contour_of_g89_compensated", "N4 G42\n", ""),
+    ("undercut/din_76_inside", "K7.8", "K5.2"),
+    ("undercut/limit_upper", "X18", "X17.9"),
+    ("finishing/thread_undercut_inside", "FP1.5", "FP1.25"),
+    ("finishing/thread_undercut_inside", "I1.0619", "I1"),
 ];
 
 /// The moves: what is printed without comments and without the hash of the source.

@@ -365,8 +365,10 @@ K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
 If the target machine understands the same number, list it: `[output] pass_m = [25]`. Else take it out of the program."
 
-K2702 Note "tool-change-joined" "M6 is part of the tool change already printed"
-"TOOL CALL prints the complete tool change. The M6 that belongs to it stops the spindle, which is printed; it is not repeated as a change."
+K2702 Note "tool-change-joined" "M6 changes no tool by itself"
+"Either the tool change was printed at the TOOL CALL already, because `[control] tool_change = \"t\"` says so or nobody knew of this M6, or no TOOL CALL \
+stands in front of the M6, as in programs that stop with M6 for a change by hand and call the tool then: there the next TOOL CALL is the change. \
+The M6 stops the spindle, which is printed."
 
 K2703 Note "m-function-without-words" "M function has no counterpart in plain G-code"
 "The function changes how the control smooths, filters or supervises the path, not the path the program describes. It is left out."

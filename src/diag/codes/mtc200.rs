@@ -56,10 +56,14 @@ M1011 Error "mtc-calculation-beside-words" "calculation beside other words"
 "A block assigns a variable and does something else as well. In which order the control does both is not documented, and the result \
 may depend on it. Put the assignment into a block of its own."
 
+M1050 Error "mtc-carriage-return" "a line break that does not end the line"
+"A carriage return or a line feed stands inside of a block. Other programs show what follows it as a line of its own, the control reads it on, or loses it behind a \
+comment. Which of the two was meant cannot be told. Save the file anew with one kind of line break."
+
 M2001 Error "mtc-position-unknown" "position of an axis is not known in this block"
 "The block needs the position from which it starts: for an incremental word, an arc or a thread. No block before gave this axis an absolute \
 position, or a tool change, a work offset or a move in machine coordinates made it unknown. Program an absolute position first. If the program \
-relies on where the machine stands at the start, set `[control] start = { X = 0.0 }` in partc.toml."
+relies on where the machine stands at the start, say so in partc.toml: `[start]` with `X = 0.0`."
 
 M2002 Error "mtc-feed-missing" "cutting move without feed"
 "No F word stands before this move, or G94 and G95 changed since the last one. Program F, or set `[control] feed` for fragments that get their feed elsewhere."
@@ -164,8 +168,8 @@ M2208 Error "mtc-bst-target" "BST continues in the middle of the program"
 "BST ends the run; the next start continues at its label. The output starts at its top every time, so only a label at the top can be compiled. \
 End the program with RET, or move the label."
 
-M2301 Warning "mtc-variable-unset" "variable was never set and counts as 0"
-"Variables keep their values from one program to the next, so the control may hold any value here. Give it in partc.toml: `[variables]` with `\"@50\" = 12.0`, \
+M2301 Error "mtc-variable-unset" "variable was never set"
+"Variables keep their values from one program to the next, so the control may hold any value here, and a position made of it may be anywhere. Give it in partc.toml: `[variables]` with `\"@50\" = 12.0`, \
 or assign it in the program."
 
 M2302 Error "mtc-arithmetic" "formula has no result"
@@ -193,7 +197,8 @@ M2702 Note "mtc-machine-word" "word of the machine is left out"
 To print an M function for it, use a table: `machine_words = { LA_ON = \"M101\" }`."
 
 M2703 Note "mtc-no-geometry" "word has no geometry"
-"ACC sets the acceleration, D and E select rows of the correction memory, and REV where the operator's reverse key leads. None of them changes \
+"ACC sets the acceleration, D and E select rows of the correction memory, REV says where the operator's reverse key leads, G06 to G09, G61 and G62 how the axes \
+run through block transitions, G43 and G44 how path compensation goes around outside corners. None of them changes \
 the programmed path, and the output has no word for them. Tool lengths and corrections are the target machine's business."
 
 M2704 Warning "mtc-m-order" "M function is printed before the move"
@@ -203,9 +208,32 @@ Put it into a block of its own to be certain."
 M2705 Error "mtc-spindle-speed" "speed or dwell time has no meaning"
 "A spindle speed is zero or more, its limit above zero, and a dwell time 0 to 1000000. Check the S or F word, or its variable."
 
+M8001 Note "mtc-tape-mark" "lone % is left out"
+"A `%` alone in the first or the last line of a file is a mark of the paper tapes of old, before or after the program. It has no meaning here. Anywhere else it is an error."
+
+M8002 Note "mtc-tool-length" "tool length compensation has no word in the output"
+"G48 switches the compensation of the tool length on, G47 off. Under G48 the programmed path is that of the tool tip, which is what the output holds. Lengths are the \
+target machine's business: `[output] tool_length = \"G43\"` prints G43 behind each tool change. Source: NC Programming Instructions 17VRS, pages 5-10, 5-38, 5-41."
+
+M8003 Warning "mtc-spindle-nose" "move of the spindle nose"
+"Without tool length compensation positions along the tool axis are those of the spindle nose: the tip is one tool length further down. The output has the same number \
+for the tip, so the tool stays that much higher. Program G48 before, or have such moves refused: `[control] spindle_nose = \"refuse\"`."
+
+M8004 Warning "mtc-reading" "meaning that no manual at hand confirms"
+"What the program says here is read in a way that fits the names of the words and the programs at hand, but that no manual at hand confirms for this control. Check it \
+once at the machine; then list it in `[control] confirmed`, and the warning is gone."
+
+M8005 Note "mtc-m-functions" "M functions are taken in their standard meaning"
+"M0 to M9, M13, M14, M19 and M30 are taken as the standard has them. The machine builder may have given them another meaning. If they are as they should be, add \
+`[control] confirmed = [\"m-functions\"]`; those that differ belong into `[control] machine_words`."
+
+M9050 Error "mtc-spindle-nose-refused" "move of the spindle nose is refused"
+"Without tool length compensation positions along the tool axis are those of the spindle nose, and `[control] spindle_nose = \"refuse\"` refuses them. Program G48 in front \
+of the move."
+
 M9001 Error "mtc-g-unsupported" "G function is not supported"
 "The function exists on the control, or was defined by the machine builder, but what it does to the path cannot be compiled, or is not documented well enough. \
-If it is known not to move the tool or change the path on this machine, list it in `[control] machine_words`, for example `[\"G48\"]`."
+If it is known not to move the tool or change the path on this machine, list it in `[control] machine_words`, for example `[\"G77\"]`."
 
 M9002 Error "mtc-word-unknown" "word is not known"
 "The word is none of the control's, or its meaning is not documented. If it is known not to move the tool, list it in `[control] machine_words`; it is then left out \
@@ -224,8 +252,7 @@ M9005 Error "mtc-machine-position" "machine position is needed"
 For G53 set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates of the tool carrier."
 
 M9006 Error "mtc-g52" "meaning of G52 is not known"
-"Depending on the edition G52 names the present position or shifts the zero point. Set `[control] g52` to \"position\" or \"shift\". Whether a G50 behind it \
-cancels what G52 did is not documented either: write such a program with G50 and G51 alone."
+"Depending on the edition G52 names the present position or shifts the zero point. Set `[control] g52` to \"position\" or \"shift\"."
 
 M9007 Error "mtc-inch-speed" "unit of the cutting speed is not known"
 "Under G70 the S of G96 may count in m/min or ft/min: the manual does not say. Set `[control] inch_speed` to \"metres\" or \"feet\"."

@@ -26,6 +26,15 @@ pub const SPLIT: SplitRules = SplitRules { mark: 0, continues: |_, _| false };
 /// Reads one block into `block`; what is wrong with it goes to `problems`.
 pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, problems: &mut Vec<Problem>) {
     block.clear();
+    if let Some(at) = stray_break(text) {
+        let lead = text[at..].iter().take_while(|b| b.is_ascii_whitespace() || **b == 0).count();
+        let span = Span { start: (at + lead) as u32, end: text.trim_ascii_end().len() as u32 };
+        let message = "a line break stands inside of the block, and does not end it";
+        problems.push(Problem::new(codes::M1050, span, message).help("save the file with one kind of line break"));
+        block.stmt = Stmt::Bad;
+        block.span = Span { start: 0, end: text.trim_ascii_end().len() as u32 };
+        return;
+    }
     if let Some(&first @ (b'%' | b'!' | b'#' | b'$' | b'*')) = text.first() {
         block.stmt = Stmt::Header(first);
         block.span = Span { start: 0, end: text.trim_ascii_end().len() as u32 };
@@ -37,6 +46,14 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
     } else if !literal::parse(text, from, block) {
         parse_statement(text, from, block, symbols, problems);
     }
+}
+
+/// A carriage return or line feed with something behind it.
+#[inline]
+fn stray_break(text: &[u8]) -> Option<usize> {
+    let at = memchr::memchr2(b'\r', b'\n', text)?;
+    let blank = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x0b | 0x1a);
+    (!text[at..].iter().all(blank)).then_some(at)
 }
 
 /// Skip mark, block number and label. Returns where the words start.

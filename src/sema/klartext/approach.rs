@@ -255,6 +255,7 @@ impl Run<'_> {
         self.st.side = side;
         self.st.side_lost = false;
         self.st.pos.update(&after);
+        self.st.start.touch(after.known());
         self.st.polar = None;
         self.st.last = None;
         Ok(())
@@ -440,6 +441,7 @@ impl Run<'_> {
             after.set(third, depth);
         }
         self.st.pos.update(&after);
+        self.st.start.touch(after.known());
         self.st.polar = None;
         self.st.last = None;
         self.st.last_rapid = false;

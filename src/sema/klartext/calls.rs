@@ -508,6 +508,7 @@ impl Run<'_> {
             self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
             None
         } else {
+            self.budget.search();
             open_program(&self.job, name, &["H", "h"], site, call).and_then(|file| self.open(file, site))
         };
         let Some(program) = opened else {

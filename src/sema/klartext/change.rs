@@ -7,7 +7,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Function, Pos};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::text::{FileId, Loc, Next, Span};
@@ -29,6 +29,8 @@ pub(super) enum Change {
     None,
     /// An M6 stood in front of its TOOL CALL: the next TOOL CALL changes.
     Announced,
+    /// The tool that was called is in the spindle already: an M6 changes nothing.
+    InSpindle,
     /// Printed at the TOOL CALL; did the tool move since?
     Printed { moved: bool },
     /// Called and made ready; the M6 is still to come.
@@ -48,6 +50,7 @@ impl State {
     pub(super) fn forget_tip(&mut self) {
         let axis = self.axis();
         self.pos.forget(axis);
+        self.start.touch(AxisSet::of(axis));
         self.nominal.forget(axis);
         self.lost.remove(axis);
         self.polar = self.polar.filter(|last| !plane_axes(last.plane).contains(axis));
@@ -75,6 +78,15 @@ impl Run<'_> {
         self.st.change = if announced { Change::None } else { Change::Printed { moved: false } };
     }
 
+    /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
+    pub(super) fn call_again(&mut self) {
+        match self.st.change {
+            Change::Called { .. } => {}
+            Change::Announced => self.st.change = Change::None,
+            Change::None | Change::InSpindle | Change::Printed { .. } => self.st.change = Change::InSpindle,
+        }
+    }
+
     fn print_change(&mut self, number: u32) {
         // The change stops the spindle.
         self.st.spindle = None;
@@ -98,6 +110,7 @@ impl Run<'_> {
                     "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
                 );
             }
+            Change::InSpindle => "this M6 stops the spindle; the tool that was called is in it already",
             Change::Printed { .. } => "this M6 belongs to the tool change printed for the TOOL CALL",
             Change::None | Change::Announced => {
                 self.st.change = Change::Announced;
@@ -124,7 +137,7 @@ impl Run<'_> {
         let axis = self.st.axis();
         let cuts = self.cuts(mv);
         match &mut self.st.change {
-            Change::None => {}
+            Change::None | Change::InSpindle => {}
             Change::Printed { moved } => *moved = true,
             Change::Announced => {
                 // Back towards the workpiece, the M6 was not meant for a change at the next TOOL CALL.
@@ -173,7 +186,7 @@ impl Run<'_> {
         }
         let height = match self.st.change {
             Change::Called { height, .. } => height,
-            Change::None | Change::Announced | Change::Printed { .. } => None,
+            Change::None | Change::InSpindle | Change::Announced | Change::Printed { .. } => None,
         };
         match (end.get(axis), self.st.pos.get(axis), height) {
             (Some(to), Some(from), _) => to < from,

@@ -321,8 +321,8 @@ impl Run<'_> {
         self.function(Function::WorkOffset(offset));
         let mirror_last = self.st.transform.mirror_last;
         self.set_transformation(Transformation::none(mirror_last))?;
-        // In the new system no axis has a known position.
-        self.st.pos = crate::ir::Pos::UNKNOWN;
+        // In the new system no axis has a known position, but for those that never moved.
+        self.st.pos = self.st.start.position();
         self.st.nominal = crate::ir::Pos::UNKNOWN;
         self.st.lost = AxisSet::EMPTY;
         self.st.polar = None;

@@ -208,7 +208,7 @@ impl Run<'_> {
             // Refused where they are called, whatever they say.
             (Machining | Unknown, _) => true,
             (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
-            (Tolerance, Addr::Name) => true,
+            (Tolerance, Addr::Name) => is_one_of(word, text, &["T", "HSC-MODE", "TA"]),
             (Tolerance, Addr::Value) => read.label.is_some(),
             (ProgramCall, Addr::Text) => true,
             (DatumShift, Addr::Axis { .. } | Addr::Hash) => read.label.is_none(),
@@ -224,7 +224,9 @@ impl Run<'_> {
             // Their names are written in the language of the control.
             (Dwell | Orientation, Addr::Name | Addr::Value) => none && self.open_cycle().values.is_empty(),
             // A tilt is refused for its angles; its feed and distance belong to it.
-            (Tilt, Addr::Axis { .. } | Addr::Feed | Addr::FeedMax | Addr::Name) => true,
+            (Tilt, Addr::Axis { axis, .. }) => axis.is_rotary() && valued,
+            (Tilt, Addr::Feed | Addr::FeedMax) => true,
+            (Tilt, Addr::Name) => is_one_of(word, text, &["DIST", "ABST"]),
             (Tilt, Addr::Value) => read.label.is_some(),
             _ => false,
         }

@@ -348,7 +348,7 @@ impl Run<'_> {
             Diagnostic::new(
                 codes::K2810,
                 self.here.origin.loc,
-                "the two values of this jump differ by less than 0.000000001, and by rounding alone perhaps",
+                "the two values of this jump differ by less than 0.000000001, perhaps by rounding alone",
             )
             .help("compare with a tolerance: `FN 12: IF +Q1 LT +0.0001 GOTO LBL 1`"),
         );

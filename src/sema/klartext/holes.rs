@@ -169,6 +169,7 @@ impl Run<'_> {
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         let axis = self.st.axis();
         self.st.pos = end;
+        self.st.start.touch(AxisSet::of(axis));
         self.st.nominal.forget(axis);
         self.st.lost.remove(axis);
         self.st.moved = true;

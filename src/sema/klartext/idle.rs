@@ -1,8 +1,8 @@
 //! Blocks that did not run: what `partc check` can say of them.
 //!
 //! The control refuses a program for words that have no place, for labels set twice and for calls of labels that do
-//! not exist, whether the block runs or not: errors. What only partc would refuse if the block ran is a warning,
-//! since no output depends on it. Blocks of which the run reported an error are left alone; in one that ran without an
+//! not exist, whether the block runs or not: errors. What only partc would refuse if the block ran is a warning, since
+//! no output depends on it, and so is a jump to a missing label that was never taken. Blocks of which the run reported an error are left alone; in one that ran without an
 //! error nothing can be found here.
 
 use crate::diag::{CallPath, Code, Diagnostic, codes};
@@ -60,7 +60,11 @@ fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &BlockText<'_>) {
     let found = called_label(block)
         .and_then(|label| Label::written(label, text.text))
         .filter(|label| *label != Label::Number(0) && labels.place(label).is_none())
-        .map(|label| labels.missing(&label, here.loc(job, block.span)))
+        .map(|label| match block.stmt {
+            // Whether a control looks for the label of a jump that it does not take is not known.
+            Stmt::If { .. } => not_taken(&labels.missing(&label, here.loc(job, block.span))),
+            _ => labels.missing(&label, here.loc(job, block.span)),
+        })
         .or_else(|| wrong_word(job, block, text.text, &here))
         .or_else(|| {
             let code = refused(job, block, text.text)?;
@@ -73,6 +77,17 @@ fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &BlockText<'_>) {
         });
     if let Some(found) = found {
         job.diags.push(found);
+    }
+}
+
+/// The finding for a jump that was never taken, where taking it would be `missing`.
+fn not_taken(missing: &Diagnostic) -> Diagnostic {
+    let code = codes::K2202;
+    let message = format!("this jump is not taken; if it were, it would be refused: {} ({})", missing.message, code.id);
+    let found = Diagnostic::new(codes::K8001, missing.label.loc, message);
+    match &missing.help {
+        Some(help) => found.help(help.clone()),
+        None => found.help(format!("see `partc explain {}`", code.id)),
     }
 }
 

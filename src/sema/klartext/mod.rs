@@ -37,10 +37,12 @@ mod transform;
 mod vars;
 mod words;
 
+use std::cell::RefCell;
+
 use crate::diag::{CallPath, Code, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
-use crate::machine::Unit;
+use crate::machine::{Proposed, Unit};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
@@ -69,6 +71,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         programs: Vec::new(),
         levels: Vec::new(),
         budget: Budget::new(job.settings.limits.steps),
+        proposed: RefCell::default(),
         cycles: Cycles::default(),
         defined: tool::Defined::default(),
         approach: None,
@@ -86,6 +89,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     };
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(program) = run.open(job.main, start) else { return 0 };
+    run.out.begins_at(&run.st.start.position());
     run.levels.push(Level::main(program, job.settings.control.unit.unwrap_or_default(), locals));
     while !run.ended {
         run.step();
@@ -165,6 +169,8 @@ struct Run<'a> {
     programs: Vec<Program>,
     levels: Vec<Level>,
     budget: Budget,
+    /// Numbers proposed for tools without one.
+    proposed: RefCell<Proposed>,
     cycles: Cycles,
     /// Tools of TOOL DEF.
     defined: tool::Defined,
@@ -213,16 +219,28 @@ impl Run<'_> {
         &mut self.programs[at]
     }
 
+    /// Between two places of a pattern: the run ends here where no step is left, or the output takes no more.
+    fn goes_on(&mut self) -> Outcome {
+        if self.budget.goes_on(&*self.out) {
+            return Ok(());
+        }
+        self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, self.here.origin.call);
+        self.ended = true;
+        Err(Reported)
+    }
+
     /// Executes one block.
     fn step(&mut self) {
         let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step() {
-            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+        if !self.budget.step(&*self.out) {
+            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
             self.ended = true;
             return;
         }
         let source = &mut self.programs[at].source;
         if let Some((parsed, here)) = source.again(call) {
+            let bytes = source.cursor.place().at.saturating_sub(here.at);
+            self.budget.block(bytes, parsed.block.ops.len(), false);
             self.here = here;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -236,6 +254,9 @@ impl Run<'_> {
         });
         match read {
             Read::Block(here) => {
+                let source = &self.programs[at].source;
+                let bytes = source.cursor.place().at.saturating_sub(here.at);
+                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
                 self.here = here;
                 if !self.problems.is_empty() {
                     self.report_problems();
@@ -398,7 +419,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if self.st.change != change::Change::None {
+        if !matches!(self.st.change, change::Change::None) {
             self.watch_move(mv);
         }
         self.out.movement(mv, &self.st.ctx, &self.here.origin);

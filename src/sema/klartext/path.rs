@@ -207,6 +207,7 @@ impl Run<'_> {
         }
         self.st.last_rapid = feed.is_none();
         self.st.pos.update(after);
+        self.st.start.touch(after.known());
         if !self.st.nominal.known().is_empty() {
             for axis in after.known().iter() {
                 self.st.nominal.forget(axis);

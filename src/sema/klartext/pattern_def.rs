@@ -13,6 +13,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
 use super::holes::Retract;
+use super::patterns::PLACES_A_STEP;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
 
@@ -303,16 +304,12 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        if !self.budget.take(places.list.len() as u64) {
-            let (here, call) = (self.here.origin.loc, self.here.origin.call);
-            self.job.diags.push(self.budget.exceeded(here, call));
-            self.ended = true;
-            return Err(Reported);
-        }
+        self.budget.take(places.list.len() as u64 / PLACES_A_STEP);
         self.m_at_start(w, true)?;
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
         for (place, surface) in &places.list {
+            self.goes_on()?;
             let clear = self.heights(&cycle, *surface)?;
             let axis = self.st.axis();
             if self.st.pos.get(axis).is_none_or(|at| at < clear.start()) {

@@ -20,6 +20,9 @@ use super::{Outcome, Reported, Run};
 /// Most places of a pattern.
 const MOST: f64 = 99_999.0;
 
+/// Places whose computing is one step.
+pub(super) const PLACES_A_STEP: u64 = 16;
+
 /// The Q parameters that each pattern needs.
 const POLAR: &[u32] = &[216, 217, 244, 245, 246, 247, 241, 200, 203, 204, 301];
 const CARTESIAN: &[u32] = &[225, 226, 237, 238, 242, 243, 224, 200, 203, 204, 301];
@@ -61,16 +64,11 @@ impl Run<'_> {
             other => return self.cycle_value(pattern, &format!("Q301 = {other} is not 0 or 1")),
         };
         let places = if pattern.number == 220 { self.polar_places(pattern)? } else { self.grid_places(pattern)? };
-        let enough = self.budget.take(places.len() as u64);
-        if !enough {
-            let (here, call) = (self.here.origin.loc, self.here.origin.call);
-            self.job.diags.push(self.budget.exceeded(here, call));
-            self.ended = true;
-            return Err(Reported);
-        }
+        self.budget.take(places.len() as u64 / PLACES_A_STEP);
         let heights = self.heights(pattern, 0.0)?;
         self.lift_to(&heights);
         for (i, place) in places.iter().enumerate() {
+            self.goes_on()?;
             self.rapid_in_plane(*place);
             let last = i + 1 == places.len();
             self.drill(&cycle, 0.0, if near && !last { Retract::Near } else { Retract::Far })?;

@@ -40,6 +40,8 @@ enum Effect {
     /// The table turns, and nobody knows about what.
     Table,
     Tilted,
+    /// Nothing is tilted, but no manual page at hand settles by what the plane turns.
+    Unsettled,
     /// A word that is not known.
     Open,
 }
@@ -110,7 +112,14 @@ impl Plane {
                 let upright = (bz, nx, ny) == (0.0, 0.0, 0.0) && nz > 0.0 && (bx, by) != (0.0, 0.0);
                 turned(!upright, if by == 0.0 && bx > 0.0 { 0.0 } else { atan2(by, bx).to_degrees() })
             }),
-            "PROJECTED" | "POINTS" => Some(Effect::Tilted),
+            "PROJECTED" => self.exactly(["PROPR", "PROMIN", "ROT"]).map(|[first, second, _]| {
+                if first != 0.0 || second != 0.0 { Effect::Tilted } else { Effect::Unsettled }
+            }),
+            "POINTS" => {
+                let height = |point: &str| self.of(point);
+                let flat = height("P1Z") == height("P2Z") && height("P2Z") == height("P3Z");
+                Some(if flat { Effect::Unsettled } else { Effect::Tilted })
+            }
             _ => None,
         };
         known.unwrap_or(Effect::Open)
@@ -162,6 +171,9 @@ impl Run<'_> {
                 );
             }
             Effect::Tilted => return refuse(self, "tilts the working plane, which cannot be compiled for three axes"),
+            Effect::Unsettled => {
+                return refuse(self, "turns the plane by words whose sense no manual page settles");
+            }
             Effect::Open => return refuse(self, "holds a word that is not known, so its plane is open"),
         };
         let moves = plane.positioning.as_deref().is_some_and(|word| word != "STAY");
@@ -377,6 +389,7 @@ mod tests {
         assert_eq!(effect("PLANE RELATIVE SPC-15 STAY"), Effect::TurnedBy(-15.0));
         assert_eq!(effect("PLANE VECTOR BX-1 BY0 BZ0 NX0 NY0 NZ1 STAY"), Effect::Turned(180.0));
         assert_eq!(effect("PLANE AXIAL C+30 STAY"), Effect::Table);
+        assert_eq!(effect("PLANE PROJECTED PROPR+0 PROMIN+0 ROT+5 STAY"), Effect::Unsettled);
         assert_eq!(effect("PLANE AXIAL B+0 C+0 STAY"), Effect::Turned(0.0));
     }
 }

@@ -146,7 +146,8 @@ impl Run<'_> {
         let Some(number) = self.skipped else { return false };
         let belongs = match block.stmt {
             Stmt::Assign(q) => block.number.is_none() && is_parameter_of(number, q),
-            Stmt::Empty => true,
+            // Blank lines and comments may stand between.
+            Stmt::Empty => return false,
             _ => false,
         };
         if !belongs {

@@ -7,6 +7,7 @@ use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::function::Turn;
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Settings};
+use crate::sema::start::Start;
 use crate::text::Loc;
 
 use super::approach::Last;
@@ -18,6 +19,8 @@ use super::transform::Transformation;
 pub(super) struct State {
     /// Programmed position.
     pub pos: Pos,
+    /// Axes that stand where the configuration says.
+    pub start: Start,
     /// Nominal coordinates of axes that R+ or R- left beside them; increments count from here.
     pub nominal: Pos,
     /// Axes whose position is unknown because an error was reported: not worth another one.
@@ -145,8 +148,10 @@ pub(super) struct Blank {
 impl State {
     pub fn new(settings: &Settings) -> State {
         let feed = settings.control.feed;
+        let start = Start::new(settings, false);
         State {
-            pos: Pos::UNKNOWN,
+            pos: start.position(),
+            start,
             nominal: Pos::UNKNOWN,
             lost: AxisSet::EMPTY,
             pole: None,
@@ -212,6 +217,7 @@ impl State {
         let mut at = self.ctx.frame.apply(&self.pos);
         for axis in axes.iter() {
             at.forget(axis);
+            self.start.touch(AxisSet::of(axis));
             self.nominal.forget(axis);
             if axis.is_rotary() {
                 self.rotary_offset[axis.index() - Axis::A.index()] = 0.0;

@@ -229,6 +229,7 @@ impl Run<'_> {
                 && (active.length, active.radius) == (length, radius)
         });
         if stays {
+            self.call_again();
             self.change_deltas(call);
             return Ok(());
         }
@@ -371,6 +372,7 @@ impl Run<'_> {
                         format!("tool {tool} is not in the tool table"),
                     ));
                 }
+                self.proposed.borrow_mut().call(*number);
                 let data = data.cloned().unwrap_or_default();
                 match (data.number, index) {
                     (Some(printed), _) => Ok((printed, data)),
@@ -386,10 +388,9 @@ impl Run<'_> {
             Named::Name(name) => match tools.by_name(name) {
                 Some((Some(number), data)) => Ok((number, data.clone())),
                 _ => {
-                    self.report(
-                        Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"))
-                            .help(format!("add `[tools.{tool}]` with `number = …` to partc.toml")),
-                    );
+                    let help = self.proposed.borrow_mut().help(name, tools);
+                    let found = Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"));
+                    self.report(found.help(help));
                     Err(Reported)
                 }
             },

@@ -487,7 +487,7 @@ impl Run<'_> {
             codes::K2001,
             span,
             format!("{what} needs the position of {}, which is not known here", axis.letter()),
-            &format!("program an absolute position of {} first", axis.letter()),
+            &self.st.start.help(axis, &format!("program an absolute position of {} first", axis.letter())),
         )
     }
 }

@@ -1,8 +1,9 @@
-//! What I, J and K count from: settled for the whole program by what its arcs fit.
+//! What I, J and K count from: coordinates under G90, distances from the start under G91, unless the arcs of the
+//! program show something else.
 //!
-//! The manual describes distances from the start under G91; programs exist that give coordinates under G90,
-//! and some under G91. An arc whose start and end lie on one circle in one reading only decides; where both
-//! readings fit and nothing decided yet, the whole program is looked through once. Source: reference 5.2.
+//! The manual describes distances from the start under G91; programs exist that give coordinates under G91, too. An
+//! arc whose start and end lie on one circle in one reading only decides; where both readings fit, the whole program
+//! is looked through once for arcs that speak against G90 or G91. Source: reference 5.2.
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
@@ -57,7 +58,37 @@ impl Run<'_> {
             let text = format!("{} of this full circle is missing and counts as 0", ["I", "J", "K"][missing]);
             self.report(Diagnostic::new(codes::M2009, self.loc(w.centre_span), text).help("write both words"));
         }
+        if full && let Some(center) = self.full_circle([words, start + words.coords], start, w.centre_span) {
+            return center;
+        }
         self.read_centre([words, start + words.coords], start, end, w.centre_span)
+    }
+
+    /// Every centre closes a full circle, so G90 and G91 alone say what its words are, unless the other arcs of the
+    /// program speak against them. `None` where the option decides.
+    fn full_circle(&mut self, centres: [Point2; 2], start: Point2, span: Span) -> Option<Outcome<Point2>> {
+        if self.job.settings.control.mtc200.centres != Centres::Settle {
+            return None;
+        }
+        let tol = self.job.settings.control.mtc200.circle_tolerance;
+        let (dimension, center) = match self.st.incremental {
+            true => (Reading::Distances, centres[1]),
+            false => (Reading::Coordinates, centres[0]),
+        };
+        if distance(start, center) <= tol {
+            let message = "the centre of this full circle lies on its start point";
+            let help =
+                "check I, J and K: under G90 they are coordinates of the centre, under G91 distances from the start";
+            return Some(self.fail_help(codes::M2010, span, message, help));
+        }
+        if distance(centres[0], centres[1]) <= SAME_POINT {
+            return Some(Ok(center));
+        }
+        let slot = usize::from(self.st.incremental);
+        match self.evidence(slot, dimension) {
+            Some(reading) if reading != dimension => Some(self.ambiguous(centres, span)),
+            _ => Some(Ok(center)),
+        }
     }
 
     /// `centres`: read as coordinates, and as distances.
@@ -88,7 +119,8 @@ impl Run<'_> {
             [true, true] if distance(centres[0], centres[1]) <= SAME_POINT => Ok(of(dimension)),
             [true, true] => match self.evidence(slot, dimension) {
                 Some(reading) => Ok(of(reading)),
-                None => self.ambiguous(centres, span),
+                // The manual's reading, which needs no other arc.
+                None => Ok(of(dimension)),
             },
             [coordinates, _] => {
                 let reading = if coordinates { Reading::Coordinates } else { Reading::Distances };

@@ -4,6 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
+use crate::machine::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Func, Op, Target, Value, Word};
 use crate::text::Span;
 
@@ -86,6 +87,9 @@ impl Run<'_> {
         let from_radians = |angle: f64| if radians { angle } else { Deg::from_radians(angle).0 };
         let sin_cos = || if radians { libm::sincos(x) } else { Deg(x).sin_cos() };
         let name = func.name();
+        if matches!(func, Func::Sin | Func::Cos | Func::Tan | Func::Asin | Func::Acos | Func::Atan) {
+            self.reading(Reading::Degrees, span, "angles in formulas count in degrees");
+        }
         let value = match func {
             Func::Abs => x.abs(),
             Func::Int if x < 0.0 && x.fract() != 0.0 => {
@@ -120,8 +124,9 @@ impl Run<'_> {
             return Ok(value);
         }
         *slot = Some(0.0);
+        // Later uses are not worth another report.
         self.report(
-            Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set and counts as 0"))
+            Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set"))
                 .help(format!("give its value in partc.toml: `[variables]` with `\"@{number}\" = …`")),
         );
         Ok(0.0)

@@ -14,9 +14,10 @@ use crate::text::{FileId, Loc, Next, Span};
 
 use super::super::Job;
 use super::super::exec::{open_cursor, open_program};
+use super::header::Header;
 use super::state::{Offset, State};
 use super::words::{Condition, Flow, FlowWord, Words};
-use super::{Header, Outcome, Reported, Run};
+use super::{Outcome, Reported, Run};
 
 /// Nesting of subroutines that the control allows.
 const MOST_LEVELS: usize = 10;
@@ -93,6 +94,7 @@ impl Run<'_> {
             }
             _ => None,
         };
+        self.flow_reading(word.flow, word.span);
         match (word.flow, word.label, program) {
             (Flow::Return, ..) => self.end_of_program(true, word.span),
             (Flow::ProgramEnd, ..) => self.end_of_program(false, word.span),
@@ -224,6 +226,7 @@ impl Run<'_> {
 
     fn open_numbered(&mut self, number: u32) -> Outcome<usize> {
         let (site, call) = (self.here.origin.loc, self.here.origin.call);
+        self.budget.search();
         let opened = open_program(&self.job, &number.to_string(), EXTENSIONS, site, call);
         if let Some(program) = opened.and_then(|file| self.open(file, site)) {
             return Ok(program);
@@ -270,7 +273,7 @@ impl Run<'_> {
         // The end of a program cancels the programmed offset: positions count from the work offset again.
         self.st.pos = old.ctx.frame.apply(&old.pos);
         self.st.lost = old.lost;
-        self.st.moved = old.moved;
+        self.st.start = old.start;
         self.st.selected = old.selected;
         self.st.tool = old.tool;
         if old.offset != Offset::Start {

@@ -7,7 +7,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{Function, Side};
 use crate::machine::Compensation;
-use crate::machine::mtc200::InchSpeed;
+use crate::machine::mtc200::{InchSpeed, Reading};
 use crate::text::Span;
 
 use super::gfunc::{G, Group};
@@ -57,7 +57,7 @@ impl Run<'_> {
             if when(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
                 let help = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
                 let message = format!("M{number} is a function of the machine builder");
-                return self.fail_help(codes::M2701, span, message, &help);
+                self.report(Diagnostic::new(codes::M2701, self.loc(span), message).help(help));
             }
             if let Some((first, _)) = w.m()[..i].iter().find(|(first, _)| conflict(*first, number)) {
                 return self.fail(codes::M1010, span, format!("M{number} contradicts M{first} of the same block"));
@@ -72,7 +72,8 @@ impl Run<'_> {
             match when(number) {
                 Some(When::Start) => self.act(number, span)?,
                 Some(When::End) => {}
-                None => self.aux(number, span, moves),
+                None if self.job.settings.output.pass_m.contains(&number) => self.aux(number, span, moves),
+                None => {}
             }
         }
         for &(number, span) in w.aux() {
@@ -251,6 +252,7 @@ impl Run<'_> {
         if !(0.0..=MOST_DWELL).contains(&at.value) {
             return self.fail(codes::M2705, at.span, format!("the dwell time is {}", at.value));
         }
+        self.reading(Reading::Dwell, at.span, "the F of G04 counts in seconds");
         let unit = if self.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
         self.function(Function::Dwell(at.value * unit));
         Ok(())

@@ -20,6 +20,7 @@ pub(super) enum Group {
     ExactStop,
     Compensation,
     CornerElement,
+    ToolLength,
     Offset,
     FeedUnit,
     SpindleMode,
@@ -49,6 +50,8 @@ pub(super) enum G {
     Side(Side),
     /// G44 or G43.
     Chamfers(bool),
+    /// G48 or G47.
+    Length(bool),
     Offset(Offset),
     /// G95 or G94.
     PerRevolution(bool),
@@ -91,6 +94,8 @@ pub(super) fn entry(number: u32) -> Option<(Group, G)> {
         42 => (Compensation, G::Side(Side::Right)),
         43 => (CornerElement, G::Chamfers(false)),
         44 => (CornerElement, G::Chamfers(true)),
+        47 => (ToolLength, G::Length(false)),
+        48 => (ToolLength, G::Length(true)),
         50 => (Once, G::ShiftTo),
         51 => (Once, G::ShiftBy),
         52 => (Once, G::Name),
@@ -118,6 +123,7 @@ pub(super) fn refused(number: u32) -> Option<&'static str> {
         20 => "free plane selection",
         30..=32 => "coordinate transformation",
         36..=38 => "approach logic of endless rotary axes",
+        49 => "tool length compensation, whose sense no manual at hand gives",
         63..=65 => "tapping",
         72 | 73 => "mirror imaging",
         75 | 76 => "feed to positive stop",

@@ -9,8 +9,11 @@ mod eval;
 mod flow;
 mod functions;
 mod gfunc;
+mod header;
+mod length;
 mod offsets;
 mod path;
+mod readings;
 mod state;
 mod words;
 
@@ -21,11 +24,12 @@ use rustc_hash::FxHashSet;
 use crate::diag::{CallPath, Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
-use crate::ir::contour::{Corner, Ctx, CtxRef, Move, Sink};
+use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin};
+use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
-use crate::parser::mtc200::ast::{Block, Stmt};
+use crate::machine::mtc200::Reading;
+use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
 use crate::parser::mtc200::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
@@ -37,6 +41,7 @@ use super::here::Here;
 use centre::Settled;
 use flow::{Labels, Level};
 use gfunc::{G, Group};
+use header::Header;
 use state::{Motion, State};
 use words::Words;
 
@@ -73,18 +78,6 @@ pub fn check_form(job: &Job<'_>) {
     }
 }
 
-/// Where a program stands with its file header.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum Header {
-    /// Nothing was read yet.
-    #[default]
-    Start,
-    Open,
-    Closed,
-    /// A program without header.
-    None,
-}
-
 /// A program file and what is known of it.
 #[derive(Debug)]
 struct Program {
@@ -109,6 +102,8 @@ struct Run<'a> {
     settled: Settled,
     /// Words that were noted once.
     noted: FxHashSet<String>,
+    /// Readings that the configuration confirms, and those that were said.
+    confirmed: Vec<Reading>,
     programs: Vec<Program>,
     levels: Vec<Level>,
     budget: Budget,
@@ -138,6 +133,7 @@ impl<'a> Run<'a> {
             result: None,
             settled,
             noted: FxHashSet::default(),
+            confirmed: job.settings.control.mtc200.confirmed.clone(),
             programs: Vec::new(),
             levels: Vec::new(),
             budget: Budget::new(job.settings.limits.steps),
@@ -157,6 +153,7 @@ impl Run<'_> {
         let start = Loc { file: self.job.main, line: 1, span: Span::default() };
         let Some(program) = self.open(self.job.main, start) else { return false };
         self.levels.push(Level::main(program));
+        self.out.begins_at(&self.st.start.position());
         while !self.ended {
             self.step();
         }
@@ -185,13 +182,15 @@ impl Run<'_> {
     /// Executes one block.
     fn step(&mut self) {
         let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step() {
-            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+        if !self.budget.step(&*self.out) {
+            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
             self.ended = true;
             return;
         }
         let source = &mut self.programs[at].source;
         if let Some((parsed, here)) = source.again(call) {
+            let bytes = source.cursor.place().at.saturating_sub(here.at);
+            self.budget.block(bytes, parsed.block.ops.len(), false);
             self.here = here;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -203,13 +202,19 @@ impl Run<'_> {
         });
         match read {
             Read::Block(here) => {
+                let source = &self.programs[at].source;
+                let bytes = source.cursor.place().at.saturating_sub(here.at);
+                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
                 self.here = here;
                 if !self.problems.is_empty() {
                     self.report_problems();
                 }
                 self.execute(&parsed.block, &parsed.text);
             }
-            Read::TooLong => self.lose_all(),
+            Read::TooLong => {
+                self.st.motion_lost = true;
+                self.lose_all();
+            }
             Read::End => self.end_of_file(),
             Read::Broken => self.ended = true,
         }
@@ -241,53 +246,18 @@ impl Run<'_> {
         }
         match block.stmt {
             Stmt::Empty | Stmt::Header(_) => {}
-            Stmt::Bad => self.lose_all(),
+            Stmt::Bad => {
+                self.st.motion_lost = true;
+                self.lose_all();
+            }
             Stmt::Words => {
                 let at = self.here.at;
                 self.program().first.get_or_insert(at);
                 if self.words_block(block, text).is_err() {
+                    self.keep_modal(block);
                     self.lose_all();
                 }
             }
-        }
-    }
-
-    /// A line that only a file header has.
-    #[cold]
-    fn header_line(&mut self, first: u8, block: &Block, text: &[u8]) {
-        let is_frame = text.len() >= 4 && text[..4].eq_ignore_ascii_case(b"%NPG");
-        let header = self.program().header;
-        let (next, fits) = match (first, header) {
-            (b'%', Header::Start) => (Header::Open, is_frame),
-            (b'%', Header::Open) => (Header::Closed, is_frame && text.trim_ascii().len() == 4),
-            (b'%', other) => (other, false),
-            (_, Header::Open) => (Header::Open, true),
-            (_, other) => (other, false),
-        };
-        self.program().header = next;
-        if !fits {
-            let span = block.span;
-            let help = "a header begins with a line `%NPG:…` and ends with a line `%NPG`";
-            let _: Outcome = self.fail_help(codes::M1002, span, "this line belongs into a file header", help);
-            return;
-        }
-        if matches!(first, b'*' | b'$') && self.job.settings.output.comments {
-            self.comment(&text[1..]);
-        }
-    }
-
-    /// A line of the program where a header might stand.
-    #[cold]
-    fn leave_header(&mut self, block: &Block) {
-        let blank = block.stmt == Stmt::Empty && block.label.is_none();
-        match self.program().header {
-            Header::Open if !(blank && block.comments.is_empty()) => {
-                self.program().header = Header::Closed;
-                let help = "a second line `%NPG` ends the header";
-                let _: Outcome = self.fail_help(codes::M1002, block.span, "this line stands in the file header", help);
-            }
-            Header::Start if !blank => self.program().header = Header::None,
-            _ => {}
         }
     }
 
@@ -305,6 +275,7 @@ impl Run<'_> {
     #[inline]
     fn act_on(&mut self, w: &Words) -> Outcome {
         self.check_m(w)?;
+        self.m_reading(w);
         let once = w.g[Group::Once as usize].map(|(g, _)| g);
         let ends = w.m().iter().any(|(number, _)| matches!(number, 2 | 30));
         if let (true, Some(flow)) = (ends, w.flow) {
@@ -314,7 +285,8 @@ impl Run<'_> {
             return self.dwell_block(w);
         }
         self.modal_functions(w)?;
-        if let (Some(at), None) = (w.feed, once.filter(|g| *g == G::Dwell)) {
+        if let Some(at) = w.feed {
+            self.relies_on_the_start(self.st.feed_said, at.span);
             self.set_feed(at)?;
         }
         if let Some(at) = w.tool {
@@ -438,27 +410,72 @@ impl Run<'_> {
         match g {
             G::Motion(motion) => self.st.motion = Some(motion),
             G::Plane(plane) => return self.set_plane(plane, span),
-            G::Incremental(on) => self.st.incremental = on,
-            G::Diameter(on) => self.st.diameter = on,
+            G::Incremental(on) => {
+                self.st.incremental = on;
+                self.st.dimension_said = true;
+            }
+            G::Diameter(on) => {
+                self.st.diameter = on;
+                self.reading(Reading::DiameterCodes, span, "G16 switches diameter programming on, and G15 off");
+            }
             G::Inch(on) => self.st.inch = on,
             G::Smooth if self.st.exact_stop => {
                 let text = "G08 cannot be programmed while G61 is active";
                 return self.fail_help(codes::M2013, span, text, "program G62 first");
             }
-            G::ExactStop(on) => self.st.exact_stop = on,
+            G::ExactStop(on) => {
+                self.st.exact_stop = on;
+                self.without_geometry(if on { "G61" } else { "G62" }, span);
+            }
             G::Side(side) => return self.set_side(side, span),
-            G::Chamfers(on) => self.st.chamfers = on,
+            G::Chamfers(on) => {
+                self.st.chamfers = on;
+                self.without_geometry(if on { "G44" } else { "G43" }, span);
+            }
+            G::Length(on) => return self.set_length(on, span),
             G::Offset(offset) => return self.set_offset(offset, span),
             G::PerRevolution(on) => {
                 if self.st.per_revolution != on {
                     self.st.feed = None;
                 }
                 self.st.per_revolution = on;
+                self.st.feed_said = true;
             }
             G::ConstantSpeed(on) => return self.spindle_mode(on, span, w),
-            G::Nothing | G::Smooth | G::Dwell | G::ShiftTo | G::ShiftBy | G::Name | G::Home | G::SpeedLimit => {}
+            G::Smooth => self.without_geometry("G8", span),
+            G::Nothing => {
+                let group = [Group::FollowingError, Group::Transition].into_iter().find(|group| {
+                    w.g[*group as usize].is_some_and(|(g, _)| g == G::Nothing) && w.g_spans[*group as usize] == span
+                });
+                if let Some((_, number)) = group.and_then(|group| w.g[group as usize]) {
+                    self.without_geometry(&format!("G{number}"), span);
+                }
+            }
+            G::Dwell | G::ShiftTo | G::ShiftBy | G::Name | G::Home | G::SpeedLimit => {}
         }
         Ok(())
+    }
+
+    /// A block failed. What it says of the modal states holds for the next ones all the same, so that they are not
+    /// refused as well.
+    #[cold]
+    fn keep_modal(&mut self, block: &Block) {
+        self.st.motion_lost = true;
+        for word in &block.words {
+            let (Target::Letter(b'G'), Value::Literal(number)) = (word.target, word.value) else { continue };
+            if !(0.0..=999.0).contains(&number) || number.fract() != 0.0 {
+                continue;
+            }
+            match gfunc::entry(number as u32) {
+                Some((_, G::Motion(motion))) => self.st.motion = Some(motion),
+                Some((_, G::Incremental(on))) => self.st.incremental = on,
+                Some((_, G::Diameter(on))) => self.st.diameter = on,
+                Some((_, G::Inch(on))) => self.st.inch = on,
+                Some((_, G::ExactStop(on))) => self.st.exact_stop = on,
+                Some((_, G::PerRevolution(on))) => self.st.per_revolution = on,
+                _ => {}
+            }
+        }
     }
 
     fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {
@@ -565,6 +582,12 @@ impl Sink for Nowhere {
     fn cycle(&mut self, _: &Cycle, _: &CtxRef, _: &Origin) {}
 
     fn lost(&mut self, _: &CtxRef, _: &Origin) {}
+
+    fn begins_at(&mut self, _: &Pos) {}
+
+    fn load(&self) -> Load {
+        Load::default()
+    }
 
     fn contour_begins(&mut self, _: usize, _: &CtxRef, _: &Origin) {}
 

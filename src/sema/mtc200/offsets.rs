@@ -10,7 +10,7 @@ use crate::diag::codes;
 use crate::ir::contour::Ctx;
 use crate::ir::{Frame, Function, Pos, Side};
 use crate::machine::axis::AXES;
-use crate::machine::mtc200::G52;
+use crate::machine::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
@@ -42,6 +42,13 @@ impl Run<'_> {
             self.function(Function::WorkOffset(number));
         }
         self.st.forget(self.st.pos.known());
+        if offset != Offset::Machine {
+            if self.job.settings.control.mtc200.g91_after_offset == ShiftedIncrement::WithOffset {
+                self.st.shifted = self.st.shifted.union(self.st.programmed.known());
+            }
+            let start = self.st.ctx.frame.unapply(&self.st.start.position());
+            self.st.pos.update(&start);
+        }
         self.st.cornerable = false;
         Ok(())
     }
@@ -83,11 +90,10 @@ impl Run<'_> {
         let named = w.axes.known();
         let mut shift = self.st.shift;
         match g {
-            G::ShiftTo if self.st.named => {
-                let help = "write the offsets with G50 and G51 alone";
-                return self.fail_help(codes::M9006, span, "whether G50 cancels the G52 before it is not known", help);
-            }
             G::ShiftTo => {
+                if self.st.added {
+                    self.reading(Reading::G50, span, "G50 replaces everything that G51 and G52 added before");
+                }
                 if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
                     let letter = axis.letter();
                     let message = format!("G50 does not say whether {letter} keeps its offset");
@@ -111,7 +117,7 @@ impl Run<'_> {
                 }
             },
         }
-        self.st.named |= g == G::Name;
+        self.st.added = g != G::ShiftTo;
         self.put_in_force(shift, span)
     }
 
@@ -175,7 +181,7 @@ impl Run<'_> {
     /// A new tool has its tip elsewhere.
     pub(super) fn forget_tip(&mut self) {
         self.st.forget(AxisSet::MAIN);
-        self.st.moved = self.st.moved.union(AxisSet::MAIN);
+        self.st.start.touch(AxisSet::MAIN);
     }
 }
 

@@ -8,6 +8,7 @@ use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Pos, Side};
+use crate::machine::mtc200::{Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
@@ -25,6 +26,9 @@ impl Run<'_> {
     #[inline]
     pub(super) fn motion(&mut self, w: &Words) -> Outcome {
         let Some(motion) = self.st.motion else {
+            if self.st.motion_lost {
+                return Err(Reported);
+            }
             return self.fail_help(
                 codes::M2003,
                 w.axes_span.to(w.centre_span),
@@ -81,11 +85,13 @@ impl Run<'_> {
     #[inline]
     fn target(&mut self, w: &Words) -> Outcome<Pos> {
         let mut end = Pos::UNKNOWN;
+        if !w.axes.known().is_empty() {
+            self.relies_on_the_start(self.st.dimension_said, w.axes_span);
+        }
         for (axis, value) in w.axes.iter() {
             let length = self.length(axis, value, w.axes_span)?;
             let to = if self.st.incremental {
-                self.refuse_shifted(axis, w.axes_span)?;
-                self.position_of(axis, w.axes_span)? + length
+                self.counts_from(axis, w.axes_span)? + length
             } else if axis.is_rotary() {
                 self.rotary_target(axis, length, w.axes_span)?
             } else {
@@ -93,21 +99,39 @@ impl Run<'_> {
             };
             end.set(axis, to);
         }
+        self.moves_the_nose(&end, w.axes_span)?;
         Ok(end)
     }
 
-    /// An increment right behind a changed offset: from the tool, or from the last programmed position?
+    /// What an increment is added to: where the axis stands, or behind a changed offset what the option says.
     #[inline]
-    fn refuse_shifted(&mut self, axis: Axis, span: Span) -> Outcome {
-        if !self.st.shifted.contains(axis) {
-            return Ok(());
+    fn counts_from(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
+        if self.st.shifted.contains(axis) {
+            match self.job.settings.control.mtc200.g91_after_offset {
+                ShiftedIncrement::Increment => {}
+                ShiftedIncrement::WithOffset => {
+                    if let Some(programmed) = self.st.programmed.get(axis) {
+                        return Ok(programmed);
+                    }
+                }
+                ShiftedIncrement::Refuse => return self.refuse_shifted(axis, span),
+            }
         }
+        self.position_of(axis, span)
+    }
+
+    /// An increment right behind a changed offset: from the tool, or from the last programmed position?
+    #[cold]
+    fn refuse_shifted<T>(&mut self, axis: Axis, span: Span) -> Outcome<T> {
         let letter = axis.letter();
         self.fail_help(
             codes::M2018,
             span,
             format!("{letter} is incremental, and its zero offset changed since {letter} was programmed last"),
-            &format!("program {letter} once under G90 behind the offset, then go on with G91"),
+            &format!(
+                "program {letter} once under G90 behind the offset, then go on with G91; or set `[control] \
+                 g91_after_offset` to \"with-offset\" or \"increment\""
+            ),
         )
     }
 
@@ -119,18 +143,12 @@ impl Run<'_> {
         if self.st.lost.contains(axis) {
             return Err(Reported);
         }
-        if !self.st.moved.contains(axis)
-            && let Some(&start) = self.job.settings.control.mtc200.start.get(&axis)
-        {
-            self.st.pos.set(axis, start);
-            return Ok(start);
-        }
         let letter = axis.letter();
         self.fail_help(
             codes::M2001,
             span,
             format!("the position of {letter} is not known here"),
-            &format!("program an absolute position of {letter} first, or set `[control] start`"),
+            &self.st.start.help(axis, &format!("program an absolute position of {letter} first")),
         )
     }
 
@@ -198,8 +216,9 @@ impl Run<'_> {
     #[inline]
     fn arrive(&mut self, end: &Pos) {
         self.st.pos.update(end);
+        self.st.programmed.update(end);
         self.st.lost = self.st.lost.without(end.known());
-        self.st.moved = self.st.moved.union(end.known());
+        self.st.start.touch(end.known());
         self.st.shifted = self.st.shifted.without(end.known());
         self.st.corner = None;
     }
@@ -259,7 +278,7 @@ impl Run<'_> {
         let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         let coords = Coords::Machine;
         self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords });
-        self.st.moved = self.st.moved.union(end.known());
+        self.st.start.touch(end.known());
         self.st.forget(end.known());
         self.st.cornerable = false;
     }
@@ -286,6 +305,9 @@ impl Run<'_> {
         let (first, second, third) = plane.axes();
         let (first, second, third) = (Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]);
         let start = Point2::new(self.position_of(first, span)?, self.position_of(second, span)?);
+        if self.st.incremental {
+            self.shifted_arc([first, second], span)?;
+        }
         let mut end = self.target(w)?;
         for (axis, at) in [(first, start.x), (second, start.y)] {
             if end.get(axis).is_none() {
@@ -294,6 +316,7 @@ impl Run<'_> {
         }
         if end.known().contains(third) {
             self.position_of(third, span)?;
+            self.reading(Reading::Helix, span, "the third axis of an arc moves evenly with it, as a helix");
         }
         let to = Point2::new(end.get(first).unwrap_or(start.x), end.get(second).unwrap_or(start.y));
         let ccw = motion == Motion::CounterClockwise;
@@ -307,6 +330,16 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// An arc under G91 behind a changed offset starts where the tool stands only in one of the two readings.
+    fn shifted_arc(&mut self, axes: [Axis; 2], span: Span) -> Outcome {
+        match axes.into_iter().find(|axis| self.st.shifted.contains(*axis)) {
+            Some(axis) if self.job.settings.control.mtc200.g91_after_offset != ShiftedIncrement::Increment => {
+                self.refuse_shifted(axis, span)
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn arc_radius(&mut self, at: At, w: &Words) -> Outcome<f64> {
         if w.has_centre() {
             return self.not_here(at.span, "an arc has a centre or a radius, not both");
@@ -314,6 +347,11 @@ impl Run<'_> {
         if at.value == 0.0 {
             return self.fail(codes::M2008, at.span, "the radius of the arc is 0");
         }
+        self.reading(
+            Reading::ArcRadius,
+            at.span,
+            "R is the true radius: above zero of the arc up to 180°, below zero of the other",
+        );
         Ok(at.value * self.st.unit())
     }
 
@@ -365,6 +403,13 @@ impl Run<'_> {
                 "write the lead of the axis that travels farthest",
             );
         }
+        if travel.iter().filter(|way| **way > SAME_POINT).count() > 1 {
+            self.reading(
+                Reading::ThreadTaper,
+                w.centre_span,
+                "the lead of a taper counts along the axis of the longer travel",
+            );
+        }
         self.st.cornerable = false;
         self.send(end, Path::Thread(Thread { lead, along: Some(along) }), None);
         Ok(())
@@ -397,7 +442,11 @@ impl Run<'_> {
             early: false,
             modal: false,
             large: LargeCorner::Refuse,
-            at_arc: ArcChamfer::Refuse,
+            at_arc: if self.job.settings.control.mtc200.chamfers_along_arcs {
+                ArcChamfer::Along
+            } else {
+                ArcChamfer::AskAlong
+            },
             blocks: Blocks::PassedOver,
         });
         self.st.corner = Some((self.loc(at.span), 0));

@@ -7,7 +7,10 @@ use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
+use crate::sema::start::Start;
 use crate::text::Loc;
+
+use super::length::Length;
 
 /// Kind of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,9 +48,17 @@ pub(super) struct State {
     pub pos: Pos,
     /// Axes whose position is unknown because an error was reported: not worth another one.
     pub lost: AxisSet,
-    /// Axes that moved, or whose system changed after a move: the start of the program says nothing of them.
-    pub moved: AxisSet,
+    /// Axes that stand where the configuration says.
+    pub start: Start,
     pub motion: Option<Motion>,
+    /// A block was refused that may have named the kind of motion.
+    pub motion_lost: bool,
+    /// G90 or G91, G94 or G95 was programmed.
+    pub dimension_said: bool,
+    pub feed_said: bool,
+    /// Last programmed position of each axis: a number of the program, which a changed offset leaves alone.
+    pub programmed: Pos,
+    pub length: Length,
     pub plane: Plane,
     /// G70.
     pub inch: bool,
@@ -72,8 +83,8 @@ pub(super) struct State {
     pub shifted: AxisSet,
     /// The spindle does not turn, as far as the program says.
     pub spindle_stands: bool,
-    /// A part of `shift` comes from G52.
-    pub named: bool,
+    /// A part of `shift` comes from G51 or G52.
+    pub added: bool,
     /// G96.
     pub constant_speed: bool,
     /// Cutting speed in m/min.
@@ -95,14 +106,24 @@ impl State {
     pub fn new(settings: &Settings) -> State {
         let lathe = settings.machine.kind == MachineKind::Lathe;
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
+        let diameter = lathe && settings.machine.diameter_axis == Some(Axis::X) && settings.machine.power_on_diameter;
+        let mut start = Start::new(settings, diameter);
+        for (axis, value) in &settings.control.mtc200.start {
+            start.complete(*axis, *value);
+        }
         State {
-            pos: Pos::UNKNOWN,
+            pos: start.position(),
+            start,
             lost: AxisSet::EMPTY,
-            moved: AxisSet::EMPTY,
             motion: None,
+            motion_lost: false,
+            dimension_said: false,
+            feed_said: false,
+            programmed: Pos::UNKNOWN,
+            length: Length::default(),
             plane,
             inch: settings.control.unit == Some(Unit::Inch),
-            diameter: lathe && settings.machine.diameter_axis == Some(Axis::X) && settings.machine.power_on_diameter,
+            diameter,
             incremental: false,
             exact_stop: false,
             feed: settings.control.feed.map(Feed::PerMinute),
@@ -114,7 +135,7 @@ impl State {
             shift: [0.0; AXES],
             shifted: AxisSet::EMPTY,
             spindle_stands: true,
-            named: false,
+            added: false,
             constant_speed: false,
             cutting_speed: None,
             speed_limit: None,

@@ -208,6 +208,9 @@ impl Run<'_> {
     #[inline]
     fn sort_g(&mut self, w: &mut Words, at: At) -> Outcome {
         let number = self.whole(at, "G")?;
+        if matches!(number, 47 | 48) && self.declared(w, &format!("G{number}"), at.span) {
+            return Ok(());
+        }
         let Some((group, g)) = gfunc::entry(number) else { return self.unknown_g(w, number, at.span) };
         let slot = &mut w.g[group as usize];
         match slot {
@@ -237,7 +240,9 @@ impl Run<'_> {
         };
         let help =
             format!("if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`");
-        self.fail_help(codes::M9001, span, message, &help)
+        // Reported once at the word: the rest of the block still says where the axes go.
+        self.report(Diagnostic::new(codes::M9001, self.loc(span), message).help(help));
+        Ok(())
     }
 
     fn sort_m(&mut self, w: &mut Words, at: At) -> Outcome {
@@ -290,12 +295,9 @@ impl Run<'_> {
                 Some(flow) => self.sort_flow(w, flow, word, text),
                 None if FOREIGN.contains(&name) => {
                     let message = format!("{name} depends on the running machine");
-                    self.fail_help(
-                        codes::M9003,
-                        word.span,
-                        message,
-                        "write the way that is meant with BRA, or leave the command out",
-                    )
+                    let help = "write the way that is meant with BRA, or leave the command out";
+                    self.report(Diagnostic::new(codes::M9003, self.loc(word.span), message).help(help));
+                    Ok(())
                 }
                 None => self.machine_word(w, word.span, text),
             },
@@ -365,7 +367,8 @@ impl Run<'_> {
         let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
         let message = format!("`{shown}` is no word of the control that is known");
         let help = format!("if it does not move the tool, add `[control] machine_words = [\"{shown}\"]` to partc.toml");
-        self.fail_help(codes::M9002, span, message, &help)
+        self.report(Diagnostic::new(codes::M9002, self.loc(span), message).help(help));
+        Ok(())
     }
 
     /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.

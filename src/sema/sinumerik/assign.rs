@@ -333,6 +333,7 @@ impl Run<'_> {
         let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
             return self.fail(codes::S2018, 12400, span, "the array has no such element");
         };
+        self.budget.take(var.values.len() as u64 / 16);
         let filled = self.filled(&var, start, fill, span)?;
         if let Some(var) = self.vars.get_mut(slot) {
             *var = filled;

@@ -60,7 +60,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::contour::Sink;
 use crate::ir::function::Turn;
-use crate::machine::Axis;
+use crate::machine::{Axis, Proposed};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
@@ -92,6 +92,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
     run.levels.push(Level::main(unit));
+    run.out.begins_at(&run.st.start.position());
     run.vars.enter();
     while !run.ended.get() {
         run.step();
@@ -146,6 +147,8 @@ struct Run<'a> {
     programs: Programs,
     levels: Vec<Level>,
     budget: Budget,
+    /// Numbers proposed for tools without one.
+    proposed: Proposed,
     /// System variables that the program wrote.
     system: BTreeMap<String, Val>,
     macros: FxHashMap<Symbol, Box<[u8]>>,
@@ -227,6 +230,7 @@ impl<'a> Run<'a> {
             programs: Programs::default(),
             levels: Vec::new(),
             budget: Budget::new(job.settings.limits.steps),
+            proposed: Proposed::default(),
             system: BTreeMap::new(),
             macros: FxHashMap::default(),
             definitions_read: false,
@@ -291,11 +295,21 @@ impl<'a> Run<'a> {
         self.ended.set(true);
     }
 
+    /// Between two places of a pattern: the run ends here where no step is left, or the output takes no more.
+    fn goes_on(&mut self) -> Outcome {
+        if self.budget.goes_on(&*self.out) {
+            return Ok(());
+        }
+        self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, self.here.origin.call);
+        self.stop_run();
+        Err(Reported)
+    }
+
     /// Executes one block.
     fn step(&mut self) {
         let (unit, call) = (self.level().unit, self.level().call);
-        if !self.budget.step() {
-            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+        if !self.budget.step(&*self.out) {
+            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
             self.ended.set(true);
             return;
         }
@@ -313,6 +327,7 @@ impl<'a> Run<'a> {
             && let Some(parsed) = file.cache.get(place.at)
         {
             file.cursor.resume(parsed.next);
+            self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
             self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
             self.expanded = parsed.expanded;
             self.execute(&parsed.block, &parsed.text);
@@ -345,6 +360,9 @@ impl<'a> Run<'a> {
                 }
                 self.expanded = parsed.expanded;
                 let file = &mut self.programs.files[at];
+                let again = place.at < file.furthest;
+                file.furthest = file.furthest.max(place.at.saturating_add(1));
+                self.budget.block(file.cursor.place().at.saturating_sub(place.at), parsed.block.ops.len(), again);
                 if file.cursor.is_whole() {
                     parsed.next = file.cursor.place();
                     file.cache.insert(place.at, Rc::new(Parsed::clone(parsed)));

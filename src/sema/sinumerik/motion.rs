@@ -415,7 +415,7 @@ impl Run<'_> {
             0,
             span,
             format!("where {} stands is not known", axis.letter()),
-            "program the axis once in absolute coordinates in front of this block",
+            &self.st.start.help(axis, "program the axis once in absolute coordinates in front of this block"),
         )
     }
 }

@@ -38,6 +38,7 @@ impl Run<'_> {
     pub(super) fn moved_to(&mut self, end: &Pos) {
         self.st.pos.update(end);
         self.st.programmed.update(end);
+        self.st.start.touch(end.known());
         if !self.st.lost.is_empty() {
             self.st.lost = self.st.lost.without(end.known());
         }

@@ -4,7 +4,6 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::{Function, Side};
-use crate::machine::Axis;
 use crate::text::Span;
 
 use super::frames::FrameValue;
@@ -82,6 +81,9 @@ impl Run<'_> {
         }
         self.function(Function::WorkOffset(printed));
         self.forget_all();
+        // Axes that never moved stand where the configuration says, in the first work offset.
+        let start = self.st.ctx.frame.unapply(&self.st.start.position());
+        self.st.pos.update(&start);
         if moved == FromBasic::AtStart {
             let word = offset_word(number);
             let message = format!(
@@ -185,9 +187,8 @@ impl Run<'_> {
     }
 
     pub(super) fn forget_all(&mut self) {
-        for axis in Axis::ALL {
-            self.st.forget(axis);
-        }
+        self.st.pos.clear();
+        self.st.programmed.clear();
     }
 
     pub(super) fn resolved_offset_note(&self, span: Span) {

@@ -28,6 +28,8 @@ pub(super) struct File {
     pub file: FileId,
     pub cursor: Cursor,
     pub cache: Cache<Parsed>,
+    /// Up to here blocks ran at least once.
+    pub furthest: u32,
     /// The programs of the file were listed.
     listed: bool,
 }
@@ -74,7 +76,7 @@ impl Programs {
             None => stem(&job.sources.name(file)),
         };
         let start = cursor.start();
-        self.files.push(File { file, cursor, cache: Cache::default(), listed: false });
+        self.files.push(File { file, cursor, cache: Cache::default(), furthest: 0, listed: false });
         let file = self.files.len() - 1;
         self.units.push(Unit { file, name, kind, start, end: u32::MAX, skeleton: None });
         Some(self.units.len() - 1)

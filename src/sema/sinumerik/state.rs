@@ -8,6 +8,7 @@ use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
+use crate::sema::start::Start;
 
 use super::Run;
 use super::frames::FrameValue;
@@ -34,6 +35,8 @@ pub(super) struct State {
     pub ctx: CtxRef,
     /// Programmed position in the workpiece system of the program, mm and radius.
     pub pos: Pos,
+    /// Axes that stand where the configuration says.
+    pub start: Start,
     /// Axes whose position was lost by a reported error.
     pub lost: AxisSet,
     /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
@@ -149,12 +152,14 @@ impl State {
             groups[13] = Code::G70.index;
         }
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
+        let start = Start::new(settings, groups[29] == Code::DIAMON.index);
         State {
             groups,
             geometry_axes: machine.geometry_axes,
             lathe,
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-            pos: Pos::UNKNOWN,
+            pos: start.position(),
+            start,
             lost: AxisSet::EMPTY,
             modulo: machine.modulo,
             heading: super::tangent::Heading::None,
@@ -271,6 +276,7 @@ impl State {
 
     /// Forgets where an axis is; the program has to say it.
     pub fn forget(&mut self, axis: Axis) {
+        self.start.touch(AxisSet::of(axis));
         self.pos.forget(axis);
         self.programmed.forget(axis);
     }

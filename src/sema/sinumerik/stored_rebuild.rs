@@ -12,6 +12,7 @@ use crate::text::Span;
 use super::state::Diameter;
 use super::stored::{Stored, TOLERANCE};
 use super::vocabulary::Code;
+use super::words::Words;
 use super::{Outcome, Run};
 
 impl Run<'_> {
@@ -20,7 +21,8 @@ impl Run<'_> {
         let place = |run: &mut Self| run.here.origin.loc = stored.begin;
         let here = self.here.origin;
         place(self);
-        let result = self.diameters_are_told(stored).and_then(|()| self.no_state_beside(stored));
+        let result = self.pending_must_be_done(Span::default()).and_then(|()| self.diameters_are_told(stored));
+        let result = result.and_then(|()| self.no_state_beside(stored));
         self.here.origin = here;
         result
     }
@@ -67,6 +69,10 @@ impl Run<'_> {
         if self.modal_cycle.is_some() || self.modal.is_some() {
             return self.not_rebuilt("a modal call is active", "end it by MCALL in front of the contour");
         }
+        let off = self.st.tool.edge == Some(0) && self.st.tool.active.is_some_and(|number| number != 0);
+        if off && !self.is_capturing() {
+            return self.not_rebuilt("under D0 its points count without the tool", "select D1 in front of the contour");
+        }
         if self.st.in_machine() {
             return self.not_rebuilt("G500 is in force", "select a work offset in front of the contour");
         }
@@ -104,13 +110,10 @@ impl Run<'_> {
             let found = Diagnostic::new(codes::S8160, stored.begin, message);
             self.report(found.help("no contour of inches is known to us: compare its size with the drawing"));
         }
-        let feed = match self.st.feed {
-            Some(feed) => feed,
-            None if self.is_capturing() => Feed::PerRevolution(1.0),
-            None => {
-                self.st.feed_lost = true;
-                return self.fail(codes::S2040, 10860, Span::default(), "no feed is programmed for the contour");
-            }
+        // As in blocks: a contour without elements needs no feed.
+        let feed = match made.blocks.is_empty() {
+            true => None,
+            false => self.path_feed(&mut Words::new(), false)?,
         };
         let modal_feed = if self.st.rndm > 0.0 || made.blocks.iter().any(|block| block.corner.is_some()) {
             self.modal_corner_feed()?
@@ -121,6 +124,10 @@ impl Run<'_> {
         self.tell_of_records(made, stored);
         self.stand_at(stored, made.start_record);
         self.st.groups[1] = Code::G0.index;
+        self.tapping_ends();
+        self.thread_chain = None;
+        self.compensation_starts = false;
+        self.corner_open = None;
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, made.start);
         self.send(&end, Path::Rapid, None);
@@ -131,7 +138,14 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn rebuild_block(&mut self, block: &Block, stored: &Stored, unit: f64, feed: Feed, modal_feed: Option<Feed>) {
+    fn rebuild_block(
+        &mut self,
+        block: &Block,
+        stored: &Stored,
+        unit: f64,
+        feed: Option<Feed>,
+        modal_feed: Option<Feed>,
+    ) {
         let plane = self.st.plane();
         self.stand_at(stored, block.record);
         let mut end = Pos::UNKNOWN;
@@ -145,7 +159,8 @@ impl Run<'_> {
             None => (Code::G1, Path::Line),
         };
         self.st.groups[1] = code.index;
-        self.send(&end, path, Some(feed));
+        self.corner_open = None;
+        self.send(&end, path, feed);
         let (shape, modal) = match block.corner {
             Some(CornerWord::Radius(radius)) if radius > 0.0 => (CornerShape::Rounding { radius }, false),
             Some(CornerWord::Chamfer(side)) if side > 0.0 => (CornerShape::Chamfer { side }, false),

@@ -201,7 +201,7 @@ impl Run<'_> {
                 0,
                 span,
                 message,
-                "program the axis once in absolute coordinates before reading its position",
+                &self.st.start.help(axis, "program the axis once in absolute coordinates before reading its position"),
             );
         };
         if axis.is_rotary() {
@@ -427,6 +427,7 @@ impl Run<'_> {
         if let Err(error) = self.programs.list(&self.job, 0).and_then(|()| self.programs.list(&self.job, file)) {
             return Some(self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}")));
         }
+        self.budget.search();
         let identity = self.job.sources.identity(self.job.main);
         let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
         let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };

@@ -10,11 +10,14 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
 use super::vocabulary::{Address, Code};
-use super::words::{Given, MWord, Words};
+use super::words::{Given, MWord, Mode, Words};
 use super::{Outcome, Reported, Run};
 
 /// Farthest that an axis may stand off its programmed place and still not move, in mm.
 const STILL: f64 = 1e-9;
+
+/// Start angle of threads without SF= (SD 42000).
+const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";
 
 /// A thread block that another one may follow on.
 #[derive(Debug, Clone, Copy)]
@@ -72,11 +75,10 @@ impl Run<'_> {
         let follows = self.thread_chain.is_some();
         self.chain_is_whole(span)?;
         let end = self.targets(w)?;
-        let start_angle = w.take(Address::Sf);
-        if start_angle.is_none() {
-            self.no_start_angle_by_setting(span)?;
-        }
-        let start_angle = start_angle.filter(|start| start.value != 0.0);
+        let named = w.take(Address::Sf).map(|given| ("SF", given));
+        // The setting is for the first thread of a chain.
+        let set = || self.start_angle_by_setting(span).filter(|_| !follows).map(|given| (START_ANGLE, given));
+        let start_angle = named.or_else(set).filter(|(_, given)| given.value != 0.0);
         if let Some(given) = self.lead_words(w)? {
             if given.lead < 0.0 {
                 let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
@@ -102,8 +104,8 @@ impl Run<'_> {
                 "give the lead along the axis that moves further",
             );
         }
-        if let Some(given) = start_angle {
-            self.shift_start(given, &end, (axis, lead), follows)?;
+        if let Some((word, given)) = start_angle {
+            self.shift_start(word, given, &end, (axis, lead), follows)?;
         }
         self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
         let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
@@ -113,9 +115,16 @@ impl Run<'_> {
 
     /// SF: the thread begins at an angle of the spindle, the one of the target at its zero mark. Begun farther back by
     /// lead · angle / 360, it passes the programmed start at that angle, and is the same thread from there on.
-    fn shift_start(&mut self, start: Given, end: &Pos, (axis, lead): (Axis, f64), follows: bool) -> Outcome {
+    fn shift_start(
+        &mut self,
+        word: &str,
+        start: Given,
+        end: &Pos,
+        (axis, lead): (Axis, f64),
+        follows: bool,
+    ) -> Outcome {
         if !(0.0..360.0).contains(&start.value) {
-            let message = format!("the start angle SF={} lies outside 0 to 359.999", start.value);
+            let message = format!("the start angle {word}={} lies outside 0 to 359.999", start.value);
             return self.fail_help(codes::S9012, 0, start.span, message, "program the angle within one turn");
         }
         let why = if follows {
@@ -146,7 +155,7 @@ impl Run<'_> {
             }
         }
         let message = format!(
-            "SF={} is made by a start that lies {back:.4} mm farther back along {}, where the tool goes at rapid",
+            "{word}={} is made by a start that lies {back:.4} mm farther back along {}, where the tool goes at rapid",
             start.value,
             axis.letter()
         );
@@ -157,16 +166,20 @@ impl Run<'_> {
     }
 
     /// A thread without SF= starts at the angle of SD 42000.
+    fn start_angle_by_setting(&self, span: Span) -> Option<Given> {
+        let value = super::system::system_number(&self.system, START_ANGLE)?;
+        Some(Given { value, mode: Mode::Plain, span })
+    }
+
+    /// What a thread cycle makes of that setting is not confirmed.
     pub(super) fn no_start_angle_by_setting(&self, span: Span) -> Outcome {
-        match super::system::system_number(&self.system, "$SC_THREAD_START_ANGLE") {
-            Some(angle) if angle != 0.0 => self.fail_help(
-                codes::S9012,
-                0,
-                span,
-                format!("`$SC_THREAD_START_ANGLE` starts this thread at {angle} degrees, which cannot be printed"),
-                "shift the start point along the thread instead: lead · angle / 360",
-            ),
-            _ => Ok(()),
+        match self.start_angle_by_setting(span).filter(|given| given.value != 0.0) {
+            Some(Given { value, .. }) => {
+                let message = format!("whether `{START_ANGLE}={value}` holds for the threads of a cycle is not known");
+                let help = format!("set it to 0 in front of the cycle: {START_ANGLE}=0");
+                self.fail_help(codes::S9012, 0, span, message, &help)
+            }
+            None => Ok(()),
         }
     }
 

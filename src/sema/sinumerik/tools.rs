@@ -19,6 +19,7 @@ impl Run<'_> {
             None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => t.value as u32,
             None => return self.fail(codes::S2043, 17190, t.span, format!("T{} is no tool number", t.value)),
         };
+        self.proposed.call(number);
         self.st.tool.next = Some(number);
         self.st.tool.edge_before_change = None;
         self.st.tool.lost = false;
@@ -48,12 +49,7 @@ impl Run<'_> {
             Some((Some(number), _)) => Ok(number),
             _ => {
                 self.st.tool.lost = true;
-                let known: Vec<String> = tools.table.values().filter_map(|tool| tool.name.clone()).collect();
-                let like = crate::machine::tree::did_you_mean(name, known.iter().map(String::as_str));
-                let help = match like {
-                    Some(like) => format!("did you mean `{like}`?"),
-                    None => format!("give its number: `[tools.1]` with `name = \"{name}\"`"),
-                };
+                let help = self.proposed.help(name, tools);
                 self.fail_help(codes::S2043, 17191, span, format!("the tool `{name}` has no number"), &help)
             }
         }

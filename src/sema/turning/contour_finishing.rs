@@ -7,6 +7,7 @@ use crate::diag::codes;
 use crate::geo::Vec2;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
+use crate::ir::cycle::roughing::Nose;
 
 use super::contour::Outline;
 use super::readings::Question;
@@ -49,7 +50,9 @@ impl Run<'_> {
                 }
             }
         };
-        let stance = self.stance(&contour, at, nose)?;
+        // The edge tells the side, whether its radius is compensated or not.
+        let edge = nose.or_else(|| self.tip_of_tool().map(|tip| Nose { radius: 0.0, tip }));
+        let stance = self.stance(&contour, at, edge)?;
         self.check_forms(&section, stance.left)?;
         let oversize = match (w.get(b'I'), self.st.oversize) {
             (Some(num), _) => num.value * self.st.mm(),

@@ -2,6 +2,7 @@
 
 use crate::diag::codes;
 use crate::ir::cycle::Cycle;
+use crate::machine::AxisSet;
 
 use super::contour::{Edge, MOST_EDGES, Outline, Section};
 use super::geometry::Described;
@@ -40,6 +41,7 @@ impl Run<'_> {
     pub(super) fn send_cycle(&mut self, cycle: &Cycle) {
         self.out.cycle(cycle, &self.st.ctx, &self.here.origin);
         self.st.pos = cycle.leaves(&self.st.pos);
+        self.st.start.touch(AxisSet::MAIN);
         self.st.last = None;
         self.st.moved = true;
         self.cycle_cuts(cycle);

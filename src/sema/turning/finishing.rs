@@ -155,13 +155,10 @@ impl Run<'_> {
             );
             return Ok(None);
         };
-        let tip = match known.and_then(|tool| tool.orientation) {
-            Some(1) => Vec2::new(1.0, 1.0),
-            Some(2) => Vec2::new(-1.0, 1.0),
-            Some(3) => Vec2::new(-1.0, -1.0),
-            Some(4) => Vec2::new(1.0, -1.0),
-            _ if radius == 0.0 => return Ok(None),
-            _ => {
+        let tip = match self.tip_of_tool() {
+            Some(tip) => tip,
+            None if radius == 0.0 => return Ok(None),
+            None => {
                 return self.fail_help(
                     codes::T2024,
                     self.block_span(),
@@ -171,6 +168,17 @@ impl Run<'_> {
             }
         };
         Ok(Some(Nose { radius, tip }))
+    }
+
+    /// Where the edge of the tool points to.
+    pub(super) fn tip_of_tool(&self) -> Option<Vec2> {
+        match self.known_tool()?.orientation? {
+            1 => Some(Vec2::new(1.0, 1.0)),
+            2 => Some(Vec2::new(-1.0, 1.0)),
+            3 => Some(Vec2::new(-1.0, -1.0)),
+            4 => Some(Vec2::new(1.0, -1.0)),
+            _ => None,
+        }
     }
 
     /// What partc.toml says of the tool in the cutting position.

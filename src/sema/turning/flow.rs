@@ -208,8 +208,8 @@ impl Run<'_> {
     /// The next block of a branch that is passed; what is wrong with it does not matter here.
     fn next_passed(&mut self, from: Loc) -> Outcome<Parsed<Block>> {
         let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step() {
-            self.job.diags.push(self.budget.exceeded(from, call));
+        if !self.budget.step(&*self.out) {
+            self.budget.report_end(&self.job, &*self.out, from, call);
             self.ended = true;
             return Err(Reported);
         }
@@ -219,6 +219,9 @@ impl Run<'_> {
         });
         match read {
             Read::Block(here) => {
+                let source = &self.programs[at].source;
+                let bytes = source.cursor.place().at.saturating_sub(here.at);
+                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
                 self.here = here;
                 self.here.origin.loc.span = parsed.block.span.shifted(self.here.at);
             }

@@ -86,6 +86,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     };
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(program) = run.open(job.main, start) else { return 0 };
+    run.out.begins_at(&run.st.start.position());
     run.levels.push(Level::main(program));
     while !run.ended {
         run.step();
@@ -172,13 +173,15 @@ impl Run<'_> {
     /// Executes one block.
     fn step(&mut self) {
         let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step() {
-            self.job.diags.push(self.budget.exceeded(self.here.origin.loc, call));
+        if !self.budget.step(&*self.out) {
+            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
             self.ended = true;
             return;
         }
         let source = &mut self.programs[at].source;
         if let Some((parsed, here)) = source.again(call) {
+            let bytes = source.cursor.place().at.saturating_sub(here.at);
+            self.budget.block(bytes, parsed.block.ops.len(), false);
             self.here = here;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -200,6 +203,9 @@ impl Run<'_> {
         });
         match read {
             Read::Block(here) => {
+                let source = &self.programs[at].source;
+                let bytes = source.cursor.place().at.saturating_sub(here.at);
+                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
                 self.here = here;
                 if !self.problems.is_empty() {
                     self.report_problems();

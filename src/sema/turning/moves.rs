@@ -51,6 +51,7 @@ impl Run<'_> {
         let (side, coords) = (self.st.side, Coords::Frame);
         self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords });
         self.st.pos.update(&end);
+        self.st.start.touch(end.known());
         self.st.moved = true;
         let to = self.st.at();
         self.st.lost &= to.is_none();
@@ -93,7 +94,9 @@ impl Run<'_> {
                 codes::T2002,
                 span,
                 format!("it is not known where the tool stands in {}", axis.letter()),
-                format!("program {} once as an absolute value after the tool change", axis.letter()),
+                self.st
+                    .start
+                    .help(axis, &format!("program {} once as an absolute value after the tool change", axis.letter())),
             ),
         }
     }
@@ -320,6 +323,7 @@ impl Run<'_> {
     fn machine_move(&mut self, end: Pos) {
         let (side, coords) = (self.st.side, Coords::Machine);
         self.movement(&Move { end: EndPoint::Cartesian(end), path: Path::Rapid, feed: None, side, coords });
+        self.st.start.touch(end.known());
         for axis in end.known().iter() {
             self.st.pos.forget(axis);
         }

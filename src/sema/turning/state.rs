@@ -6,7 +6,8 @@ use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::function::Turn;
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, Settings, Unit};
+use crate::machine::{Axis, AxisSet, Settings, Unit};
+use crate::sema::start::Start;
 use crate::text::Loc;
 
 use super::chain::Solved;
@@ -42,6 +43,8 @@ pub(super) struct State {
     pub unit: Unit,
     /// Programmed position.
     pub pos: Pos,
+    /// Axes that stand where the configuration says.
+    pub start: Start,
     /// The position is unknown because an error was reported: not worth another one.
     pub lost: bool,
     /// The last path element, for its direction.
@@ -104,9 +107,11 @@ impl Shift {
 
 impl State {
     pub fn new(settings: &Settings) -> State {
+        let start = Start::new(settings, true);
         State {
             unit: settings.control.unit.unwrap_or_default(),
-            pos: Pos::UNKNOWN,
+            pos: start.position(),
+            start,
             lost: false,
             last: None,
             cornered: false,
@@ -143,12 +148,14 @@ impl State {
     #[inline]
     pub fn stands(&mut self, p: Point2) {
         self.pos.set_in_plane(Plane::Zx, p);
+        self.start.touch(AxisSet::MAIN);
     }
 
     /// The tool stands somewhere, for a good reason.
     pub fn forget(&mut self) {
         self.pos.forget(Axis::X);
         self.pos.forget(Axis::Z);
+        self.start.touch(AxisSet::MAIN);
         self.last = None;
     }
 

@@ -189,6 +189,7 @@ impl Run<'_> {
     fn call_file(&mut self, name: &str, locals: Locals) -> Outcome {
         let site = self.here.origin.loc;
         let call = self.here.origin.call;
+        self.budget.search();
         let opened = open_program(&self.job, name, &["ncs", "NCS", "nc"], site, call);
         let Some(program) = opened.and_then(|file| self.open(file, site)) else { return Err(Reported) };
         let start = self.programs[program].source.cursor.start();

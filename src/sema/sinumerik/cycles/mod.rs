@@ -22,7 +22,7 @@ use crate::text::Span;
 
 use super::super::here::Here;
 use super::offsets::Outer;
-use super::state::Diameter;
+use super::state::{Diameter, State};
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
@@ -44,10 +44,13 @@ pub(super) struct ModalCycle {
     feed_of_block: bool,
     /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
     under: (Plane, f64),
+    /// Why it cannot be drilled was reported.
+    refused: bool,
 }
 
-/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn.
-type SpindleState = (Option<f64>, Option<Turn>, bool, bool);
+/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn; and
+/// the tool and its edge, whose tip a depth may count for.
+type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
 
 /// The arguments of a call, counted from 1 as the manuals do.
 #[derive(Debug, Clone)]
@@ -266,7 +269,9 @@ impl Run<'_> {
                 let feed_of_block = !matches!(name, "CYCLE85");
                 let under = (self.st.plane(), self.st.length_unit());
                 let (here, spindle) = (self.here, self.spindle_state());
-                self.modal_cycle = Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under }));
+                let refused = false;
+                self.modal_cycle =
+                    Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under, refused }));
                 Ok(())
             });
             return Some(result);
@@ -283,9 +288,19 @@ impl Run<'_> {
         }
     }
 
-    /// Drills the modal hole where the tool stands.
+    /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
+    /// the other places of a pattern are worth no other finding.
     pub(super) fn drill_modal(&mut self) -> Outcome {
-        let Some(modal) = self.modal_cycle.clone() else { return Ok(()) };
+        let Some(modal) = self.modal_cycle.clone().filter(|modal| !modal.refused) else { return Ok(()) };
+        if self.drill_here(modal).is_err()
+            && let Some(modal) = &mut self.modal_cycle
+        {
+            modal.refused = true;
+        }
+        Ok(())
+    }
+
+    fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
         self.speed_is_known()?;
         if self.st.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
@@ -309,7 +324,8 @@ impl Run<'_> {
     }
 
     fn spindle_state(&self) -> SpindleState {
-        (self.st.speed, self.st.turn, self.st.constant_cut, self.st.per_revolution())
+        let State { speed, turn, constant_cut, ref tool, .. } = self.st;
+        (speed, turn, constant_cut, self.st.per_revolution(), tool.active, tool.edge)
     }
 
     /// The hole of the modal call under the spindle of now.

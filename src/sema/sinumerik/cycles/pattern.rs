@@ -39,7 +39,10 @@ impl Run<'_> {
         if self.modal_cycle.is_none() {
             return self.not_built(args, 1, "a pattern with a modal program of one's own");
         }
+        // Computing them is work, too.
+        self.budget.take(positions.len() as u64 / 16);
         for position in positions {
+            self.goes_on()?;
             let end = self.moved_in_plane(position);
             self.send(&end, Path::Rapid, None);
             self.drill_modal()?;

@@ -1,0 +1,92 @@
+//! What stands around a program in its file: the header of a transfer file, and the `%` of a paper tape.
+//!
+//! Source: reference section 2.1.
+
+use crate::diag::{Diagnostic, codes};
+use crate::parser::mtc200::ast::{Block, Stmt};
+use crate::text::Span;
+
+use super::{Outcome, Run};
+
+/// What may follow the last line of a program, in bytes.
+const LONGEST_TAIL: u64 = 1 << 16;
+
+/// Where a program stands with its file header.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Header {
+    /// Nothing was read yet.
+    #[default]
+    Start,
+    Open,
+    Closed,
+    /// A program without header.
+    None,
+}
+
+impl Run<'_> {
+    /// A line that only a file header has.
+    #[cold]
+    pub(super) fn header_line(&mut self, first: u8, block: &Block, text: &[u8]) {
+        if first == b'%' && text.trim_ascii() == b"%" && self.is_tape_mark() {
+            return self.tape_mark(block);
+        }
+        let is_frame = text.len() >= 4 && text[..4].eq_ignore_ascii_case(b"%NPG");
+        let header = self.program().header;
+        let (next, fits) = match (first, header) {
+            (b'%', Header::Start) => (Header::Open, is_frame),
+            (b'%', Header::Open) => (Header::Closed, is_frame && text.trim_ascii().len() == 4),
+            (b'%', other) => (other, false),
+            (_, Header::Open) => (Header::Open, true),
+            (_, other) => (other, false),
+        };
+        self.program().header = next;
+        if !fits {
+            let span = block.span;
+            let help = "a header begins with a line `%NPG:…` and ends with a line `%NPG`";
+            let _: Outcome = self.fail_help(codes::M1002, span, "this line belongs into a file header", help);
+            return;
+        }
+        if matches!(first, b'*' | b'$') && self.job.settings.output.comments {
+            self.comment(&text[1..]);
+        }
+    }
+
+    /// A line of the program where a header might stand.
+    #[cold]
+    pub(super) fn leave_header(&mut self, block: &Block) {
+        let blank = block.stmt == Stmt::Empty && block.label.is_none();
+        match self.program().header {
+            Header::Open if !(blank && block.comments.is_empty()) => {
+                self.program().header = Header::Closed;
+                let help = "a second line `%NPG` ends the header";
+                let _: Outcome = self.fail_help(codes::M1002, block.span, "this line stands in the file header", help);
+            }
+            Header::Start if !blank => self.program().header = Header::None,
+            _ => {}
+        }
+    }
+
+    /// Is a line of a single `%` the first or the last one that is not blank?
+    fn is_tape_mark(&mut self) -> bool {
+        if self.program().header == Header::Start {
+            return true;
+        }
+        let (file, at) = (self.program().source.file, self.program().source.cursor.place().at);
+        let rest = self.job.sources.size(file).saturating_sub(u64::from(at));
+        rest <= LONGEST_TAIL
+            && self
+                .job
+                .sources
+                .bytes(file, Span::at(at, rest as u32))
+                .iter()
+                .all(|b| b.is_ascii_whitespace() || matches!(b, 0 | 0x0b | 0x1a))
+    }
+
+    fn tape_mark(&mut self, block: &Block) {
+        if self.program().header == Header::Start {
+            self.program().header = Header::None;
+        }
+        let message = "the `%` that stands alone is a mark of the tape and is left out";
+        self.report(Diagnostic::new(codes::M8001, self.loc(block.span), message));
+    }
+}

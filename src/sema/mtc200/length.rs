@@ -1,0 +1,82 @@
+//! G47 and G48: tool length compensation off and on.
+//!
+//! The programmed path is that of the tool tip while G48 is in force, and that of the spindle nose under G47. The
+//! output is a path of the tip, so neither has a word in it. Source: reference section 8.0.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::machine::Axis;
+use crate::text::{Loc, Span};
+
+use super::{Outcome, Reported, Run};
+
+/// What positions along the tool axis belong to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Length {
+    /// Neither G47 nor G48 was programmed; the first move along the tool axis since the start.
+    #[default]
+    Open,
+    Moved(Loc),
+    /// G48: of the tip.
+    Tip,
+    /// G47: of the spindle nose; reported or not.
+    Nose {
+        reported: bool,
+    },
+}
+
+impl Run<'_> {
+    /// G47 (`on` is false) and G48.
+    pub(super) fn set_length(&mut self, on: bool, span: Span) -> Outcome {
+        if self.noted.insert("G48".to_owned()) {
+            let word = if on { "G48" } else { "G47" };
+            let message = format!("{word} has no word in the output, whose positions are those of the tool tip");
+            self.report(Diagnostic::new(codes::M8002, self.loc(span), message));
+        }
+        let before = self.st.length;
+        self.st.length = match (on, before) {
+            (true, _) => Length::Tip,
+            (false, Length::Nose { reported }) => Length::Nose { reported },
+            (false, _) => Length::Nose { reported: false },
+        };
+        match before {
+            Length::Moved(loc) if on => self.nose_moved(loc, "the program switches the tool length on later, by G48"),
+            _ => Ok(()),
+        }
+    }
+
+    /// A move to `end`: is it one of the spindle nose?
+    #[inline]
+    pub(super) fn moves_the_nose(&mut self, end: &Pos, span: Span) -> Outcome {
+        if self.st.length == Length::Tip {
+            return Ok(());
+        }
+        let (_, _, third) = self.st.plane.axes();
+        if end.get(Axis::ALL[third]).is_none() {
+            return Ok(());
+        }
+        match self.st.length {
+            Length::Open => self.st.length = Length::Moved(self.loc(span)),
+            Length::Nose { reported: false } => {
+                self.st.length = Length::Nose { reported: true };
+                return self.nose_moved(self.loc(span), "G47 switched the tool length off");
+            }
+            Length::Moved(_) | Length::Tip | Length::Nose { .. } => {}
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn nose_moved(&mut self, loc: Loc, why: &str) -> Outcome {
+        let (_, _, third) = self.st.plane.axes();
+        let letter = Axis::ALL[third].letter();
+        let message = format!("{letter} moves the spindle nose here ({why}), and the output moves the tool tip");
+        if self.job.settings.control.mtc200.refuse_spindle_nose {
+            self.report(Diagnostic::new(codes::M9050, loc, message).help("program G48 in front of the move"));
+            return Err(Reported);
+        }
+        let help = "program G48 in front of the move; to refuse such moves set `[control] spindle_nose = \"refuse\"`";
+        self.report(Diagnostic::new(codes::M8003, loc, message).help(help));
+        Ok(())
+    }
+}

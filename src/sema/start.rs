@@ -1,0 +1,58 @@
+//! Where the axes stand before the first block, as `[start]` of the configuration says.
+//!
+//! The positions are those that the program would write there: they count in the work offset that is selected before
+//! the axis moves. What changes the tip of the tool, or moves the axis in machine coordinates, ends them.
+
+use crate::ir::Pos;
+use crate::machine::{Axis, AxisSet, Settings};
+
+/// The positions at the start, and the axes that may still stand there.
+#[derive(Debug, Clone, Default)]
+pub struct Start {
+    at: Pos,
+    /// Axes that moved, or whose tool tip changed.
+    touched: AxisSet,
+}
+
+impl Start {
+    /// The positions of `[start]`; under `diameter` X is one.
+    pub fn new(settings: &Settings, diameter: bool) -> Start {
+        let mut at = Pos::UNKNOWN;
+        for (&axis, &value) in &settings.start {
+            at.set(axis, if diameter && axis == Axis::X { value / 2.0 } else { value });
+        }
+        Start { at, touched: AxisSet::EMPTY }
+    }
+
+    /// Takes over positions for axes that have none.
+    pub fn complete(&mut self, axis: Axis, value: f64) {
+        if self.at.get(axis).is_none() {
+            self.at.set(axis, value);
+        }
+    }
+
+    /// Where the axes stand that were not touched, in mm (X: radius) and degrees.
+    pub fn position(&self) -> Pos {
+        self.at
+    }
+
+    /// These axes do not stand at the start any more.
+    #[inline]
+    pub fn touch(&mut self, axes: AxisSet) {
+        self.touched = self.touched.union(axes);
+        if !self.at.known().is_empty() {
+            for axis in axes.iter() {
+                self.at.forget(axis);
+            }
+        }
+    }
+
+    /// What to do where the position of an axis is not known: `usual`, and the key where it would say it.
+    pub fn help(&self, axis: Axis, usual: &str) -> String {
+        if self.touched.contains(axis) {
+            return usual.to_owned();
+        }
+        let letter = axis.letter();
+        format!("{usual}, or say in partc.toml where {letter} stands before the program: `[start]` with `{letter} = …`")
+    }
+}
