@@ -1,6 +1,6 @@
 //! Turns the tree of a `partc.toml` into [`Settings`]. Every key is in [`SECTIONS`]; others are errors.
 
-use super::keys::{SECTIONS, Section, TOOL_KEYS};
+use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
 use super::mtc200::{Centres, G52, InchSpeed, Reading, ShiftedIncrement};
 use super::settings::*;
 use super::tools::{Corner, Tool};
@@ -135,6 +135,10 @@ impl Reader {
                     s.include.roots.insert(prefix.clone(), folder.into());
                 }
             }
+            ("programs", _) => {
+                let stand_in = self.stand_in(table_of(node), node)?;
+                self.settings.programs.insert(name.to_ascii_uppercase(), stand_in);
+            }
             ("undercut", _) => s.undercut.set(name, node)?,
             ("start", _) => {
                 let value =
@@ -242,6 +246,7 @@ impl Reader {
             "md10760" => control.siemens.machine_moves_without_tool = flag(node),
             "md30455" => control.siemens.modulo_shortest = text(node) == "shortest",
             "arc_chamfers" => control.siemens.arc_chamfers = text(node) == "bisector",
+            "g40_without_motion" => control.siemens.g40_needs_motion = text(node) == "error",
             "md10617" => control.siemens.save_restores_offset = Some(whole(node) & 1 != 0),
             "cycle86_lift" => control.siemens.cycle86_lift = Some(text(node) == "lift"),
             "thread_flank" => {
@@ -399,6 +404,28 @@ impl Reader {
             _ => return Err(node.fail(format!("`{name}` has no place in [output]"))),
         }
         Ok(())
+    }
+
+    /// `{ tool = 1 }`, `{ ignore = true }` or `{ file = "stubs/TC.SPF" }`
+    fn stand_in(&mut self, table: &Table, at: &Node) -> Result<StandIn, ConfigError> {
+        for (name, node) in table {
+            match PROGRAM_KEYS.iter().find(|key| key.name == name) {
+                Some(key) => fits(key, node)?,
+                None => self.unknown(name, node, PROGRAM_KEYS.iter().map(|key| key.name)),
+            }
+        }
+        let mut entries = table.iter();
+        match (entries.next(), entries.next()) {
+            (Some((name, node)), None) if name == "tool" => match usize::try_from(whole(node)) {
+                Ok(n @ 1..=127) => Ok(StandIn::Tool(n)),
+                _ => Err(node.fail("arguments are counted from 1")),
+            },
+            (Some((name, node)), None) if name == "ignore" && flag(node) => Ok(StandIn::Ignored),
+            (Some((name, node)), None) if name == "file" && !text(node).is_empty() => {
+                Ok(StandIn::File(text(node).to_owned()))
+            }
+            _ => Err(at.fail("a program needs one of `tool = 1`, `ignore = true`, `file = \"…\"`")),
+        }
     }
 
     fn tool(&mut self, table: &Table, at: &Node) -> Result<Tool, ConfigError> {

@@ -82,6 +82,12 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     ),
 ];
 
+pub(super) const PROGRAM_KEYS: &[Key] = &[
+    key("tool", Kind::Whole, "argument that names the tool, from 1: the call changes to it"),
+    key("ignore", Kind::Flag, "the call is left out, with a note"),
+    key("file", Kind::Text, "program that runs instead, beside the program or in an include root"),
+];
+
 /// All of `partc.toml`.
 pub const SECTIONS: &[Section] = &[
     Section {
@@ -302,6 +308,12 @@ pub const SECTIONS: &[Section] = &[
                 "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements",
             )
             .or(r#""refuse""#),
+            key(
+                "g40_without_motion",
+                Kind::Choice(&["warn", "error"]),
+                "SINUMERIK: G40 in front of a move that leaves the plane alone: its offset waits for the next one in the plane, or alarm 10754",
+            )
+            .or(r#""warn""#),
             key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset"),
             key(
                 "cycle86_lift",
@@ -398,6 +410,12 @@ pub const SECTIONS: &[Section] = &[
         doc: "where called programs may come from",
         entry: &[],
         keys: &[key("roots", Kind::Free, "path prefix of the control and folder of this computer")],
+    },
+    Section {
+        name: "programs",
+        doc: "SINUMERIK: programs of the machine builder that are called and found nowhere: TC = { tool = 1 }",
+        entry: PROGRAM_KEYS,
+        keys: &[],
     },
     Section {
         name: "undercut",

@@ -18,7 +18,7 @@ pub use axis::{Axis, AxisSet};
 pub use settings::{
     ArcChoice, AxisUse, CcMissing, Compensation, Control, CpSign, Generation, LONGEST_AXIS_NAME, Limits, Machine,
     MachineKind, Modulo, OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings,
-    ShiftAxes, Unit,
+    ShiftAxes, StandIn, Unit,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -17,6 +17,8 @@ pub struct Settings {
     pub datums: Datums,
     pub include: Include,
     pub undercut: Undercuts,
+    /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
+    pub programs: BTreeMap<String, StandIn>,
     /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins
     /// under diameter programming: the diameter) and degrees.
     pub start: BTreeMap<Axis, f64>,
@@ -32,6 +34,17 @@ pub enum MachineKind {
     #[default]
     Mill,
     Lathe,
+}
+
+/// What stands for a program that is found nowhere.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum StandIn {
+    /// It changes to the tool that this argument names, counted from 1.
+    Tool(usize),
+    /// Nothing that is printed.
+    Ignored,
+    /// Another program.
+    File(String),
 }
 
 /// What the name of a channel axis stands for.
@@ -312,6 +325,8 @@ pub struct Siemens {
     pub tool_change_by_t: Option<bool>,
     /// Bit 0 of MD 10617: SAVE brings back the frame that the work offset had at the call.
     pub save_restores_offset: Option<bool>,
+    /// G40 in front of a move that leaves the plane alone is refused, as alarm 10754 has it.
+    pub g40_needs_motion: bool,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
     /// Feed at the start of a program is per revolution (MD 20150).
@@ -347,6 +362,7 @@ impl Default for Siemens {
             circle_error_factor: 0.001,
             tool_change_by_t: None,
             save_restores_offset: None,
+            g40_needs_motion: false,
             main_variables_visible: false,
             feed_per_revolution: None,
             machine_moves_without_tool: false,

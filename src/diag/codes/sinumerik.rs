@@ -474,6 +474,14 @@ S8133 Warning "siemens-thread-shifted" "start of a thread is shifted"
 "SF= begins a thread at an angle of the spindle, which the target cannot. It begins farther back by lead · angle / 360 instead and is the same thread from the \
 programmed start on. The tool goes to that place at rapid traverse: see that no shoulder and no tailstock stands there."
 
+S8134 Warning "siemens-g40-waits" "G40 without a move in the plane"
+"The manuals want G40 in a block that moves in the working plane (alarm 10754); programs that ran have it in front of a retraction along the tool. The offset stays \
+through such moves and is taken off in the next G0 or G1 with an axis of the plane, an arc there is refused. `[control] g40_without_motion = \"error\"` refuses it at once."
+
+S8135 Note "siemens-stand-in" "program that `[programs]` stands for"
+"The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; whatever else the program does on \
+the machine is not in the output. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 

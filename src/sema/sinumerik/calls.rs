@@ -3,6 +3,7 @@
 //! Source: reference section 5.6.
 
 use crate::diag::{CallPath, Diagnostic, codes};
+use crate::machine::StandIn;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::exec::open_program;
@@ -191,7 +192,18 @@ impl Run<'_> {
             return Ok(unit);
         }
         let loc = self.loc(span);
-        let wanted = if name.contains(['/', '\\']) { file_name(name) } else { plain.clone() };
+        let stand_in = match self.job.settings.programs.get(without_extension(&plain)) {
+            Some(StandIn::File(file)) if !self.own_program(without_extension(&plain)) => Some(file.clone()),
+            _ => None,
+        };
+        let name = stand_in.as_deref().unwrap_or(name);
+        let wanted = if stand_in.is_some() {
+            name.to_owned()
+        } else if name.contains(['/', '\\']) {
+            file_name(name)
+        } else {
+            plain.clone()
+        };
         let request = Request { from: &self.job.sources.identity(loc.file), name: &wanted, extensions: EXTENSIONS };
         if let Err(FileError::NotFound { tried, similar }) = self.job.files.open(&request) {
             let like = similar.first().cloned();

@@ -37,6 +37,7 @@ mod report;
 mod rotary;
 mod special;
 mod spindle;
+mod stand_in;
 mod state;
 mod stored;
 mod stored_difference;
@@ -58,6 +59,7 @@ use std::rc::Rc;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::{CallPath, Diagnostic, codes};
+use crate::ir::Side;
 use crate::ir::contour::Sink;
 use crate::ir::function::Turn;
 use crate::machine::{Axis, Proposed};
@@ -182,6 +184,9 @@ struct Run<'a> {
     thread_chain: Option<threads::ThreadChain>,
     axis_feed: BTreeMap<Axis, f64>,
     compensation_starts: bool,
+    /// The side that G40 ended, and whether its offset still waits for a move in the plane.
+    leaving: Side,
+    leaving_open: bool,
     /// G41 or G42 of the block, until its D is known.
     cutter_open: Option<Span>,
     /// A corner that waits for its second line, and the blocks since.
@@ -253,6 +258,8 @@ impl<'a> Run<'a> {
             thread_chain: None,
             axis_feed: BTreeMap::new(),
             compensation_starts: false,
+            leaving: Side::None,
+            leaving_open: false,
             cutter_open: None,
             corner_open: None,
             cut_speed_open: None,

@@ -29,7 +29,7 @@ impl Run<'_> {
             self.note_stored(end, &path);
         }
         self.note_heading(end, &path);
-        let mv = Move { end: end_point, path, feed, side: self.st.side(), coords: Coords::Frame };
+        let mv = Move { end: end_point, path, feed, side: self.side_of_move(), coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);
     }

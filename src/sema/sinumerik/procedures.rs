@@ -152,6 +152,9 @@ impl Run<'_> {
             None => Vec::new(),
         };
         self.pending_must_be_done(span)?;
+        if let Some(done) = self.stand_in(name, span, &arguments, passes) {
+            return done;
+        }
         let result = self.find_program(name, span);
         let unit = match result {
             Ok(unit) => unit,

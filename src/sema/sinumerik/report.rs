@@ -116,6 +116,9 @@ impl Run<'_> {
         if self.capture.is_some() && self.function_in_contour(&function) {
             return;
         }
+        if self.leaving_open && self.leaves_in_front_of(&function).is_err() {
+            return;
+        }
         if self.pending.is_some() && self.held_back(&function) {
             return;
         }

@@ -150,7 +150,13 @@ impl Run<'_> {
         } else {
             self.cutter_open = None;
         }
-        self.compensation_starts = code.index != self.st.groups[7];
+        if code != Code::G40 && self.leaving_open {
+            return self.g40_had_no_move(span, "G41 or G42 stands behind a G40 that has had no move in the plane yet");
+        }
+        if code == Code::G40 && self.st.side() != Side::None {
+            self.leaving = self.st.side();
+        }
+        self.compensation_starts = code.index != self.st.groups[7] || self.leaving_open;
         self.st.groups[7] = code.index;
         Ok(())
     }
@@ -245,19 +251,50 @@ impl Run<'_> {
 
     /// Compensation starts and ends on a straight line.
     pub(super) fn check_start_of_compensation(&mut self, code: Code, in_plane: bool, span: Span) -> Outcome {
-        if std::mem::take(&mut self.compensation_starts) && !(matches!(code, Code::G0 | Code::G1) && in_plane) {
-            let on = self.st.side() != Side::None;
-            let alarm = if on { 10753 } else { 10754 };
-            let what = if in_plane { "on an arc" } else { "without a move in the plane" };
-            let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
-            return self.fail_help(
-                codes::S2080,
-                alarm,
-                span,
-                message,
-                "program G41, G42 or G40 with G0 or G1 and an axis of the plane",
-            );
+        if !self.compensation_starts {
+            return Ok(());
         }
-        Ok(())
+        let on = self.st.side() != Side::None;
+        let line = matches!(code, Code::G0 | Code::G1);
+        if !on && line && !in_plane && !self.job.settings.control.siemens.g40_needs_motion {
+            // The plane position does not change, so the offset can wait for the next move in the plane.
+            self.leaving_open = true;
+            if self.job.diags.first_time(codes::S8134) {
+                let message = "G40 stands in front of a move that leaves the plane alone: the offset is taken off in the next move in the plane";
+                let found = Diagnostic::new(codes::S8134, self.loc(span), message);
+                self.report(found.help("program G40 with a move in the plane; some controls show alarm 10754 here"));
+            }
+            return Ok(());
+        }
+        (self.compensation_starts, self.leaving_open) = (false, false);
+        if line && in_plane {
+            return Ok(());
+        }
+        let alarm = if on { 10753 } else { 10754 };
+        let what = if in_plane { "on an arc" } else { "without a move in the plane" };
+        let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
+        let help = "program G41, G42 or G40 with G0 or G1 and an axis of the plane";
+        self.fail_help(codes::S2080, alarm, span, message, help)
+    }
+
+    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
+    #[inline]
+    pub(super) fn side_of_move(&self) -> Side {
+        if self.leaving_open { self.leaving } else { self.st.side() }
+    }
+
+    /// What ends the compensation on the target while the tool still stands beside the contour: its next move would go
+    /// over the contour.
+    pub(super) fn leaves_in_front_of(&mut self, function: &Function) -> Outcome {
+        let ends = matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_));
+        if !ends || !self.leaving_open {
+            return Ok(());
+        }
+        self.leaving_open = false;
+        self.g40_had_no_move(Span::default(), "G40 has had no move in the plane in front of this block")
+    }
+
+    fn g40_had_no_move<T>(&self, span: Span, message: &str) -> Outcome<T> {
+        self.fail_help(codes::S2080, 10754, span, message, "program G40 with G0 or G1 and an axis of the plane")
     }
 }
