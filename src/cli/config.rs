@@ -1,13 +1,15 @@
 //! Finds and reads `partc.toml` and the tool table.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::machine::settings::{Compensation, Settings};
 use crate::machine::tree::{Node, Spot, Table, Value, overlay, parse};
 use crate::machine::{config, schema, show, tools};
+use crate::text::decode::escaped_json;
 
 use super::args::{Common, Config, Format};
+use super::disk::read_settings;
 use super::report::print;
 use super::{Exit, Trouble};
 
@@ -44,7 +46,8 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
         Format::Json => format!("{}\n", show::json(&tree)),
         Format::Human | Format::Concise => show::toml(&tree),
     };
-    print(text.as_bytes())
+    // Escapes of JSON are those of TOML, too.
+    print(escaped_json(&text).as_bytes())
 }
 
 /// The configuration file for `input`, with what it extends; empty where there is none.
@@ -54,7 +57,42 @@ fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
         None if common.isolated => None,
         None => nearest(input),
     };
-    file.map_or_else(|| Ok(Table::new()), |file| load(&file, 0))
+    let Some(file) = file else { return Ok(Table::new()) };
+    // What nobody named may come from anywhere, with a folder of programs that was downloaded.
+    let trust = if common.config.is_some() { Trust::Named } else { Trust::Found };
+    load(&file, trust, 0)
+}
+
+/// How a configuration came into force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Trust {
+    /// By `--config`.
+    Named,
+    /// It lies at or above the program: it opens nothing outside its own folder.
+    Found,
+}
+
+/// Does `path` lie in `folder`, links followed? What does not exist is judged by its name.
+fn is_below(path: &Path, folder: &Path) -> bool {
+    let Ok(folder) = fs::canonicalize(if folder.as_os_str().is_empty() { Path::new(".") } else { folder }) else {
+        return false;
+    };
+    // Up to the part that exists; `..` behind it would lead anywhere.
+    let existing =
+        path.ancestors().find_map(|part| Some((fs::canonicalize(part).ok()?, path.strip_prefix(part).ok()?)));
+    existing.is_some_and(|(real, rest)| {
+        real.starts_with(&folder) && !rest.components().any(|part| part == Component::ParentDir)
+    })
+}
+
+/// May a configuration that was found by itself extend `other`? A `partc.toml` in a folder above would have been found
+/// by itself without the nearer one.
+fn may_extend(other: &Path, folder: &Path) -> bool {
+    let found = || -> Option<bool> {
+        let (real, folder) = (fs::canonicalize(other).ok()?, fs::canonicalize(folder).ok()?);
+        Some(real.file_name()? == NAME && folder.starts_with(real.parent()?))
+    };
+    is_below(other, folder) || found().unwrap_or(false)
 }
 
 /// The settings that hold for `input`.
@@ -85,22 +123,48 @@ fn nearest(input: &Path) -> Option<PathBuf> {
 }
 
 /// Reads a file and what it extends.
-fn load(file: &Path, depth: usize) -> Result<Table, Trouble> {
+fn load(file: &Path, trust: Trust, depth: usize) -> Result<Table, Trouble> {
     let shown = file.display();
     if depth > MOST_EXTENDS {
         return Err(format!("{shown}: `extend` goes in circles"));
     }
-    let text = fs::read_to_string(file).map_err(|error| format!("{shown}: {error}"))?;
+    let bytes = read_settings(file).map_err(|error| format!("{shown}: {error}"))?;
+    let text = String::from_utf8(bytes).map_err(|_| format!("{shown}: is not UTF-8 text"))?;
     let mut tree = parse(&text, &shown.to_string()).map_err(|error| error.to_string())?;
     let folder = file.parent().unwrap_or(Path::new("."));
     make_absolute(&mut tree, folder);
+    if trust == Trust::Found {
+        roots_stay_below(&tree, folder)?;
+    }
     let Some(node) = tree.remove("extend") else { return Ok(tree) };
     let Value::Text(other) = &node.value else {
         return Err(node.fail("`extend` names a file").to_string());
     };
-    let mut base = load(&folder.join(other), depth + 1)?;
+    let other = folder.join(other);
+    if trust == Trust::Found && other.exists() && !may_extend(&other, folder) {
+        return Err(node.fail(format!("`extend` {LEADS_OUT}")).to_string());
+    }
+    let mut base = load(&other, trust, depth + 1)?;
     overlay(&mut base, tree);
     Ok(base)
+}
+
+/// Why a path of a configuration is not used.
+const LEADS_OUT: &str = "leads out of the folder of this configuration, which was found by itself; to allow it, name the configuration \
+with --config";
+
+/// The include roots of a configuration that nobody named.
+fn roots_stay_below(tree: &Table, folder: &Path) -> Result<(), Trouble> {
+    let Some(Value::Table(include)) = tree.get("include").map(|node| &node.value) else { return Ok(()) };
+    let Some(Value::Table(roots)) = include.get("roots").map(|node| &node.value) else { return Ok(()) };
+    for node in roots.values() {
+        if let Value::Text(root) = &node.value
+            && !is_below(Path::new(root), folder)
+        {
+            return Err(node.fail(format!("this root {LEADS_OUT}")).to_string());
+        }
+    }
+    Ok(())
 }
 
 /// Paths in a configuration file count from its own folder.
@@ -135,7 +199,7 @@ fn table_path(tree: &Table, common: &Common) -> Option<PathBuf> {
 
 /// Reads a tool table; tools of the configuration file win over it.
 fn read_tools(path: &Path, settings: &mut Settings) -> Result<(), Trouble> {
-    let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let bytes = read_settings(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let text = String::from_utf8(bytes).unwrap_or_else(|error| crate::text::decode::readable_lines(error.as_bytes()));
     let table =
         tools::read_table(&text).map_err(|error| format!("{}:{}: {}", path.display(), error.line, error.message))?;

@@ -10,6 +10,10 @@ use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
 /// Longest name of a called program.
 const LONGEST_NAME: usize = 255;
+/// Most bytes that are taken from a pipe or from standard input: they are held in memory.
+const LARGEST_STREAM: u64 = 256 << 20;
+/// Most bytes of a configuration or a tool table.
+const LARGEST_SETTINGS: u64 = 16 << 20;
 /// Names that Windows gives to devices.
 const DEVICES: &[&str] = &["CON", "PRN", "AUX", "NUL", "CLOCK$", "CONIN$", "CONOUT$"];
 
@@ -52,28 +56,69 @@ impl ReadAt for OnDisk {
     }
 }
 
-/// A main program: a file, or standard input.
+/// A main program: an ordinary file, a pipe, or standard input.
 pub(super) fn open_main(path: &Path, stdin_name: Option<&Path>) -> io::Result<Opened> {
     if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        io::stdin().lock().read_to_end(&mut bytes)?;
+        let bytes = read_stream(io::stdin().lock(), LARGEST_STREAM)?;
         let name = stdin_name.map_or_else(|| "stdin".to_owned(), |name| name.to_string_lossy().into_owned());
         // The file of this name is the program, too, when it calls itself.
         let identity = stdin_name.and_then(|name| fs::canonicalize(name).ok());
         let identity = identity.map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
         return Ok(Opened { name, identity, text: Box::new(Memory::new(bytes)) });
     }
-    let identity = fs::canonicalize(path)?.to_string_lossy().into_owned();
+    let name = path.to_string_lossy().into_owned();
     let meta = fs::metadata(path)?;
-    // A pipe can be read once only.
-    let text: Box<dyn ReadAt> = if meta.is_file() {
-        Box::new(OnDisk::open(path)?)
-    } else if meta.is_dir() {
+    if meta.is_file() {
+        let identity = fs::canonicalize(path)?.to_string_lossy().into_owned();
+        return Ok(Opened { name, identity, text: Box::new(OnDisk::open(path)?) });
+    }
+    if meta.is_dir() {
         return Err(io::Error::other("is a folder"));
-    } else {
-        Box::new(Memory::new(fs::read(path)?))
-    };
-    Ok(Opened { name: path.to_string_lossy().into_owned(), identity, text })
+    }
+    if !is_pipe(&meta) {
+        return Err(io::Error::other("is a device; a program comes from an ordinary file, a pipe or `-`"));
+    }
+    // A pipe can be read once only, and has no place among the folders: no program calls it again.
+    let bytes = read_stream(File::open(path)?, LARGEST_STREAM)?;
+    Ok(Opened { identity: name.clone(), name, text: Box::new(Memory::new(bytes)) })
+}
+
+#[cfg(unix)]
+fn is_pipe(meta: &fs::Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    meta.file_type().is_fifo()
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &fs::Metadata) -> bool {
+    false
+}
+
+/// Everything that comes, up to a bound: what never ends must not fill the memory.
+fn read_stream(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        let most = most >> 20;
+        return Err(io::Error::other(format!("more than {most} MiB come through a pipe; save the program as a file")));
+    }
+    Ok(bytes)
+}
+
+/// A configuration or a tool table.
+pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
+    let meta = fs::metadata(path)?;
+    if meta.is_dir() {
+        return Err(io::Error::other("is a folder"));
+    }
+    if !meta.is_file() && !is_pipe(&meta) {
+        return Err(io::Error::other("is a device"));
+    }
+    let bytes = read_stream(File::open(path)?.take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
+    if bytes.len() as u64 > LARGEST_SETTINGS {
+        return Err(io::Error::other(format!("is over {} MiB, which no table is", LARGEST_SETTINGS >> 20)));
+    }
+    Ok(bytes)
 }
 
 /// The last part of a path.
@@ -317,6 +362,12 @@ mod tests {
             assert!(parts_of(name).is_err(), "{name:?}");
         }
         assert_eq!(parts_of("sub/./A.H").unwrap(), ["sub", "A.H"]);
+    }
+
+    #[test]
+    fn streams_have_a_bound() {
+        assert_eq!(read_stream(&b"abc"[..], 3).unwrap(), b"abc");
+        assert!(read_stream(io::repeat(0), 1 << 20).unwrap_err().to_string().contains("more than 1 MiB"));
     }
 
     #[test]

@@ -9,6 +9,7 @@ use similar::TextDiff;
 
 use crate::emit::reread::Change;
 use crate::emit::{Output as _, targets};
+use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Format, Test};
 use super::disk::walk;
@@ -158,7 +159,7 @@ impl Run<'_> {
             text += &text_difference(golden, before, now);
             text += &change.text();
         }
-        print(text.as_bytes()).map(drop)
+        print(harmless_lines(&text).as_bytes()).map(drop)
     }
 
     fn finish(self) -> std::result::Result<Exit, Trouble> {
@@ -176,7 +177,7 @@ impl Run<'_> {
                 .collect();
             let report =
                 json!({ "version": 1, "cases": cases, "failed": failed, "troubles": self.reporter.troubles() });
-            print(format!("{report}\n").as_bytes())?;
+            print(escaped_json(&format!("{report}\n")).as_bytes())?;
         } else if !self.args.common.quiet {
             let mut parts = vec![format!("{same} same")];
             for (n, what) in [

@@ -5,6 +5,7 @@ mod config;
 mod disk;
 mod golden;
 mod output;
+mod pending;
 mod plot;
 mod report;
 mod run;
@@ -14,6 +15,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use clap::Parser as _;
+
+use crate::text::decode::harmless_lines;
 
 use args::{Args, Command};
 
@@ -38,7 +41,13 @@ pub fn main() -> ExitCode {
     let args = match Args::try_parse() {
         Ok(args) => args,
         Err(error) => {
-            let _ = error.print();
+            // The text quotes arguments; colours only where it brings nothing else along.
+            let plain = error.render().to_string();
+            if harmless_lines(&plain) == plain {
+                let _ = error.print();
+            } else {
+                say(plain.trim_end());
+            }
             return ExitCode::from(if error.use_stderr() { Exit::Usage as u8 } else { Exit::Clean as u8 });
         }
     };
@@ -57,9 +66,9 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit as u8)
 }
 
-/// A line on stderr. Nobody listening there is no reason to stop.
+/// A line on stderr. Names of files in it do nothing to a terminal; nobody listening there is no reason to stop.
 fn say(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{line}");
+    let _ = writeln!(std::io::stderr(), "{}", harmless_lines(line));
 }
 
 fn dispatch(args: &Args) -> Result<Exit, Trouble> {

@@ -1,4 +1,4 @@
-//! Writing results: into a temporary file that is renamed when all is well, or not at all.
+//! Writing results: when all is well, or not at all.
 
 use std::fs::{self, File};
 use std::io::{self, IsTerminal, Read, Seek, SeekFrom, Write};
@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::emit::{Output, plot};
+
+use super::pending::{self, Pending, behind_links};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
 const IN_MEMORY: usize = 8 << 20;
@@ -17,60 +19,6 @@ pub(super) const MAP_MARK: &str = "{\"version\":1,\"output\":";
 const STALE_NAMES: u32 = 1000;
 /// Work shorter than this shows no progress.
 const QUIET: Duration = Duration::from_secs(1);
-
-/// A file that appears under its name only when it is complete.
-#[derive(Debug)]
-pub(super) struct Pending {
-    file: Option<File>,
-    temporary: PathBuf,
-    target: PathBuf,
-}
-
-impl Pending {
-    /// Starts a file that will be `target`.
-    pub(super) fn create(target: &Path) -> io::Result<Pending> {
-        let folder = target.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let name = super::disk::file_name(target);
-        for attempt in 0..100 {
-            let temporary = folder.join(format!(".{name}.{}-{attempt}.tmp", std::process::id()));
-            match File::options().read(true).write(true).create_new(true).open(&temporary) {
-                Ok(file) => return Ok(Pending { file: Some(file), temporary, target: target.to_path_buf() }),
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(error),
-            }
-        }
-        Err(io::Error::other("no name is left for a temporary file"))
-    }
-
-    fn file(&mut self) -> io::Result<&mut File> {
-        self.file.as_mut().ok_or_else(|| io::Error::other("the file is closed"))
-    }
-
-    /// Gives the file its name.
-    pub(super) fn commit(mut self) -> io::Result<()> {
-        if let Some(file) = self.file.take() {
-            file.sync_all()?;
-        }
-        fs::rename(&self.temporary, &self.target)
-    }
-}
-
-impl Drop for Pending {
-    fn drop(&mut self) {
-        // After a rename there is nothing to remove.
-        let _ = fs::remove_file(&self.temporary);
-    }
-}
-
-impl Write for Pending {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file()?.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file()?.flush()
-    }
-}
 
 /// Where a program goes.
 #[derive(Debug)]
@@ -95,10 +43,7 @@ pub(super) struct Held {
 impl Held {
     fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.file.is_none() && self.memory.len() + bytes.len() > IN_MEMORY {
-            let path = std::env::temp_dir().join(format!("partc-{}.tmp", std::process::id()));
-            let mut file = File::options().read(true).write(true).create_new(true).open(&path)?;
-            // Open but without a name: it goes when the process goes.
-            let _ = fs::remove_file(&path);
+            let mut file = pending::scratch()?;
             file.write_all(&self.memory)?;
             self.memory = Vec::new();
             self.file = Some(file);
@@ -185,7 +130,7 @@ impl Output for Destination {
     fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()> {
         match self {
             Destination::File(pending) => {
-                let file = pending.file()?;
+                let file = pending.file();
                 file.seek(SeekFrom::Start(at))?;
                 file.write_all(bytes)?;
                 file.seek(SeekFrom::End(0)).map(drop)
@@ -275,6 +220,7 @@ fn begins(head: &[u8], made: Made) -> bool {
 
 /// An older output must not look like the result of a program that now has errors.
 pub(super) fn set_aside(path: &Path, made: Made) -> io::Result<Option<PathBuf>> {
+    let path = &behind_links(path)?;
     let regular = fs::symlink_metadata(path).is_ok_and(|meta| meta.is_file() && meta.len() > 0);
     if !regular || is_foreign(path, made) {
         return Ok(None);

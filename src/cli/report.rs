@@ -67,7 +67,7 @@ impl Reporter {
             let _ = writeln!(out, "{text}");
         }
         if dropped > 0 && (errors > 0 || !self.quiet) {
-            let name = sources.name(crate::text::FileId(0));
+            let name = sources.shown(crate::text::FileId(0));
             let _ = writeln!(out, "{name}: {} not shown", counted(dropped, "more finding is", "more findings are"));
         }
         errors > 0

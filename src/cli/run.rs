@@ -12,6 +12,7 @@ use crate::driver::Session;
 use crate::emit::{LineMap, targets};
 use crate::ir::Origin;
 use crate::machine::Settings;
+use crate::text::decode::escaped_json;
 use crate::text::{FileId, Span};
 
 use super::args::{Check, Common, Compile, Format, Trace};
@@ -273,7 +274,8 @@ impl<'a> SourceMap<'a> {
     fn create(path: &Path, output: &Path, session: &'a Session) -> io::Result<SourceMap<'a>> {
         let mut out = BufWriter::new(Destination::open(path)?);
         let output = json!(file_name(output));
-        write!(out, "{MAP_MARK}{output},\"lines\":[")?;
+        let output = output.to_string();
+        write!(out, "{MAP_MARK}{},\"lines\":[", escaped_json(&output))?;
         Ok(SourceMap { out, session, first: true, error: None })
     }
 
@@ -289,7 +291,7 @@ impl<'a> SourceMap<'a> {
         let comma = if std::mem::take(&mut self.first) { "\n" } else { ",\n" };
         let file = sources.name(origin.loc.file);
         let line = json!({ "line": number, "file": file, "source_line": origin.loc.line, "stack": stack });
-        write!(self.out, "{comma}{line}")
+        write!(self.out, "{comma}{}", escaped_json(&line.to_string()))
     }
 
     fn finish(mut self) -> io::Result<Destination> {

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use crate::text::Sources;
+use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::{Diagnostic, Trail};
 
@@ -13,7 +14,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
     let line = sources.line(found.label.loc);
     let mut text = format!(
         "{}:{}:{}: {}[{}]: {}",
-        sources.name(found.label.loc.file),
+        sources.shown(found.label.loc.file),
         line.number,
         line.column,
         found.code.severity.word(),
@@ -27,9 +28,10 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
         let _ = write!(text, "; {help}");
     }
     if let Some(site) = trail.sites(found.call).first() {
-        let _ = write!(text, " (called from {}:{})", sources.name(site.file), site.line);
+        let _ = write!(text, " (called from {}:{})", sources.shown(site.file), site.line);
     }
-    text
+    // Names of files stand in messages and helps, too.
+    harmless_lines(&text)
 }
 
 /// The findings of several files as one document.
@@ -69,7 +71,7 @@ impl JsonReport {
         if !troubles.is_empty() {
             report["troubles"] = json!(troubles);
         }
-        report.to_string()
+        escaped_json(&report.to_string()).into_owned()
     }
 }
 
@@ -190,7 +192,7 @@ pub mod terminal {
     impl Shown {
         fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
             let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
-            let mut title = found.message.clone();
+            let mut title = harmless_lines(&found.message);
             if found.times > 1 {
                 let _ = write!(title, " ({} times)", found.times);
             }
@@ -207,7 +209,7 @@ pub mod terminal {
                     Severity::Warning => miette::Severity::Warning,
                     Severity::Note => miette::Severity::Advice,
                 },
-                help: found.help.clone(),
+                help: found.help.as_deref().map(harmless_lines),
                 excerpt,
                 label,
                 related,
@@ -230,13 +232,13 @@ pub mod terminal {
 
     fn excerpt(loc: Loc, text: &str, sources: &Sources) -> (Excerpt, LabeledSpan) {
         let line = sources.line(loc);
-        let label = (!text.is_empty()).then(|| text.to_owned());
+        let label = (!text.is_empty()).then(|| harmless_lines(text));
         let (start, end) = line.marked;
         let span = LabeledSpan::new(label, start, end.saturating_sub(start).max(1));
         // A blank more, so that a mark at the end of the line has something under it.
         let text = if start < line.text.len() { line.text } else { format!("{} ", line.text) };
         let (number, column) = (line.number as usize, line.column as usize);
-        (Excerpt { name: sources.name(loc.file), text, number, column }, span)
+        (Excerpt { name: sources.shown(loc.file), text, number, column }, span)
     }
 
     impl std::fmt::Display for Shown {

@@ -10,6 +10,7 @@ use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::axis::Axis;
 use crate::text::Sources;
+use crate::text::decode::escaped_json;
 
 /// Writes moves to `out`.
 pub struct Trace<'a> {
@@ -91,7 +92,7 @@ impl<'a> Trace<'a> {
 
     fn write(&mut self, line: &Value) {
         if self.error.is_none()
-            && let Err(error) = writeln!(self.out, "{line}")
+            && let Err(error) = writeln!(self.out, "{}", escaped_json(&line.to_string()))
         {
             self.error = Some(error);
         }

@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::contour::Sink;
 use crate::text::blocks::{OpenError, Place};
+use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
 use crate::text::{Cursor, FileError, FileId, Loc, Next, Request, Span, SplitRules};
 
 use super::Job;
@@ -268,7 +269,7 @@ pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) ->
         Ok(cursor) => return Some(cursor),
         Err(error) => error,
     };
-    let name = job.sources.name(file);
+    let name = job.sources.shown(file);
     let found = match error {
         OpenError::Utf16 => Diagnostic::new(codes::P0001, from, format!("`{name}` is a UTF-16 file"))
             .help("save it as UTF-8 or Windows-1252"),
@@ -286,9 +287,9 @@ pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, c
     let caller = job.sources.identity(from.file);
     let error = match job.files.open(&Request { from: &caller, name, extensions }) {
         Ok(opened) => match job.sources.add(opened) {
-            Some(id) => return Some(id),
-            None => {
-                job.diags.push(Diagnostic::new(codes::P0106, from, "too many programs are called").called(call));
+            Ok(id) => return Some(id),
+            Err(too_much) => {
+                job.diags.push(refused(too_much, name, from).called(call));
                 return None;
             }
         },
@@ -319,6 +320,25 @@ pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, c
     };
     job.diags.push(found.called(call));
     None
+}
+
+/// The finding for a called file that is not taken.
+pub fn refused(too_much: TooMuch, name: &str, from: Loc) -> Diagnostic {
+    let mib = |bytes: u64| bytes.div_ceil(1 << 20);
+    match too_much {
+        TooMuch::Files => Diagnostic::new(codes::P0106, from, "too many programs are called"),
+        TooMuch::Bytes(size) => {
+            let (size, most) = (mib(size), mib(MAX_CALLED));
+            let message =
+                format!("called program `{name}` has {size} MiB, more than the {most} MiB of one called file");
+            Diagnostic::new(codes::P0120, from, message).help("compile it as a main program, or split it")
+        }
+        TooMuch::AllBytes(all) => {
+            let (all, most) = (mib(all), mib(MAX_ALL_CALLED));
+            let message = format!("with `{name}` the called programs have {all} MiB, more than {most} MiB together");
+            Diagnostic::new(codes::P0121, from, message).help("compile the large ones as main programs")
+        }
+    }
 }
 
 /// A place to go on at: file by number in the executor, and the block.

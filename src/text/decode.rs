@@ -2,16 +2,52 @@
 
 use std::borrow::Cow;
 
-/// `bytes` as readable text. Control characters become blanks.
+/// Characters that show nothing and change how the text around them is shown: colours, the cursor, the direction.
+fn is_active(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+}
+
+/// `text` without active characters: blanks stand in their places.
+pub fn harmless(text: &str) -> Cow<'_, str> {
+    if text.chars().any(is_active) {
+        Cow::Owned(text.chars().map(|c| if is_active(c) { ' ' } else { c }).collect())
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
+/// Lines without active characters.
+pub fn harmless_lines(text: &str) -> String {
+    text.split('\n').map(harmless).collect::<Vec<_>>().join("\n")
+}
+
+/// A JSON text in which active characters are escaped; they stand in strings only.
+pub fn escaped_json(text: &str) -> Cow<'_, str> {
+    let active = |c: char| c != '\n' && is_active(c);
+    if !text.contains(active) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len() + 32);
+    for c in text.chars() {
+        if active(c) {
+            out.push_str(&format!("\\u{:04x}", u32::from(c)));
+        } else {
+            out.push(c);
+        }
+    }
+    Cow::Owned(out)
+}
+
+/// `bytes` as readable text. Control characters, and those that turn the direction of the text, become blanks.
 pub fn readable(bytes: &[u8]) -> Cow<'_, str> {
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
         Err(_) => encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0,
     };
-    if text.chars().any(char::is_control) {
-        Cow::Owned(text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect())
-    } else {
-        text
+    match harmless(&text) {
+        Cow::Owned(text) => Cow::Owned(text),
+        Cow::Borrowed(_) => text,
     }
 }
 
@@ -104,6 +140,14 @@ mod tests {
         assert_eq!(readable(b"Vorfr\xe4sen"), "Vorfräsen");
         assert_eq!(char_count(b"Vorfr\xe4sen"), 9);
         assert_eq!(char_count("Vorfräsen".as_bytes()), 9);
+    }
+
+    #[test]
+    fn active_characters_are_taken_out() {
+        assert_eq!(readable("a\u{1b}[31m\u{202e}b\u{2066}\u{200f}c\u{2028}d".as_bytes()), "a [31m b  c d");
+        assert_eq!(harmless("Größe µ Ø"), "Größe µ Ø");
+        assert_eq!(harmless_lines("a\tb\nc\rd"), "a b\nc d");
+        assert_eq!(escaped_json("{\"a\":\"x\u{202e}y\u{9b}\"}\n"), "{\"a\":\"x\\u202ey\\u009b\"}\n");
     }
 
     #[test]

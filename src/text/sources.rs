@@ -15,6 +15,22 @@ pub struct FileId(pub u16);
 /// Most files one run may open.
 pub const MAX_FILES: usize = 1000;
 
+/// Most bytes of one called file. A jump reads its file whole.
+pub const MAX_CALLED: u64 = 256 << 20;
+/// Most bytes of all called files together.
+pub const MAX_ALL_CALLED: u64 = 1 << 30;
+
+/// Why a file is not taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TooMuch {
+    /// More than [`MAX_FILES`].
+    Files,
+    /// A called file of so many bytes, over [`MAX_CALLED`].
+    Bytes(u64),
+    /// So many bytes with all files that were called before, over [`MAX_ALL_CALLED`].
+    AllBytes(u64),
+}
+
 /// Bytes shown of one line; longer lines are cut around the place of interest.
 const SHOWN: usize = 512;
 /// Bytes searched backwards for the start of a line.
@@ -61,19 +77,34 @@ pub struct Line {
 }
 
 impl Sources {
-    /// Adds a file, or finds it again by its identity. `None` when there are too many.
-    pub fn add(&self, opened: Opened) -> Option<FileId> {
+    /// Adds a file, or finds it again by its identity. Its size is looked at before a byte of it is read.
+    ///
+    /// # Errors
+    /// There are too many files, or it is a called one that is too large.
+    pub fn add(&self, opened: Opened) -> Result<FileId, TooMuch> {
         let mut files = self.files.borrow_mut();
-        if let Some(at) = files.iter().position(|file| file.identity == opened.identity) {
-            return u16::try_from(at).ok().map(FileId);
+        let known = files.iter().position(|file| file.identity == opened.identity);
+        let id = u16::try_from(known.unwrap_or(files.len())).map_err(|_| TooMuch::Files)?;
+        if known.is_some() {
+            return Ok(FileId(id));
         }
         if files.len() >= MAX_FILES {
-            return None;
+            return Err(TooMuch::Files);
         }
-        let id = u16::try_from(files.len()).ok().map(FileId);
+        // The first file is the main program, which is read through a window as long as it does not jump.
+        if !files.is_empty() {
+            let size = opened.text.len();
+            let all = files.iter().skip(1).map(|file| file.text.len()).fold(size, u64::saturating_add);
+            if size > MAX_CALLED {
+                return Err(TooMuch::Bytes(size));
+            }
+            if all > MAX_ALL_CALLED {
+                return Err(TooMuch::AllBytes(all));
+            }
+        }
         let Opened { name, identity, text } = opened;
         files.push(File { name, identity, text, rules: None, line_end: None });
-        id
+        Ok(FileId(id))
     }
 
     pub fn len(&self) -> usize {
@@ -92,6 +123,11 @@ impl Sources {
     /// What tells a file from every other one.
     pub fn identity(&self, id: FileId) -> String {
         self.files.borrow().get(id.0 as usize).map(|file| file.identity.clone()).unwrap_or_default()
+    }
+
+    /// Name of a file for a terminal: nothing in it moves the cursor or turns the text around.
+    pub fn shown(&self, id: FileId) -> String {
+        decode::harmless(&self.name(id)).into_owned()
     }
 
     /// Length of a file in bytes.
@@ -277,10 +313,39 @@ mod tests {
         assert_eq!(number("X+1 ;"), None);
     }
 
+    /// A file that only has a size.
+    struct Sparse(u64);
+
+    impl ReadAt for Sparse {
+        fn len(&self) -> u64 {
+            self.0
+        }
+
+        fn read_at(&mut self, _: u64, _: &mut [u8]) -> std::io::Result<usize> {
+            panic!("nothing of it is read");
+        }
+    }
+
+    #[test]
+    fn called_files_are_limited_by_size_one_by_one_and_together() {
+        let sources = Sources::default();
+        let add = |name: &str, size: u64| {
+            sources.add(Opened { name: name.into(), identity: name.into(), text: Box::new(Sparse(size)) })
+        };
+        assert_eq!(add("main", 3 << 30), Ok(FileId(0)));
+        assert_eq!(add("a", MAX_CALLED + 1), Err(TooMuch::Bytes(MAX_CALLED + 1)));
+        for (n, name) in ["a", "b", "c", "d"].into_iter().enumerate() {
+            assert_eq!(add(name, MAX_CALLED), Ok(FileId(n as u16 + 1)));
+        }
+        assert_eq!(add("e", 1), Err(TooMuch::AllBytes(MAX_ALL_CALLED + 1)));
+        // What is there already is not counted again.
+        assert_eq!((add("a", MAX_CALLED), add("main", 3 << 30)), (Ok(FileId(1)), Ok(FileId(0))));
+    }
+
     fn one(text: &str) -> Sources {
         let sources = Sources::default();
         let text = Memory::new(text.as_bytes().to_vec());
-        sources.add(Opened { name: "a.H".into(), identity: "a".into(), text: Box::new(text) });
+        sources.add(Opened { name: "a.H".into(), identity: "a".into(), text: Box::new(text) }).unwrap();
         sources
     }
 

@@ -149,13 +149,3 @@ pub fn cases(under: &str) -> Vec<PathBuf> {
     found.sort();
     found
 }
-
-/// Material that lies beside the repository, not in it; `None` with a message where it is absent.
-pub fn beside_repository(path: &str) -> Option<PathBuf> {
-    let found = Path::new(env!("CARGO_MANIFEST_DIR")).parent()?.join("shared").join(path);
-    if found.exists() {
-        return Some(found);
-    }
-    eprintln!("skipped: there is no ../shared/{path} beside the repository");
-    None
-}

@@ -8,8 +8,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use partc::diag::{Diagnostic, Severity, codes};
+use partc::driver::Session;
 use partc::machine::Settings;
 use partc::text::files::NoFiles;
+use partc::text::sources::{MAX_ALL_CALLED, MAX_CALLED};
 use partc::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
 use super::common::{Compiled, cases, check_klartext, check_program, compile_bytes, compile_case, settings};
@@ -23,7 +25,7 @@ struct Built {
 
 const BUILT: &[Built] = &[
     Built { code: "P0001", fires: || main_of(&utf16(PART)), silent: || main_of(PART.as_bytes()) },
-    Built { code: "P0002", fires: || calling(|_| Ok(huge())), silent: || calling(|_| Ok(hole("HOLE.H"))) },
+    Built { code: "P0002", fires: || main_by(sized("PART.H", 5 << 30)), silent: || main_by(hole("HOLE.H")) },
     Built {
         code: "P0003",
         fires: || main_of(&with_comment_of((1 << 20) + 1)),
@@ -53,7 +55,14 @@ const BUILT: &[Built] = &[
         fires: || calling(|_| Err(FileError::Io { why: "permission denied".to_owned() })),
         silent: || calling(|_| Ok(hole("HOLE.H"))),
     },
-    Built { code: "P0106", fires: || calls_of(1000), silent: || calls_of(999) },
+    Built { code: "P0106", fires: || calls_of(1000, 0), silent: || calls_of(999, 0) },
+    Built {
+        code: "P0120",
+        fires: || calling(|_| Ok(sized("HOLE.H", MAX_CALLED + 1))),
+        silent: || calling(|_| Ok(sized("HOLE.H", 1 << 20))),
+    },
+    // The hundredth one is too much.
+    Built { code: "P0121", fires: || calls_of(100, MAX_ALL_CALLED / 99), silent: || calls_of(100, 1 << 10) },
     Built { code: "K2007", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
     Built { code: "K8001", fires: || checked(&behind_m30("FL X+20 AN+30")), silent: || checked(&behind_m30("L X+20")) },
     Built { code: "S8040", fires: || siemens_idle("TRAORI"), silent: || siemens_idle("G1 X5") },
@@ -131,32 +140,44 @@ fn hole(name: &str) -> Opened {
     opened(name, Box::new(Memory::new(text.into_bytes())))
 }
 
-/// A file of 5 GiB, of which nothing is stored.
-struct Huge;
+/// A program that says it is larger than it is: nothing comes behind its text.
+struct Sized(Vec<u8>, u64);
 
-impl ReadAt for Huge {
+impl ReadAt for Sized {
     fn len(&self) -> u64 {
-        5 << 30
+        self.1
     }
 
-    fn read_at(&mut self, _: u64, buf: &mut [u8]) -> io::Result<usize> {
-        buf.fill(b'\n');
-        Ok(buf.len())
+    fn read_at(&mut self, at: u64, buf: &mut [u8]) -> io::Result<usize> {
+        let from = usize::try_from(at).unwrap_or(usize::MAX).min(self.0.len());
+        let text = &self.0[from..self.0.len().min(from + buf.len())];
+        buf[..text.len()].copy_from_slice(text);
+        Ok(text.len())
     }
 }
 
-fn huge() -> Opened {
-    opened("HUGE.H", Box::new(Huge))
+fn sized(name: &str, size: u64) -> Opened {
+    let stem = name.trim_end_matches(".H");
+    let text = format!("0 BEGIN PGM {stem} MM\n1 L Z-5 F150\n2 L Z+2 FMAX\n3 END PGM {stem} MM\n");
+    opened(name, Box::new(Sized(text.into_bytes(), size)))
 }
 
-/// A program that calls `count` different programs: with the main program there are `count + 1` files.
-fn calls_of(count: usize) -> Compiled {
+fn main_by(main: Opened) -> Compiled {
+    let session = Session::new(main);
+    let dialect = partc::dialect::find("klartext").expect("a dialect");
+    session.check(dialect, &Settings::default(), &NoFiles);
+    of_findings(session.diags.into_sorted())
+}
+
+/// A program that calls `count` different programs of a size: with the main program there are `count + 1` files.
+fn calls_of(count: usize, size: u64) -> Compiled {
     let mut text = "0 BEGIN PGM PART MM\n1 L X+0 Y+0 Z+2 R0 FMAX\n".to_owned();
     for i in 0..count {
         text += &format!("{} CALL PGM HOLE{i}.H\n", i + 2);
     }
     text += "END PGM PART MM\n";
-    compile_bytes("PART.H", text.into_bytes(), "klartext", &Settings::default(), &By(|name: &str| Ok(hole(name))))
+    let files = By(|name: &str| Ok(if size == 0 { hole(name) } else { sized(name, size) }));
+    compile_bytes("PART.H", text.into_bytes(), "klartext", &Settings::default(), &files)
 }
 
 /// Compiles with a complete tool table of these numbers.

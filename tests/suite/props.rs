@@ -11,7 +11,7 @@ use partc::text::files::NoFiles;
 use partc::text::{Memory, Opened};
 
 use super::common::{compile_bytes, settings};
-use super::oracle::{Recorder, compare};
+use super::meant::{Recorder, compare, tolerance};
 use super::reader;
 
 fn program(blocks: &[String]) -> String {
@@ -147,10 +147,10 @@ proptest! {
         // A random arc may start on its own centre.
         prop_assume!(!codes.iter().any(|code| matches!(*code, "G3014" | "K2110" | "O4001" | "O4002")));
         prop_assert!(!compiled.has_errors(), "{text}\n{:?}", compiled.rendered);
-        let mut recorder = Recorder::default();
+        let mut recorder = Recorder::new(&settings);
         recorded(&text, &settings, &mut recorder);
-        let found = reader::read(&compiled.output).map_err(TestCaseError::fail)?;
-        compare(&found, &recorder.moves).map_err(|why| TestCaseError::fail(format!("{why}\n{text}\n{}", compiled.output)))?;
+        let found = reader::read(&compiled.output, 4).map_err(TestCaseError::fail)?;
+        compare(&found, &recorder.finish(), tolerance(4)).map_err(|why| TestCaseError::fail(format!("{why}\n{text}\n{}", compiled.output)))?;
     }
 
     /// A section repeat is the same as the section written out.

@@ -6,8 +6,10 @@ use std::time::{Duration, Instant};
 
 use partc::text::{FileError, Files, Memory, Opened, Request};
 
-use super::common::{beside_repository, compile_bytes, settings};
-use super::rs274;
+use super::common::{compile_bytes, settings};
+use super::oracle::Case;
+use super::rs274::{self, Job};
+use super::tools::beside_repository;
 
 /// Longest time for one program, even unoptimized.
 const SOON: Duration = Duration::from_secs(60);
@@ -53,20 +55,12 @@ impl Files for Repository {
     }
 }
 
-/// The output without M functions of the machine builder, which stand alone on their lines.
-fn without_passed_functions(output: &str, passed: &[u32]) -> String {
-    let is_passed = |line: &&str| {
-        let number = line.strip_prefix('M').and_then(|number| number.parse().ok());
-        !number.is_some_and(|number| passed.contains(&number))
-    };
-    output.lines().filter(is_passed).flat_map(|line| [line, "\n"]).collect()
-}
-
 fn sweep(dialect: &str, corpus: &str, options: &str) {
     let Some(folder) = beside_repository(corpus) else { return };
     let options = settings(options);
     let oracle = rs274::available();
-    let (mut compiled_count, mut failures) = (0, Vec::new());
+    let mut failures = Vec::new();
+    let mut cases: Vec<Case> = Vec::new();
     let all = programs(&folder);
     let mut repository = (PathBuf::new(), Repository { files: Vec::new() });
     for path in &all {
@@ -79,7 +73,7 @@ fn sweep(dialect: &str, corpus: &str, options: &str) {
         let bytes = fs::read(path).expect("a readable program");
         let size = bytes.len();
         let start = Instant::now();
-        let compiled = compile_bytes(&name, bytes, dialect, &options, &repository.1);
+        let compiled = compile_bytes(&name, bytes.clone(), dialect, &options, &repository.1);
         if start.elapsed() > SOON {
             failures.push(format!("{name}: took {:?}", start.elapsed()));
         }
@@ -96,14 +90,18 @@ fn sweep(dialect: &str, corpus: &str, options: &str) {
             println!("refused   {name}: {}", codes.join(" "));
             continue;
         }
-        compiled_count += 1;
         println!("compiled  {name}");
-        let output = without_passed_functions(&compiled.output, &options.output.pass_m);
-        if oracle && let Err(why) = rs274::interpret(&output) {
-            failures.push(format!("{name}: {why}"));
+        cases.push(Case::new(PathBuf::from(name), compiled, bytes, dialect, &options, &repository.1));
+    }
+    if oracle {
+        let jobs: Vec<Job<'_>> = cases.iter().map(|case| Job::new(&case.output)).collect();
+        for (case, answer) in cases.iter().zip(rs274::interpret_all(&jobs)) {
+            if let Err(why) = answer.and_then(|found| case.judge(&found)) {
+                failures.push(format!("{}: {why}", case.path.display()));
+            }
         }
     }
-    println!("{compiled_count} of {} programs in {corpus} compile", all.len());
+    println!("{} of {} programs in {corpus} compile", cases.len(), all.len());
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 

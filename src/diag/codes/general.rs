@@ -43,6 +43,13 @@ P0106 Error "too-many-files" "program calls more than 1000 different files"
 "A run opens at most 1000 files. A program that calls more is most likely calling names that a loop makes up. Join programs, or call \
 the same ones again: each counts once."
 
+P0120 Error "called-file-too-large" "called program is over 256 MiB"
+"A jump reads its file whole, so one called program may have 256 MiB at most. The size is looked at before a byte of it is read: \
+often it is no program at all. A main program without jumps may be larger; compile the called one by itself, or split it."
+
+P0121 Error "called-files-too-large" "called programs are over 1 GiB together"
+"All programs that a run calls may have 1 GiB together. Compile the large ones as main programs of their own."
+
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \

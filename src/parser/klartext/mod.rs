@@ -134,7 +134,8 @@ fn hidden_block(text: &[u8], problems: &mut Vec<Problem>) {
         let in_comment = text[line..at].iter().any(|b| matches!(b, b';' | b'*' | b'('));
         if in_comment && reads_as_block(rest) {
             let lead = rest.iter().take_while(|b| is_blank(**b)).count();
-            let span = Span::at((at + 1 + lead) as u32, rest.trim_ascii().len() as u32);
+            let end = rest.iter().rposition(|b| !is_blank(*b)).map_or(lead, |last| last + 1);
+            let span = Span::at((at + 1 + lead) as u32, (end - lead) as u32);
             let block = readable(span.of(text)).into_owned();
             problems.push(
                 Problem::new(

@@ -6,9 +6,9 @@ use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
-use crate::sema::exec::open_cursor;
+use crate::sema::exec::{open_cursor, refused};
 use crate::text::blocks::Place;
-use crate::text::{Next, Request};
+use crate::text::{Loc, Next, Request};
 
 use super::functions;
 use super::value::{MOST_TEXT, Val, whole};
@@ -194,7 +194,14 @@ impl Run<'_> {
             }
             let request = Request { from: &identity, name, extensions: &["DEF"] };
             let Ok(opened) = self.job.files.open(&request) else { continue };
-            let Some(file) = self.job.sources.add(opened) else { continue };
+            let file = match self.job.sources.add(opened) {
+                Ok(file) => file,
+                Err(too_much) => {
+                    let from = Loc { line: 1, ..Loc::default() };
+                    self.job.diags.push(refused(too_much, name, from));
+                    continue;
+                }
+            };
             any = true;
             self.read_definitions(file, None, u32::MAX);
         }

@@ -1,0 +1,3 @@
+//! The functions that the targets call.
+
+pub mod targets;

@@ -1,0 +1,253 @@
+//! A file that appears under its name only when it is complete.
+//!
+//! Where the system has files without a name, an output is one until then, and nothing of it stays when the process is
+//! killed. Elsewhere it has a hidden name; a lock tells others that somebody still writes it.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use super::disk::file_name;
+
+/// Hidden names tried for one file.
+const NAMES: u32 = 100;
+/// Characters of the target's name in a hidden name, which must not get longer than file systems allow.
+const SHOWN: usize = 60;
+/// What all hidden names have behind the target's.
+const MARK: &str = ".partc-";
+const END: &str = ".tmp";
+/// Links followed to a target.
+const MOST_LINKS: u32 = 40;
+
+#[derive(Debug)]
+pub(super) struct Pending {
+    file: File,
+    /// Name that it has until it is complete, if any.
+    hidden: Option<PathBuf>,
+    target: PathBuf,
+}
+
+impl Pending {
+    /// Starts a file that will be `target`, or what `target` links to.
+    pub(super) fn create(target: &Path) -> io::Result<Pending> {
+        let target = behind_links(target)?;
+        let folder = folder_of(&target);
+        remove_rests(folder);
+        if let Some(file) = unnamed(folder) {
+            return Ok(Pending { file, hidden: None, target });
+        }
+        let (file, hidden) = named(folder, &file_name(&target))?;
+        Ok(Pending { file, hidden: Some(hidden), target })
+    }
+
+    pub(super) fn file(&mut self) -> &mut File {
+        &mut self.file
+    }
+
+    /// Gives the file its name, and the rights of the file that it replaces.
+    pub(super) fn commit(mut self) -> io::Result<()> {
+        let older = fs::metadata(&self.target).ok();
+        if let Some(older) = &older {
+            self.file.set_permissions(older.permissions())?;
+        }
+        self.file.sync_all()?;
+        if self.hidden.is_none() {
+            if older.is_none() && link(&self.file, &self.target)? {
+                return Ok(());
+            }
+            // A link cannot replace a file; a name can.
+            let _ = self.file.try_lock();
+            let names = hidden_names(folder_of(&self.target), &file_name(&self.target));
+            for hidden in names {
+                if link(&self.file, &hidden)? {
+                    self.hidden = Some(hidden);
+                    break;
+                }
+            }
+        }
+        let hidden = self.hidden.as_ref().ok_or_else(no_name_left)?;
+        fs::rename(hidden, &self.target)
+    }
+}
+
+impl Drop for Pending {
+    fn drop(&mut self) {
+        // After a rename there is nothing to remove.
+        if let Some(hidden) = &self.hidden {
+            let _ = fs::remove_file(hidden);
+        }
+    }
+}
+
+impl Write for Pending {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// A file for this process alone.
+pub(super) fn scratch() -> io::Result<File> {
+    let folder = std::env::temp_dir();
+    if let Some(file) = unnamed(&folder) {
+        return Ok(file);
+    }
+    let (file, hidden) = named(&folder, "held")?;
+    // Open but without a name: it goes when the process goes.
+    let _ = fs::remove_file(hidden);
+    Ok(file)
+}
+
+/// What a link leads to, whether it exists or not.
+pub(super) fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        if !path.is_symlink() {
+            return Ok(path);
+        }
+        // A link counts from its own folder.
+        path = folder_of(&path).join(fs::read_link(&path)?);
+    }
+    Err(io::Error::other("links lead in circles"))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+fn no_name_left() -> io::Error {
+    io::Error::other("no name is left for a temporary file")
+}
+
+fn hidden_names(folder: &Path, name: &str) -> impl Iterator<Item = PathBuf> + use<> {
+    let start: String = name.chars().take(SHOWN).collect();
+    let folder = folder.to_path_buf();
+    let process = std::process::id();
+    (0..NAMES).map(move |n| folder.join(format!(".{start}{MARK}{process}-{n}{END}")))
+}
+
+/// A file with a hidden name, locked as long as it is open.
+fn named(folder: &Path, name: &str) -> io::Result<(File, PathBuf)> {
+    for hidden in hidden_names(folder, name) {
+        match File::options().read(true).write(true).create_new(true).open(&hidden) {
+            Ok(file) => match file.try_lock() {
+                // Somebody took it for a rest just now.
+                Err(TryLockError::WouldBlock) => {}
+                _ if hidden.exists() => return Ok((file, hidden)),
+                _ => {}
+            },
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(no_name_left())
+}
+
+/// Is this one of our hidden names?
+fn is_hidden(name: &str) -> bool {
+    let inner = name.strip_prefix('.').and_then(|name| name.strip_suffix(END));
+    let ids = inner.and_then(|inner| inner.rsplit_once(MARK)).and_then(|(_, ids)| ids.split_once('-'));
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    ids.is_some_and(|(process, n)| digits(process) && digits(n))
+}
+
+/// Removes what processes left that were killed; nobody holds the lock of such a file.
+fn remove_rests(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten() {
+        let ours = entry.file_name().to_str().is_some_and(is_hidden);
+        if !ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        let path = entry.path();
+        if let Ok(file) = File::open(&path)
+            && file.try_lock().is_ok()
+        {
+            let _ = fs::remove_file(&path);
+        }
+    }
+}
+
+/// A file without a name in this folder, where the system has such.
+#[cfg(target_os = "linux")]
+fn unnamed(folder: &Path) -> Option<File> {
+    use rustix::fs::{Mode, OFlags, open};
+    // It gets its name through here.
+    if !Path::new("/proc/self/fd").is_dir() {
+        return None;
+    }
+    let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
+    open(folder, flags, Mode::from_raw_mode(0o666)).ok().map(File::from)
+}
+
+/// Gives a file without a name this one; false where it is taken.
+#[cfg(target_os = "linux")]
+fn link(file: &File, path: &Path) -> io::Result<bool> {
+    use rustix::fs::{AtFlags, CWD, linkat};
+    use std::os::fd::AsRawFd as _;
+    let own = format!("/proc/self/fd/{}", file.as_raw_fd());
+    match linkat(CWD, own.as_str(), CWD, path, AtFlags::SYMLINK_FOLLOW) {
+        Ok(()) => Ok(true),
+        Err(rustix::io::Errno::EXIST) => Ok(false),
+        Err(error) => Err(error.into()),
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn unnamed(_: &Path) -> Option<File> {
+    None
+}
+
+#[cfg(not(target_os = "linux"))]
+fn link(_: &File, _: &Path) -> io::Result<bool> {
+    Err(io::Error::from(io::ErrorKind::Unsupported))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("partc-pending-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn rests_of_dead_processes_are_removed_and_no_others() {
+        let folder = folder("rests");
+        for name in [".a.ngc.partc-1-0.tmp", ".a.partc-1.tmp", "a.partc-1-0.tmp", ".a.ngc.partc-x-0.tmp"] {
+            fs::write(folder.join(name), "").unwrap();
+        }
+        // What is being written has a lock.
+        let (file, hidden) = named(&folder, "b.ngc").unwrap();
+        remove_rests(&folder);
+        assert!(!folder.join(".a.ngc.partc-1-0.tmp").exists() && hidden.exists());
+        drop(file);
+        remove_rests(&folder);
+        assert!(!hidden.exists());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 3);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_file_with_a_hidden_name_is_renamed_or_removed() {
+        let folder = folder("named");
+        let target = folder.join("n".repeat(250));
+        let pending = || {
+            let (file, hidden) = named(&folder, &file_name(&target)).unwrap();
+            Pending { file, hidden: Some(hidden), target: target.clone() }
+        };
+        drop(pending());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+        let mut file = pending();
+        file.write_all(b"new").unwrap();
+        file.commit().unwrap();
+        assert_eq!((fs::read_dir(&folder).unwrap().count(), fs::read(&target).unwrap()), (1, b"new".to_vec()));
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -1,0 +1,398 @@
+//! What a program does, in order: as the compiler meant it, as a reader of the output finds it, and both compared.
+
+use core::f64::consts::TAU;
+
+use partc::ir::function::{Coolant, CutterData, Spindle, Turn};
+use partc::ir::motion::{self, Path, Sink};
+use partc::ir::{Feed, Function, Origin, Side};
+use partc::machine::Settings;
+use partc::machine::axis::AXES;
+
+/// Where the machine stands before a program: nowhere that a program names, so that an axis word that is missing shows.
+pub const BEFORE: [f64; AXES] = [-7771.0, -7772.0, -7773.0, -774.0, -775.0, -776.0, -7777.0, -7778.0, -7779.0];
+
+/// Something the machine does besides moving.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Does {
+    /// The changer brings this tool forth.
+    Select(u32),
+    /// The tool brought forth goes into the spindle; the spindle stands.
+    Change,
+    /// Tool whose length counts; 0 for none.
+    Length(u32),
+    /// Spindle from 0 on; clockwise 1, counter-clockwise -1, standing 0.
+    Turns(u8, i8),
+    Speed(u8, f64),
+    /// Constant cutting speed up to a speed, or the speed itself again.
+    CuttingSpeed(bool, f64),
+    Orient(u8, f64),
+    Mist,
+    Flood,
+    CoolantOff,
+    Dwell(f64),
+    Stop,
+    OptionalStop,
+    Aux(u32),
+    WorkOffset(u8),
+    End {
+        rewind: bool,
+    },
+}
+
+impl Does {
+    /// Its number, where it is one that is rounded.
+    fn number(&self) -> f64 {
+        match self {
+            Does::Speed(_, n) | Does::CuttingSpeed(_, n) | Does::Orient(_, n) | Does::Dwell(n) => *n,
+            _ => 0.0,
+        }
+    }
+
+    fn same(&self, other: &Does, tolerance: f64) -> bool {
+        let (a, b) = (self.number(), other.number());
+        let near = a == b || (a - b).abs() <= tolerance;
+        let exact = match (self, other) {
+            (Does::Speed(a, _), Does::Speed(b, _)) | (Does::Orient(a, _), Does::Orient(b, _)) => a == b,
+            (Does::CuttingSpeed(a, _), Does::CuttingSpeed(b, _)) => a == b,
+            (Does::Dwell(_), Does::Dwell(_)) => true,
+            _ => self == other,
+        };
+        near && exact
+    }
+}
+
+/// Radius compensation by the target: side (left 1, right -1), and the tool number or the diameter.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Cutter {
+    pub side: i8,
+    pub number: u32,
+    pub diameter: Option<f64>,
+}
+
+/// What a feed counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    PerMinute,
+    PerRevolution,
+    /// The way itself, so many times in a minute.
+    Inverse,
+}
+
+/// What holds during a move.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct How {
+    /// Its kind and the value; `None` for rapid traverse and threads.
+    pub feed: Option<(Kind, f64)>,
+    /// Way per turn of the spindle in a thread.
+    pub lead: Option<f64>,
+    pub cutter: Cutter,
+    /// To a place in machine coordinates.
+    pub machine: bool,
+    /// Working plane, where compensation refers to it.
+    pub plane: Option<[usize; 3]>,
+}
+
+/// The path of a move that was found.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Way {
+    Rapid([f64; AXES]),
+    Feed([f64; AXES]),
+    /// First, second and third axis; end in these two, centre, signed turns, and the end in all axes.
+    Arc {
+        plane: [usize; 3],
+        center: [f64; 2],
+        turns: i32,
+        end: [f64; AXES],
+    },
+}
+
+impl Way {
+    pub fn end(&self) -> [f64; AXES] {
+        match self {
+            Way::Rapid(end) | Way::Feed(end) | Way::Arc { end, .. } => *end,
+        }
+    }
+}
+
+/// What a reader of the output found.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Found {
+    Move(Way, How),
+    Does(Does),
+}
+
+/// A move as the compiler meant it.
+#[derive(Debug, Clone)]
+pub struct Move {
+    pub rapid: bool,
+    /// `None` for axes whose position nobody knows.
+    pub end: [Option<f64>; AXES],
+    /// Plane, centre and sweep.
+    pub arc: Option<([usize; 3], [f64; 2], f64)>,
+    pub how: How,
+}
+
+/// What the compiler meant.
+#[derive(Debug, Clone)]
+pub enum Meant {
+    Move(Move),
+    Does(Does),
+}
+
+/// Keeps what the compiler meant.
+pub struct Recorder {
+    pub items: Vec<Meant>,
+    at: [Option<f64>; AXES],
+    cutter: CutterData,
+    constant_cut: bool,
+    offset: u8,
+    length: u32,
+    tool_length: bool,
+    ended: bool,
+}
+
+impl Recorder {
+    pub fn new(settings: &Settings) -> Recorder {
+        Recorder {
+            items: Vec::new(),
+            at: [None; AXES],
+            cutter: CutterData::default(),
+            constant_cut: false,
+            offset: 1,
+            length: 0,
+            tool_length: settings.output.tool_length,
+            ended: false,
+        }
+    }
+
+    /// Everything; a program without an end gets one.
+    pub fn finish(mut self) -> Vec<Meant> {
+        if !self.ended {
+            self.does(Does::End { rewind: false });
+        }
+        self.items
+    }
+
+    fn does(&mut self, does: Does) {
+        self.items.push(Meant::Does(does));
+    }
+
+    fn how(&self, mv: &motion::Move) -> How {
+        let side = match mv.side {
+            Side::None => 0,
+            Side::Left => 1,
+            Side::Right => -1,
+        };
+        let cutter = match (side, self.cutter.radius) {
+            (0, _) => Cutter::default(),
+            (_, None) => Cutter { side, number: self.cutter.number, diameter: None },
+            (_, Some(radius)) => Cutter { side, number: 0, diameter: Some(2.0 * radius) },
+        };
+        let (a, b, c) = mv.plane.axes();
+        let plane = (side != 0).then_some([a, b, c]);
+        let machine = mv.machine;
+        if let Path::Thread { lead } = mv.path {
+            return How { feed: None, lead: Some(lead), cutter, machine, plane };
+        }
+        let feed = mv.feed.filter(|_| mv.path != Path::Rapid);
+        let feed = feed.map(|feed| (kind_of(feed), feed.value()));
+        How { feed, lead: None, cutter, machine, plane }
+    }
+
+    fn spindle(&mut self, spindle: Spindle, number: Option<u8>) {
+        let own = number.unwrap_or(1).saturating_sub(1);
+        match spindle {
+            Spindle::Start(Turn::Clockwise) => self.does(Does::Turns(own, 1)),
+            Spindle::Start(Turn::CounterClockwise) => self.does(Does::Turns(own, -1)),
+            Spindle::Stop => self.does(Does::Turns(own, 0)),
+            Spindle::Speed(speed) => {
+                if number.is_none() && std::mem::take(&mut self.constant_cut) {
+                    self.does(Does::CuttingSpeed(false, 0.0));
+                }
+                self.does(Does::Speed(own, speed));
+            }
+            Spindle::CuttingSpeed { speed, limit } => {
+                self.constant_cut = true;
+                self.does(Does::CuttingSpeed(true, limit.unwrap_or(f64::INFINITY)));
+                self.does(Does::Speed(own, speed));
+            }
+            Spindle::Orient(angle) => self.does(Does::Orient(own, angle)),
+        }
+    }
+
+    fn length(&mut self, number: u32) {
+        if self.tool_length && std::mem::replace(&mut self.length, number) != number {
+            self.does(Does::Length(number));
+        }
+    }
+}
+
+impl Sink for Recorder {
+    fn movement(&mut self, mv: &motion::Move, _: &Origin) {
+        let before = self.at;
+        for axis in mv.axes.iter() {
+            self.at[axis.index()] = mv.end.get(axis);
+        }
+        let arc = match &mv.path {
+            Path::Arc(arc) => {
+                let (a, b, c) = arc.plane.axes();
+                Some(([a, b, c], [arc.center.x, arc.center.y], arc.sweep))
+            }
+            _ => None,
+        };
+        let printed = |v: Option<f64>| v.map(|v| (v * 1e4).round());
+        let same = (0..AXES).all(|i| printed(before[i]) == printed(self.at[i]));
+        if arc.is_some() || !same || mv.machine && mv.axes.iter().next().is_some() {
+            let (rapid, how) = (mv.path == Path::Rapid, self.how(mv));
+            self.items.push(Meant::Move(Move { rapid, end: self.at, arc, how }));
+        }
+        if mv.machine {
+            for axis in mv.axes.iter() {
+                self.at[axis.index()] = None;
+            }
+        }
+    }
+
+    fn function(&mut self, function: &Function, _: &Origin) {
+        if matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_)) {
+            self.at = [None; AXES];
+        }
+        match function {
+            Function::ToolChange { number } => {
+                self.does(Does::Select(*number));
+                self.does(Does::Change);
+                self.length(*number);
+            }
+            Function::ToolPrepare { number } => self.does(Does::Select(*number)),
+            Function::Cutter(cutter) => self.cutter = *cutter,
+            Function::Spindle(spindle) => self.spindle(*spindle, None),
+            Function::SpindleOf { number, spindle } => self.spindle(*spindle, Some(*number)),
+            Function::Coolant(Coolant::Mist) => self.does(Does::Mist),
+            Function::Coolant(Coolant::Flood) => self.does(Does::Flood),
+            Function::Coolant(Coolant::Off) => self.does(Does::CoolantOff),
+            Function::Dwell(seconds) => self.does(Does::Dwell(*seconds)),
+            Function::Stop => self.does(Does::Stop),
+            Function::OptionalStop => self.does(Does::OptionalStop),
+            Function::Aux(number) => self.does(as_known(*number)),
+            Function::WorkOffset(number) => {
+                if std::mem::replace(&mut self.offset, *number) != *number {
+                    self.does(Does::WorkOffset(*number));
+                }
+            }
+            Function::End { rewind } => {
+                self.does(Does::End { rewind: *rewind });
+                self.ended = true;
+            }
+            Function::Plane(_) | Function::Comment(_) => {}
+        }
+    }
+
+    fn lost(&mut self, _: &Origin) {}
+}
+
+fn kind_of(feed: Feed) -> Kind {
+    match feed {
+        Feed::PerMinute(_) => Kind::PerMinute,
+        Feed::PerRevolution(_) => Kind::PerRevolution,
+        Feed::InverseTime(_) => Kind::Inverse,
+    }
+}
+
+/// An M function that is printed as it stands is one of the target's own, if it has one of this number.
+fn as_known(number: u32) -> Does {
+    match number {
+        0 => Does::Stop,
+        1 => Does::OptionalStop,
+        3 => Does::Turns(0, 1),
+        4 => Does::Turns(0, -1),
+        5 => Does::Turns(0, 0),
+        7 => Does::Mist,
+        8 => Does::Flood,
+        9 => Does::CoolantOff,
+        _ => Does::Aux(number),
+    }
+}
+
+/// Half a unit of the last place, and a little for what a reader loses by itself.
+pub fn tolerance(decimals: u8) -> f64 {
+    0.5 * 0.1f64.powi(i32::from(decimals)) + 0.6e-4
+}
+
+/// Compares what a reader found with what was meant, item by item.
+pub fn compare(found: &[Found], meant: &[Meant], tolerance: f64) -> Result<(), String> {
+    let mut at = BEFORE;
+    for (i, (found, meant)) in found.iter().zip(meant).enumerate() {
+        let fail = |why: &str| Err(format!("item {i}: {why}: {found:?}, meant {meant:?}"));
+        match (found, meant) {
+            (Found::Does(found), Meant::Does(meant)) if found.same(meant, tolerance) => {}
+            (Found::Move(way, how), Meant::Move(meant)) => {
+                let start = std::mem::replace(&mut at, way.end());
+                let result = same_way(start, way, meant, tolerance).and_then(|()| same_how(how, &meant.how, tolerance));
+                if let Err(why) = result {
+                    return fail(why);
+                }
+            }
+            _ => return fail("another thing"),
+        }
+    }
+    if found.len() != meant.len() {
+        let next = |i: usize| format!("{:?} {:?}", found.get(i), meant.get(i));
+        let (found, meant) = (found.len(), meant.len());
+        return Err(format!("{found} items instead of {meant}: {}", next(found.min(meant))));
+    }
+    Ok(())
+}
+
+fn same_way(start: [f64; AXES], way: &Way, meant: &Move, tolerance: f64) -> Result<(), &'static str> {
+    let end = way.end();
+    if meant.end.iter().zip(end).any(|(meant, end)| meant.is_some_and(|meant| (meant - end).abs() > tolerance)) {
+        return Err("ends elsewhere");
+    }
+    match (way, &meant.arc) {
+        (Way::Rapid(_), None) if meant.rapid => Ok(()),
+        (Way::Feed(_), None) if !meant.rapid => Ok(()),
+        (Way::Arc { plane, center, turns, end }, Some((meant_plane, meant_center, sweep))) => {
+            let off = (center[0] - meant_center[0]).hypot(center[1] - meant_center[1]);
+            let angle = |p: &[f64; AXES]| (p[plane[1]] - center[1]).atan2(p[plane[0]] - center[0]);
+            let radius = (end[plane[0]] - center[0]).hypot(end[plane[1]] - center[1]);
+            let sign = f64::from(turns.signum());
+            let mut part = ((angle(end) - angle(&start)) * sign).rem_euclid(TAU);
+            if part < 1e-9 {
+                part = TAU;
+            }
+            let total = sign * (part + TAU * f64::from(turns.abs() - 1));
+            let same = plane == meant_plane && off <= 3.0 * tolerance && (total - sweep).abs() <= 1e-3 + 3e-4 / radius;
+            if same { Ok(()) } else { Err("another arc") }
+        }
+        _ => Err("another kind of move"),
+    }
+}
+
+fn same_how(found: &How, meant: &How, tolerance: f64) -> Result<(), &'static str> {
+    let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= tolerance,
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let value = |how: &How| how.feed.map(|(_, value)| value);
+    let mode = |how: &How| how.feed.map(|(kind, _)| kind);
+    if mode(found) != mode(meant) || !near(value(found), value(meant)) {
+        return Err("another feed");
+    }
+    if !near(found.lead, meant.lead) {
+        return Err("another lead");
+    }
+    if found.machine != meant.machine {
+        return Err("machine or workpiece coordinates");
+    }
+    let (a, b) = (found.cutter, meant.cutter);
+    if (a.side, a.number) != (b.side, b.number) || !near(a.diameter, b.diameter) {
+        return Err("another radius compensation");
+    }
+    if b.side != 0 && found.plane != meant.plane { Err("compensated in another plane") } else { Ok(()) }
+}
+
+/// Without the moves: where an arc had to be replaced, the rest is still what was meant.
+pub fn without_moves(found: &[Found], meant: &[Meant]) -> (Vec<Found>, Vec<Meant>) {
+    let found = found.iter().filter(|item| matches!(item, Found::Does(_))).cloned().collect();
+    (found, meant.iter().filter(|item| matches!(item, Meant::Does(_))).cloned().collect())
+}
