@@ -111,15 +111,23 @@ fn siemens_blocks_that_do_not_run_are_looked_at() {
         (12, "S8040"),
         (14, "S8040"),
         (15, "S2007"),
-        (17, "S2003"),
-        (18, "S2003"),
-        (20, "S2003"),
+        (17, "S8040"),
+        (18, "S8040"),
+        (20, "S8040"),
         (21, "S8040"),
         (23, "S8040"),
         (26, "S2004"),
         (27, "S2007"),
     ];
     assert_eq!(found, expected);
+}
+
+/// The control looks for the target when it jumps, and `compile` accepts the program.
+#[test]
+fn a_siemens_jump_that_is_not_made_needs_no_target() {
+    let found = check_program("sinumerik", "T.MPF", "IF 1==2 GOTOB LAB\nG0 X0 Y0\nLAB: M30\n");
+    let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
+    assert_eq!(codes, [(1, "S8040")]);
 }
 
 /// What the run reports is not said twice.
@@ -129,7 +137,7 @@ fn siemens_blocks_that_run_are_left_alone() {
     let found = check_program("sinumerik", "T.MPF", text);
     let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
     // Behind the IF that is not closed nothing runs.
-    let expected = [(2, "S2010"), (3, "S2007"), (4, "S2004"), (5, "S2008"), (6, "S2003"), (7, "S2004")];
+    let expected = [(2, "S2010"), (3, "S2007"), (4, "S2004"), (5, "S2008"), (6, "S8040"), (7, "S2004")];
     assert_eq!(codes, expected);
     assert!(found.iter().all(|found| found.times == 1), "{found:?}");
 }

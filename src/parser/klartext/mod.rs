@@ -11,7 +11,7 @@ pub use problem::no_number;
 
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
-    include!(concat!(env!("OUT_DIR"), "/klartext.rs"));
+    include!(concat!(env!("PARTC_GRAMMARS"), "/klartext.rs"));
 }
 
 use crate::diag::codes;

@@ -8,7 +8,7 @@ pub mod problem;
 
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
-    include!(concat!(env!("OUT_DIR"), "/mtc200.rs"));
+    include!(concat!(env!("PARTC_GRAMMARS"), "/mtc200.rs"));
 }
 
 use crate::diag::codes;

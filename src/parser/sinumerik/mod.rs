@@ -10,7 +10,7 @@ pub mod scan;
 
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
-    include!(concat!(env!("OUT_DIR"), "/sinumerik.rs"));
+    include!(concat!(env!("PARTC_GRAMMARS"), "/sinumerik.rs"));
 }
 
 use crate::diag::codes;

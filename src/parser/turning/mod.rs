@@ -9,7 +9,7 @@ pub mod sections;
 
 #[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
-    include!(concat!(env!("OUT_DIR"), "/turning.rs"));
+    include!(concat!(env!("PARTC_GRAMMARS"), "/turning.rs"));
 }
 
 use crate::diag::codes;

@@ -1,6 +1,6 @@
 //! Blocks that did not run: what `partc check` can say of them.
 //!
-//! What is wrong in the block itself, and jumps that lead nowhere, are errors as in a block that runs. What partc would
+//! What is wrong in the block itself is an error as in a block that runs. Jumps that lead nowhere and what partc would
 //! refuse, and programs that are not here, are warnings: the output does not depend on them. Blocks of which the run
 //! reported an error are left alone.
 
@@ -191,13 +191,12 @@ impl<'a> Idle<'a> {
             Search::Backward => " in front of this block",
             _ => "",
         };
+        // The control looks for the target when it jumps.
+        let message =
+            format!("this jump is not made; if it were, there is no {what}{way} (alarm 14080, {})", codes::S2003.id);
         Some(
-            Diagnostic::new(
-                codes::S2003,
-                here.loc(self.job, jump.span),
-                format!("there is no {what}{way} (alarm 14080)"),
-            )
-            .help("check the target of the jump"),
+            Diagnostic::new(codes::S8040, here.loc(self.job, jump.span), message)
+                .help("check the target and the sense of the jump"),
         )
     }
 
