@@ -18,6 +18,8 @@ use super::{Outcome, Reported, Run};
 
 /// Highest tool number.
 const MOST_TOOLS: f64 = 32767.0;
+/// How far two radii of one tool may lie apart by rounding, in mm.
+const SAME_RADIUS: f64 = 1e-9;
 
 /// A tool as a block names it.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +51,11 @@ struct Call {
     feed_span: Span,
     /// DL, DR, DR2 as far as written.
     deltas: [Option<f64>; 3],
+}
+
+/// Are these two radii, or one that was computed and rounded?
+fn differs(a: f64, b: f64) -> bool {
+    (a - b).abs() > SAME_RADIUS
 }
 
 impl Run<'_> {
@@ -217,7 +224,9 @@ impl Run<'_> {
                 (length, radius) = (Some(0.0), Some(0.0));
             }
         }
+        let mut other_radius = data.radius.filter(|table| radius.is_some_and(|own| differs(own, *table)));
         if self.st.tools_measured {
+            other_radius = None;
             (length, radius, corner_radius) = (None, None, None);
         }
         // The tool that is in the spindle stays there, and its tip where it is. What a call does to a contour under way
@@ -238,6 +247,7 @@ impl Run<'_> {
             called: tool.to_string(),
             radius,
             length,
+            other_radius,
             corner_radius,
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),
@@ -295,12 +305,26 @@ impl Run<'_> {
                     &format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
                 )
             }
-            Some(_) => Ok(()),
+            Some(_) => self.one_radius(span),
         }
+    }
+
+    /// TOOL DEF and the tool table give the tool the same radius: the target may compensate by the table.
+    fn one_radius(&self, span: Span) -> Outcome {
+        let Some(tool) = &self.st.tool else { return Ok(()) };
+        let (Some(own), Some(table)) = (tool.radius, tool.other_radius) else { return Ok(()) };
+        let called = &tool.called;
+        self.fail_help(
+            codes::K2890,
+            span,
+            format!("tool {called} has radius {own} in its TOOL DEF and {table} in the tool table"),
+            &format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF"),
+        )
     }
 
     /// Radius of the active tool with its oversizes.
     pub(super) fn tool_radius(&mut self, span: Span) -> Outcome<f64> {
+        self.one_radius(span)?;
         match &self.st.tool {
             Some(tool) => match tool.effective_radius() {
                 Some(radius) => Ok(radius),
