@@ -132,6 +132,7 @@ impl Run<'_> {
         if let Some(axis) = call.axis {
             self.set_tool_axis(axis);
         }
+        self.length_acts_along_z(tool.as_ref(), block.span)?;
         match &tool {
             Some(tool) => self.change_tool(tool, &call, turned, block.span)?,
             None => self.change_deltas(&call),
@@ -154,6 +155,24 @@ impl Run<'_> {
             self.st.tool_feed = self.job.settings.control.feed.map(|feed| (Feed::PerMinute(feed), feed));
         }
         Ok(())
+    }
+
+    /// G43 of the target adds the length of the tool to Z.
+    fn length_acts_along_z(&self, tool: Option<&Named>, span: Span) -> Outcome {
+        let axis = self.st.axis();
+        let none = tool.is_none_or(|tool| *tool == Named::Number(0, 0));
+        if axis == Axis::Z || none || !self.job.settings.output.tool_length {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::O9190,
+            span,
+            format!(
+                "with the tool axis {} the length of the tool acts along it, and the G43 of the target adds it to Z",
+                axis.letter()
+            ),
+            "leave `[output] tool_length` at \"off\" and set the length on the target",
+        )
     }
 
     fn set_tool_axis(&mut self, axis: Axis) {
