@@ -9,8 +9,11 @@ use partc::parser::{klartext, mtc200, sinumerik, turning};
 use partc::text::files::NoFiles;
 use partc::text::{Memory, Opened, Span};
 
+/// What a target does with some bytes: nothing, or it panics.
+pub type Target = fn(&[u8]);
+
 /// All targets by the name of their binary.
-pub const ALL: &[(&str, fn(&[u8]))] = &[
+pub const ALL: &[(&str, Target)] = &[
     ("parse_klartext", parse_klartext),
     ("parse_turning", parse_turning),
     ("compile_klartext", compile_klartext),

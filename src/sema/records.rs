@@ -101,6 +101,8 @@ pub enum NoUndercut {
     Pitch(f64),
     /// The entry angle is missing, or not from 30 to 90 degrees.
     Entry(Option<f64>),
+    /// At the start it begins with a rounding, on a line that is none.
+    StartRounding,
     /// The keys of the free form are not known.
     Free,
     /// A thread undercut in a contour of inches, whose pitch may be in either unit.

@@ -135,7 +135,7 @@ pub struct Move {
 /// What the compiler meant.
 #[derive(Debug, Clone)]
 pub enum Meant {
-    Move(Move),
+    Move(Box<Move>),
     Does(Does),
 }
 
@@ -244,7 +244,7 @@ impl Sink for Recorder {
         let same = (0..AXES).all(|i| printed(before[i]) == printed(self.at[i]));
         if arc.is_some() || !same || mv.machine && mv.axes.iter().next().is_some() {
             let (rapid, how) = (mv.path == Path::Rapid, self.how(mv));
-            self.items.push(Meant::Move(Move { rapid, end: self.at, arc, how }));
+            self.items.push(Meant::Move(Box::new(Move { rapid, end: self.at, arc, how })));
         }
         if mv.machine {
             for axis in mv.axes.iter() {

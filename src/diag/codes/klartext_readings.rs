@@ -55,4 +55,15 @@ K2811 Error "polar-angle-of-a-new-pole" "angle about a new pole is missing"
 "PA is missing, and no polar block since the CC gave an angle about this pole. A control may take the direction in which the tool stands or the \
 angle it read last, about another pole; each makes another move. Write PA. `[control] polar_missing = \"position\"` or \"programmed\" chooses \
 one of the readings, with a warning."
+
+K2890 Error "tool-radius-conflict" "tool has two radii"
+"TOOL DEF in the program and the tool table give the tool different radii, and here the radius counts. The target compensates by its own table, \
+partc would compute with the TOOL DEF: one contour would be cut by two radii. Write the radius of the tool in use into both."
+
+K2891 Error "compensation-changes-at-chamfer" "compensation changes at a chamfer"
+"The blocks before and after CHF need the same radius compensation. Begin or end it in a block that is no neighbour of CHF."
+
+K2892 Warning "compensation-changes-at-rounding" "compensation begins after a rounding"
+"RND stands before the block that turns the radius compensation on or changes its side. Manuals show RND after the first compensated block (approach) \
+and before the block with R0 (departure); what the control does here is open. partc rounds the programmed corner."
 }

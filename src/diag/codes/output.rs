@@ -39,6 +39,11 @@ machine coordinates, no change of plane or side, no arc outside the working plan
 work offset; and it compensates in some planes only. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
 or let partc compute the tool path with `compensation = \"resolve\"`."
 
+O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
+"`[output] tool_length = \"G43\"` has the target add the length of the tool, and G43 adds it to Z with an ordinary tool table. Under G18 and G19, and with \
+another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Leave the key at \"off\" and set the \
+length up on the target."
+
 O9100 Error "compensation-way-too-short" "move to or from the compensated contour is shorter than the tool radius"
 "With `compensation = \"control\"` the target compensates the radius of the tool, and it takes the way to the contour only if that is longer \
 than the radius. A way from the contour shorter than the radius ends with the tool over the contour. The radius is known from `[tools]`, the tool \

@@ -471,7 +471,7 @@ S8131 Warning "siemens-moves-before-offset" "moves in front of the first work of
 the offset that is active there at the start. Select the work offset in front of the first move; a retraction in machine coordinates is SUPA or G53."
 
 S8133 Warning "siemens-thread-shifted" "start of a thread is shifted"
-"SF= begins a thread at an angle of the spindle, which the target cannot. It begins farther back by lead · angle / 360 instead and is the same thread from the \
+"SF=, the start angle and further starts of a thread cycle begin a thread at an angle of the spindle, which the target cannot. It begins farther back by lead · angle / 360 instead and is the same thread from the \
 programmed start on. The tool goes to that place at rapid traverse: see that no shoulder and no tailstock stands there."
 
 S8134 Warning "siemens-g40-waits" "G40 without a move in the plane"
@@ -481,6 +481,15 @@ through such moves and is taken off in the next G0 or G1 with an axis of the pla
 S8135 Note "siemens-stand-in" "program that `[programs]` stands for"
 "The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; whatever else the program does on \
 the machine is not in the output. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
+
+S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
+"Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \
+count from the machine zero. The way between the two is the basic frame of the machine: give it by `[datums] basic`, or see that the offset on the target lies where the \
+basic system of the control lies."
+
+S8191 Warning "siemens-g96-shifted" "constant cutting speed under a shift of the diameter axis"
+"G96 makes the speed of the spindle from the diameter at which the tool stands. The target takes the printed coordinate, in which a TRANS of the diameter axis is contained; \
+which of the two the control takes is not confirmed. Look at the speed on the machine, end the shift in front of the cut, or program G97 with a speed."
 
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."

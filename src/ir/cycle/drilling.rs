@@ -150,13 +150,31 @@ pub struct Tap {
     pub speed_after: Option<f64>,
 }
 
+/// Between two steps of a tap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Chip {
+    /// Back by this, 0 or more, at the speed of the way out.
+    Break { back: f64 },
+    /// Out to the start plane, a dwell as at the bottom, and down at the speed of the way out to this above the depth
+    /// reached.
+    Remove { ahead: f64 },
+}
+
+impl Chip {
+    fn way(self) -> f64 {
+        match self {
+            Chip::Break { back: way } | Chip::Remove { ahead: way } => way,
+        }
+    }
+}
+
 /// Steps of a tap, all alike but for the last two.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TapStep {
     /// Depth of a step, over 0.
     pub way: f64,
-    /// Back by this after each, 0 or more, to break the chip; `None`: out to the start plane.
-    pub back: Option<f64>,
+    /// What removes the chip between two steps.
+    pub chip: Chip,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -355,7 +373,7 @@ impl Drilling {
                 (seconds(tap.dwell), DrillingFault::Dwell),
                 (tap.lead.is_none_or(positive), DrillingFault::Lead),
                 (speed(tap.speed_in) && speed(tap.speed_out) && speed(tap.speed_after), DrillingFault::Speed),
-                (tap.step.is_none_or(|step| positive(step.way) && step.back.is_none_or(seconds)), DrillingFault::Peck),
+                (tap.step.is_none_or(|step| positive(step.way) && seconds(step.chip.way())), DrillingFault::Peck),
             ],
             Method::Deep(deep) => &[
                 (seconds(deep.dwell) && seconds(deep.dwell_out), DrillingFault::Dwell),

@@ -3,7 +3,7 @@
 use crate::diag::codes;
 use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
 use crate::ir::cycle::drilling::{
-    Bore, Breaks, DeepHole, Degression, Drilling, DrillingFault, Levels, MOST_PECKS, Method, Peck, Removal, Tap,
+    Bore, Breaks, Chip, DeepHole, Degression, Drilling, DrillingFault, Levels, MOST_PECKS, Method, Peck, Removal, Tap,
 };
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Function, Pos, Side};
@@ -276,7 +276,15 @@ impl Hole<'_> {
         if let Some(angle) = tap.orient {
             self.spindle(Spindle::Orient(angle));
         }
+        let start = self.levels.start_plane();
+        let out = self.levels.outward();
+        let chip = tap.step.map(|step| step.chip);
+        let mut reached = None;
         for (at, depth) in (1..).zip(depths) {
+            if let (Some(last), Some(Chip::Remove { ahead })) = (reached.replace(*depth), chip) {
+                self.dwell(tap.dwell);
+                self.down_again(last + ahead * out, tap);
+            }
             self.turn(tap.turn, tap.speed_in);
             self.tap_to(*depth, tap);
             if !tap.dwell_reversed {
@@ -286,17 +294,27 @@ impl Hole<'_> {
             if tap.dwell_reversed {
                 self.dwell(tap.dwell);
             }
-            let back = tap.step.and_then(|step| step.back).filter(|_| at < depths.len());
-            let start = self.levels.start_plane();
-            // Never further out than the start plane.
-            let out = self.levels.outward();
-            let back = back.map(|way| *depth + way.min((start - *depth) * out) * out);
-            self.tap_to(back.unwrap_or(start), tap);
+            let to = match chip {
+                // Never further out than the start plane.
+                Some(Chip::Break { back }) if at < depths.len() => *depth + back.min((start - *depth) * out) * out,
+                _ => start,
+            };
+            self.tap_to(to, tap);
         }
         if let Some(speed) = tap.speed_after {
             self.spindle(Spindle::Speed(speed));
         }
         self.spindle(tap.after);
+    }
+
+    /// From the start plane through the thread that is cut, where that has a speed of its own.
+    fn down_again(&mut self, to: f64, tap: &Tap) {
+        let below = (self.levels.start_plane() - to) * self.levels.outward() > 0.0;
+        let out = tap.speed_out.or(tap.speed_in);
+        if below && out != tap.speed_in {
+            self.turn(tap.turn, out);
+            self.tap_to(to, tap);
+        }
     }
 
     fn turn(&mut self, turn: Turn, speed: Option<f64>) {

@@ -153,7 +153,20 @@ fn hidden_block(text: &[u8], problems: &mut Vec<Problem>) {
 fn reads_as_block(text: &[u8]) -> bool {
     let (mut block, mut problems) = (Block::default(), Vec::new());
     parse_block(text, &mut block, &mut problems);
-    !matches!(block.stmt, Stmt::Empty | Stmt::Bad) && problems.is_empty()
+    problems.is_empty() && is_whole(&block)
+}
+
+/// Is the block one that a control would take, with no word in it that belongs to a sentence?
+fn is_whole(block: &Block) -> bool {
+    let text = |word: &ast::Word| matches!(word.addr, Addr::Name | Addr::Text);
+    let stray = |word: &ast::Word| text(word) || word.addr == Addr::Value;
+    match block.stmt {
+        Stmt::Empty | Stmt::Bad | Stmt::Iso => false,
+        Stmt::Path(_) => !block.words.is_empty() && !block.words.iter().any(stray),
+        Stmt::Paraxial | Stmt::Functions | Stmt::Stop | Stmt::Pole => !block.words.iter().any(stray),
+        Stmt::Rounding | Stmt::Chamfer => !block.words.is_empty() && !block.words.iter().any(text),
+        _ => true,
+    }
 }
 
 /// A block that is nothing but a comment: a `~` at the end of a line lets the text go on in the next one. What stands

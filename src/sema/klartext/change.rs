@@ -42,7 +42,11 @@ pub(super) enum Change {
         height: Option<f64>,
         /// The block under way holds the M6: wherever it goes, the change waits at its end.
         at_end: bool,
+        /// Something moved since.
+        moved: bool,
     },
+    /// The change was missing where something cut, which was reported: an M6 now comes too late.
+    Missed,
 }
 
 impl State {
@@ -66,11 +70,12 @@ impl Run<'_> {
             Some(at_call) => !at_call,
             None => !announced && self.writes_m6(),
         };
+        self.replaced_change(number);
         // The length of the tool that is called counts from here on.
         self.st.forget_tip();
         if waits {
             let from = self.here.origin.loc;
-            self.st.change = Change::Called { number, from, height, at_end: false };
+            self.st.change = Change::Called { number, from, height, at_end: false, moved: false };
             self.function(Function::ToolPrepare { number });
             return;
         }
@@ -81,7 +86,7 @@ impl Run<'_> {
     /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
     pub(super) fn call_again(&mut self) {
         match self.st.change {
-            Change::Called { .. } => {}
+            Change::Called { .. } | Change::Missed => {}
             Change::Announced => self.st.change = Change::None,
             Change::None | Change::InSpindle | Change::Printed { .. } => self.st.change = Change::InSpindle,
         }
@@ -110,11 +115,17 @@ impl Run<'_> {
                     "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
                 );
             }
+            Change::Missed => {
+                if self.st.spindle.is_some() {
+                    self.stop_spindle();
+                }
+                return Ok(());
+            }
             Change::InSpindle => "this M6 stops the spindle; the tool that was called is in it already",
             Change::Printed { .. } => "this M6 belongs to the tool change printed for the TOOL CALL",
             Change::None | Change::Announced => {
                 self.st.change = Change::Announced;
-                "this M6 stops the spindle; the change is printed at the next TOOL CALL"
+                "this M6 stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change"
             }
         };
         if self.st.spindle.is_some() {
@@ -137,7 +148,7 @@ impl Run<'_> {
         let axis = self.st.axis();
         let cuts = self.cuts(mv);
         match &mut self.st.change {
-            Change::None | Change::InSpindle => {}
+            Change::None | Change::InSpindle | Change::Missed => {}
             Change::Printed { moved } => *moved = true,
             Change::Announced => {
                 // Back towards the workpiece, the M6 was not meant for a change at the next TOOL CALL.
@@ -146,7 +157,7 @@ impl Run<'_> {
                 }
             }
             Change::Called { at_end: true, .. } => return,
-            Change::Called { .. } => {}
+            Change::Called { moved, .. } => *moved = true,
         }
         if cuts {
             let _ = self.cuts_now();
@@ -155,10 +166,17 @@ impl Run<'_> {
 
     /// Something cuts: the tool that was called has to be in the spindle.
     pub(super) fn cuts_now(&mut self) -> Outcome {
-        let Change::Called { number, from, .. } = std::mem::take(&mut self.st.change) else { return Ok(()) };
+        let Change::Called { number, from, .. } = self.st.change else {
+            if self.st.change != Change::Missed {
+                self.st.change = Change::None;
+            }
+            return Ok(());
+        };
         if self.st.in_spindle == Some(number) {
+            self.st.change = Change::None;
             return Ok(());
         }
+        self.st.change = Change::Missed;
         self.report(
             Diagnostic::new(
                 codes::K2801,
@@ -186,12 +204,31 @@ impl Run<'_> {
         }
         let height = match self.st.change {
             Change::Called { height, .. } => height,
-            Change::None | Change::InSpindle | Change::Announced | Change::Printed { .. } => None,
+            _ => None,
         };
         match (end.get(axis), self.st.pos.get(axis), height) {
             (Some(to), Some(from), _) => to < from,
             (Some(to), None, Some(height)) => to <= height,
             _ => false,
+        }
+    }
+
+    /// TOOL CALL of another tool while one waits for its M6: after a move it was not only the tool to make ready.
+    fn replaced_change(&self, next: u32) {
+        if let Change::Called { number, from, moved: true, .. } = self.st.change
+            && self.st.in_spindle != Some(number)
+        {
+            self.report(
+                Diagnostic::new(
+                    codes::K2803,
+                    from,
+                    format!(
+                        "no M6 follows this TOOL CALL before tool {next} is called: tool {number} is made ready and not changed in"
+                    ),
+                )
+                .also(self.here.origin.loc, "the next TOOL CALL")
+                .help("write M6 after the TOOL CALL if the change is meant"),
+            );
         }
     }
 

@@ -259,6 +259,10 @@ impl Run<'_> {
                 self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
                 self.here = here;
                 if !self.problems.is_empty() {
+                    // A block that is left out takes the lines along in which it goes on.
+                    if self.leaves_out(&parsed.block) {
+                        self.problems.retain(|problem| problem.code != codes::K1850);
+                    }
                     self.report_problems();
                 }
                 self.execute(&parsed.block, &parsed.text);
@@ -268,6 +272,11 @@ impl Run<'_> {
             Read::Broken => self.ended = true,
         }
         self.scratch = Some(parsed);
+    }
+
+    /// Does the control skip the block for its `/`?
+    fn leaves_out(&self, block: &Block) -> bool {
+        block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1)
     }
 
     fn report_problems(&mut self) {
@@ -282,7 +291,7 @@ impl Run<'_> {
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
         self.here.origin.loc.span = block.span.shifted(self.here.at);
-        if block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1) {
+        if self.leaves_out(block) {
             self.skip(block, text);
             return;
         }
@@ -422,6 +431,9 @@ impl Run<'_> {
         if !matches!(self.st.change, change::Change::None) {
             self.watch_move(mv);
         }
+        if let Some(corner) = self.st.corner.take() {
+            self.side_at_corner(&corner, mv.side);
+        }
         self.out.movement(mv, &self.st.ctx, &self.here.origin);
     }
 
@@ -436,6 +448,7 @@ impl Run<'_> {
 
     /// Nobody knows where the tool is.
     fn lost(&mut self) {
+        self.st.corner = None;
         self.out.lost(&self.st.ctx, &self.here.origin);
     }
 

@@ -10,6 +10,7 @@ use crate::ir::contour::{
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
+use crate::text::Loc;
 
 use super::approach::Last;
 use super::mfunc::Args;
@@ -17,6 +18,15 @@ use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
 
 pub(super) const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
+
+/// A chamfer or rounding whose second element is still to come.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CornerMade {
+    rounding: bool,
+    /// Of the element before.
+    side: Side,
+    loc: Loc,
+}
 
 impl Run<'_> {
     pub(super) fn path_block(&mut self, function: PathFn, block: &Block) -> Outcome {
@@ -378,6 +388,7 @@ impl Run<'_> {
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         // What stands behind a corner begins at its cut.
         self.st.last = None;
+        self.st.corner = Some(CornerMade { rounding, side: self.st.side, loc: self.here.origin.loc });
         self.out.corner(
             &Corner {
                 shape,
@@ -392,6 +403,35 @@ impl Run<'_> {
             &self.here.origin,
         );
         Ok(())
+    }
+
+    /// The element after a chamfer or rounding: the compensation goes on as it was in front of it.
+    #[cold]
+    pub(super) fn side_at_corner(&self, made: &CornerMade, side: Side) {
+        if side == made.side {
+            return;
+        }
+        let word = |side| match side {
+            Side::None => "R0",
+            Side::Left => "RL",
+            Side::Right => "RR",
+        };
+        let change = format!("the compensation changes from {} to {}", word(made.side), word(side));
+        let here = self.here.origin.loc;
+        if !made.rounding {
+            self.report(
+                Diagnostic::new(codes::K2891, made.loc, format!("{change} at this chamfer"))
+                    .also(here, "in this block")
+                    .help("begin or end the compensation in a block that is no neighbour of CHF"),
+            );
+        } else if side != Side::None {
+            // A rounding from a compensated contour into R0 is the departure on an arc.
+            self.report(
+                Diagnostic::new(codes::K2892, made.loc, format!("{change} at this rounding; it is made all the same"))
+                    .also(here, "in this block")
+                    .help("for an approach on an arc write RL or RR into the block before RND"),
+            );
+        }
     }
 
     /// `X+50 R+ F200`: one axis.

@@ -12,6 +12,7 @@ use crate::text::Loc;
 
 use super::approach::Last;
 use super::change::Change;
+use super::path::CornerMade;
 use super::transform::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
@@ -46,6 +47,8 @@ pub(super) struct State {
     pub side: Side,
     /// RL or RR was refused: a contour that lacks it is not worth another error.
     pub side_lost: bool,
+    /// RND or CHF that waits for its second element.
+    pub corner: Option<CornerMade>,
     pub tool: Option<ActiveTool>,
     pub tool_axis: Option<Axis>,
     pub transform: Transformation,
@@ -125,6 +128,8 @@ pub(super) struct ActiveTool {
     /// As called: the number without the index, or the name.
     pub called: String,
     pub radius: Option<f64>,
+    /// What the tool table says where TOOL DEF gave another radius.
+    pub other_radius: Option<f64>,
     pub length: Option<f64>,
     pub corner_radius: Option<f64>,
     /// Oversizes of length, radius and corner radius from the table.
@@ -187,6 +192,7 @@ impl State {
             follows_tip: false,
             orientation: None,
             change: Change::None,
+            corner: None,
             in_spindle: None,
             tools_measured: false,
             moved: false,

@@ -18,6 +18,8 @@ use super::{Outcome, Reported, Run};
 
 /// Highest tool number.
 const MOST_TOOLS: f64 = 32767.0;
+/// How far two radii of one tool may lie apart by rounding, in mm.
+const SAME_RADIUS: f64 = 1e-9;
 
 /// A tool as a block names it.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +51,11 @@ struct Call {
     feed_span: Span,
     /// DL, DR, DR2 as far as written.
     deltas: [Option<f64>; 3],
+}
+
+/// Are these two radii, or one that was computed and rounded?
+fn differs(a: f64, b: f64) -> bool {
+    (a - b).abs() > SAME_RADIUS
 }
 
 impl Run<'_> {
@@ -125,6 +132,7 @@ impl Run<'_> {
         if let Some(axis) = call.axis {
             self.set_tool_axis(axis);
         }
+        self.length_acts_along_z(tool.as_ref(), block.span)?;
         match &tool {
             Some(tool) => self.change_tool(tool, &call, turned, block.span)?,
             None => self.change_deltas(&call),
@@ -147,6 +155,24 @@ impl Run<'_> {
             self.st.tool_feed = self.job.settings.control.feed.map(|feed| (Feed::PerMinute(feed), feed));
         }
         Ok(())
+    }
+
+    /// G43 of the target adds the length of the tool to Z.
+    fn length_acts_along_z(&self, tool: Option<&Named>, span: Span) -> Outcome {
+        let axis = self.st.axis();
+        let none = tool.is_none_or(|tool| *tool == Named::Number(0, 0));
+        if axis == Axis::Z || none || !self.job.settings.output.tool_length {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::O9190,
+            span,
+            format!(
+                "with the tool axis {} the length of the tool acts along it, and the G43 of the target adds it to Z",
+                axis.letter()
+            ),
+            "leave `[output] tool_length` at \"off\" and set the length on the target",
+        )
     }
 
     fn set_tool_axis(&mut self, axis: Axis) {
@@ -217,7 +243,9 @@ impl Run<'_> {
                 (length, radius) = (Some(0.0), Some(0.0));
             }
         }
+        let mut other_radius = data.radius.filter(|table| radius.is_some_and(|own| differs(own, *table)));
         if self.st.tools_measured {
+            other_radius = None;
             (length, radius, corner_radius) = (None, None, None);
         }
         // The tool that is in the spindle stays there, and its tip where it is. What a call does to a contour under way
@@ -238,6 +266,7 @@ impl Run<'_> {
             called: tool.to_string(),
             radius,
             length,
+            other_radius,
             corner_radius,
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),
@@ -295,12 +324,26 @@ impl Run<'_> {
                     &format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
                 )
             }
-            Some(_) => Ok(()),
+            Some(_) => self.one_radius(span),
         }
+    }
+
+    /// TOOL DEF and the tool table give the tool the same radius: the target may compensate by the table.
+    fn one_radius(&self, span: Span) -> Outcome {
+        let Some(tool) = &self.st.tool else { return Ok(()) };
+        let (Some(own), Some(table)) = (tool.radius, tool.other_radius) else { return Ok(()) };
+        let called = &tool.called;
+        self.fail_help(
+            codes::K2890,
+            span,
+            format!("tool {called} has radius {own} in its TOOL DEF and {table} in the tool table"),
+            &format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF"),
+        )
     }
 
     /// Radius of the active tool with its oversizes.
     pub(super) fn tool_radius(&mut self, span: Span) -> Outcome<f64> {
+        self.one_radius(span)?;
         match &self.st.tool {
             Some(tool) => match tool.effective_radius() {
                 Some(radius) => Ok(radius),

@@ -151,7 +151,7 @@ impl Generator<'_> {
         let list = self.vertices(&made, &corner, allowance).map_err(refuse)?;
         // On a line that is none a rounding has nowhere to begin.
         let Some(((start, 0.0), rest)) = list.split_first().map(|(first, rest)| (*first, rest)) else {
-            return Err(refuse(NoUndercut::Start));
+            return Err(refuse(NoUndercut::StartRounding));
         };
         contour.start = start;
         for (end, radius) in rest {

@@ -72,6 +72,9 @@ impl Run<'_> {
                 "program S in m/min with G96; the S of before is a speed in turns",
             );
         }
+        if self.st.constant_cut {
+            self.says_shifted_diameter();
+        }
         match self.st.feed {
             Some(feed) => {
                 self.feed_kind_is_said();
@@ -100,6 +103,21 @@ impl Run<'_> {
                 )
             }
         }
+    }
+
+    /// G96 of the target takes the diameter that is printed, with the shift of the frame in it.
+    fn says_shifted_diameter(&self) {
+        let axis = self.job.settings.machine.diameter_axis;
+        let shift = axis.map_or(0.0, |axis| self.st.ctx.frame.shift_of(axis));
+        if shift == 0.0 || self.st.speed_kept || !self.job.diags.first_time(codes::S8191) {
+            return;
+        }
+        let message = format!(
+            "under G96 the frame shifts the diameter axis by {shift} mm in radius: the target takes its speed from the \
+             printed diameter, the control may take the programmed one"
+        );
+        let help = "end the shift in front of the cut, or program the speed by G97 S";
+        self.report(Diagnostic::new(codes::S8191, self.loc(Span::default()), message).help(help));
     }
 
     /// Under G93 F is the time of its own block, which no other block has.

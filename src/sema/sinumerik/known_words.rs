@@ -40,6 +40,7 @@ pub(super) static KNOWN: &[Known] = &[
         "the cutting speed of a milling tool",
         "program S in turns per minute: S = 1000 · SVC / (3.1416 · diameter)",
     ),
+    known("SPINU", "the number of a spindle", "write the number of the spindle itself: M2=3, S2=500"),
     known("PFAD FLIM", "a limit of the feed", BY_ITSELF),
     // Tools.
     known("CUTMOD CUTMODK", "the turning of tool data with the plane", BY_ITSELF),

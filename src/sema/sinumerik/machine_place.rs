@@ -79,6 +79,30 @@ impl Run<'_> {
         }
     }
 
+    /// G43 of the target adds the length of the tool to Z; on the control it acts along the third axis of the plane.
+    pub(super) fn length_acts_along_z(&self) {
+        let [_, _, third] = self.st.roles();
+        let output = &self.job.settings.output;
+        if third == Axis::Z || !output.tool_length || self.st.lathe || self.is_capturing() {
+            return;
+        }
+        let tool = &self.st.tool;
+        if tool.edge == Some(0)
+            || tool.active.is_none_or(|number| number == 0)
+            || !self.job.diags.first_time(codes::O9190)
+        {
+            return;
+        }
+        let plane = if third == Axis::Y { "G18" } else { "G19" };
+        let message = format!(
+            "under {plane} the length of the tool acts along {}, and the G43 of the target adds it to Z",
+            third.letter()
+        );
+        let help =
+            "leave `[output] tool_length` at \"off\" and set the length on the target, or program the block under G17";
+        self.report(Diagnostic::new(codes::O9190, self.loc(Span::default()), message).help(help));
+    }
+
     fn length_is_needed<T>(&self, axis: Axis, span: Span) -> Outcome<T> {
         let message = format!(
             "the control goes to this machine coordinate of {} with the tip of the tool (MD 10760 = 0), the target with its \

@@ -3,6 +3,7 @@
 //! Source: reference sections 2.1, 4.8 and 5.6.
 
 use crate::diag::codes;
+use crate::geo::Plane;
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 
@@ -25,6 +26,9 @@ impl Run<'_> {
             return self.send_in_machine(end, path, feed);
         }
         self.note_outer();
+        if self.st.plane() != Plane::Xy {
+            self.length_acts_along_z();
+        }
         if self.stored.is_some() {
             self.note_stored(end, &path);
         }
@@ -131,6 +135,8 @@ impl Run<'_> {
             }
             end.set(axis, value);
         }
+        self.st.machine_moved = true;
+        self.machine_moves_beside_g500(span);
         let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
         let mv = Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);

@@ -81,7 +81,7 @@ impl Run<'_> {
         let moved = std::mem::take(&mut self.st.moved_from_basic);
         if moved == FromBasic::UnderG500 {
             self.forget_all();
-            return self.unrelated(span, "moves under G500 stand in front of");
+            return self.offset_behind_g500(span, &offset_word(number));
         }
         self.function(Function::WorkOffset(printed));
         self.forget_all();
@@ -160,6 +160,35 @@ impl Run<'_> {
         let message = "positions under G500 are printed as they stand: the offset that is active on the target \
                        has to be zero, or to lie where the basic system of the control lies";
         self.note_once(codes::S8011, Span::default(), message);
+        self.machine_moves_beside_g500(Span::default());
+    }
+
+    /// Positions under G500 lie from the offset of the target, those of G53 from its machine zero: together they fit only
+    /// where the basic frame is known.
+    pub(super) fn machine_moves_beside_g500(&self, span: Span) {
+        let both = self.st.machine_moved && self.st.moved_from_basic == FromBasic::UnderG500;
+        if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190) {
+            return;
+        }
+        let message = "moves in machine coordinates (G53, G153, SUPA) stand beside moves under G500, and where the basic \
+                       system lies from the machine zero is not known";
+        let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
+        self.report(Diagnostic::new(codes::S8190, self.loc(span), message).help(help));
+    }
+
+    /// What was printed under G500 cannot be taken back.
+    fn offset_behind_g500(&self, span: Span, word: &str) -> Outcome {
+        if !self.job.settings.datums.offsets.contains_key(word) {
+            return self.unrelated(span, "moves under G500 stand in front of");
+        }
+        let message = format!(
+            "moves under G500 stand in front of {word}: they were printed as they stand, before a work offset was selected"
+        );
+        let help = format!(
+            "select {word} in front of the first move, then G500 is printed through its values in `[datums]`; or give the \
+             basic frame (`[datums] basic = {{ X = 0.0, Y = 0.0, Z = 0.0 }}`)"
+        );
+        self.fail_help(codes::S9131, 0, span, message, &help)
     }
 
     /// G500 beside an offset of the machine: nobody knows the way between the two.

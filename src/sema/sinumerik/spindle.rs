@@ -9,7 +9,7 @@ use crate::text::Span;
 
 use super::state::{MAIN_SPINDLE, SpindleState};
 use super::vocabulary::{Address, Code};
-use super::words::{Given, Mode, SWord, Words};
+use super::words::{Given, MWord, Mode, SWord, Words};
 use super::{Outcome, Run};
 
 /// Highest spindle number that is a spindle.
@@ -52,6 +52,12 @@ impl Run<'_> {
                 (self.st.constant_cut, self.st.speed_kept) = (false, false);
             } else if !constant && self.st.constant_cut && !self.st.speed_kept {
                 self.st.speed_kept = true;
+                // Where M5 stops the spindle nothing goes on.
+                let stops = |m: &MWord| m.number == 5 && m.spindle.is_none_or(|n| n == self.st.master);
+                if w.m.iter().any(stops) {
+                    self.st.turns = None;
+                    return self.speeds_given(w, constant);
+                }
                 self.freeze_speed(w.code_of(15).map(|(_, span)| span).unwrap_or_default())?;
             }
         }
@@ -60,6 +66,10 @@ impl Run<'_> {
         {
             self.feed_kind_limits_speed(code, span);
         }
+        self.speeds_given(w, constant)
+    }
+
+    fn speeds_given(&mut self, w: &Words, constant: bool) -> Outcome {
         for at in 0..w.s.len() {
             self.speed(w.s[at], constant)?;
         }

@@ -90,6 +90,8 @@ pub(super) struct State {
     /// G500 was programmed while nothing else was.
     pub under_g500: bool,
     pub moved_from_basic: FromBasic,
+    /// A move in machine coordinates was printed.
+    pub machine_moved: bool,
     pub diameter: Option<Diameter>,
     pub tool: Tool,
     pub basic_unit: Unit,
@@ -193,6 +195,7 @@ impl State {
             outer: Outer::Basic,
             under_g500: false,
             moved_from_basic: FromBasic::None,
+            machine_moved: false,
             diameter: None,
             tool: Tool::default(),
             basic_unit,

@@ -344,10 +344,14 @@ impl Run<'_> {
                 ("an undercut stands between two straight lines".to_owned(), "move or delete it".to_owned())
             }
             NoUndercut::Start => (
-                "what leads to the undercut at the start of the contour is not known: it has no direction, or begins with a \
-                 rounding"
-                    .to_owned(),
+                "the line that leads to the undercut at the start of the contour has no direction".to_owned(),
                 accept.to_owned(),
+            ),
+            NoUndercut::StartRounding => (
+                "the undercut at the start of the contour begins with a rounding, and the line in front of it, on which that \
+                 would lie, is no part of the contour"
+                    .to_owned(),
+                "begin the contour with the line in front of the undercut".to_owned(),
             ),
             NoUndercut::InchPitch => (
                 "whether the pitch of a thread undercut is in inches or in millimetres is not known in a contour of inches"

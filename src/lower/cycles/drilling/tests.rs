@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::ir::cycle::drilling::{Resolved, TapStep};
+use crate::ir::cycle::drilling::{Chip, Resolved, TapStep};
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -145,8 +145,16 @@ fn tapping_turns_back_on_the_way_out() {
         words(&hole(at, Method::Tap(tap))),
         ["G0 Z2", "M19 R0", "S200", "M3", "G33 K1.25 Z-20", "S400", "M4", "G33 K1.25 Z2", "S1000", "M5", "G0 Z50"]
     );
-    let by = |way, back| Some(TapStep { way, back });
-    let steps = Tap { step: by(12.0, None), speed_in: None, speed_out: None, orient: None, speed_after: None, ..tap };
+    let by = |way, chip| Some(TapStep { way, chip });
+    let breaking = |way, back| by(way, Chip::Break { back });
+    let steps = Tap {
+        step: by(12.0, Chip::Remove { ahead: 1.0 }),
+        speed_in: None,
+        speed_out: None,
+        orient: None,
+        speed_after: None,
+        ..tap
+    };
     assert_eq!(
         words(&hole(at, Method::Tap(steps))),
         [
@@ -165,10 +173,10 @@ fn tapping_turns_back_on_the_way_out() {
     );
     // Exactly two steps, and the chip broken between them.
     let words_of = |tap: Tap| words(&hole(at, Method::Tap(tap)));
-    let broken = words_of(Tap { step: by(10.0, Some(1.5)), ..steps });
+    let broken = words_of(Tap { step: breaking(10.0, 1.5), ..steps });
     let expected = ["M3", "G33 K1.25 Z-10", "M4", "G33 K1.25 Z-8.5", "M3", "G33 K1.25 Z-20", "M4", "G33 K1.25 Z2"];
     assert_eq!(broken[1..9], expected);
-    let far = words_of(Tap { step: by(10.0, Some(99.0)), ..steps });
+    let far = words_of(Tap { step: breaking(10.0, 99.0), ..steps });
     assert_eq!(far[1..5], ["M3", "G33 K1.25 Z-10", "M4", "G33 K1.25 Z2"]);
     let chuck =
         Tap { lead: None, turn: Turn::CounterClockwise, step: None, after: Spindle::Start(Turn::Clockwise), ..steps };

@@ -5,7 +5,7 @@
 use crate::diag::codes;
 use crate::ir::Feed;
 use crate::ir::cycle::Drilling;
-use crate::ir::cycle::drilling::{Bore, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
+use crate::ir::cycle::drilling::{Bore, Chip, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
 use crate::ir::function::{Spindle, Turn};
 use crate::machine::undercut::coarse_pitch;
 
@@ -264,18 +264,18 @@ impl Run<'_> {
         let lead = self.hand(args, self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?)?;
         let step = match args.or_zero(16) {
             0.0 => None,
-            1.0 => {
+            variant @ (1.0 | 2.0) => {
                 let back = self.length_of(args, 18).filter(|way| *way > 0.0).unwrap_or(BREAK);
-                Some(TapStep { way: self.tap_step(args, levels)?, back: Some(back) })
+                let chip = if variant == 1.0 { Chip::Break { back } } else { Chip::Remove { ahead: back } };
+                Some(TapStep { way: self.tap_step(args, levels)?, chip })
             }
-            2.0 => Some(TapStep { way: self.tap_step(args, levels)?, back: None }),
             _ => {
                 let help = "0 taps in one go, 1 breaks the chip, 2 removes it";
                 return self.cycle_fault(args, args.span_of(16), 61002, "`_VARI` is 0, 1 or 2", help);
             }
         };
-        if args.or_zero(16) != 1.0 && args.or_zero(18) != 0.0 {
-            self.unused(args, 18, "_VRT", "without chip breaking in `_VARI`");
+        if args.or_zero(16) == 0.0 && args.or_zero(18) != 0.0 {
+            self.unused(args, 18, "_VRT", "when `_VARI` taps in one go");
         }
         if args.or_zero(15) != 0.0 {
             self.note_once(codes::S8002, args.span_of(15), "words that only shape speed and accuracy are left out");

@@ -231,10 +231,7 @@ impl Run<'_> {
             Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
             Outer::Basic | Outer::Printed(_) => self.note_outer(),
         }
-        if self.st.is(super::vocabulary::Code::G93) {
-            return self
-                .not_by_time(args.span, "the moves of a cycle have no share of the time that G93 gives the blocks");
-        }
+        self.no_cycle_by_time(args.span)?;
         if let Some(signature) = signatures::of(&args.name) {
             return self.contour_cycle(args, signature);
         }
@@ -300,7 +297,15 @@ impl Run<'_> {
         Ok(())
     }
 
+    fn no_cycle_by_time(&self, span: Span) -> Outcome {
+        if !self.st.is(super::vocabulary::Code::G93) {
+            return Ok(());
+        }
+        self.not_by_time(span, "the moves of a cycle have no share of the time that G93 gives the blocks")
+    }
+
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
+        self.no_cycle_by_time(Span::default())?;
         self.speed_is_known()?;
         if self.st.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
@@ -346,6 +351,7 @@ impl Run<'_> {
     }
 
     fn send_cycle(&mut self, cycle: Cycle) {
+        self.length_acts_along_z();
         let end = cycle.leaves(&self.st.pos);
         self.st.heading = super::tangent::Heading::Later;
         self.thread_chain = None;

@@ -286,8 +286,30 @@ impl Run<'_> {
         if let Err(fault) = thread.check() {
             return self.cycle_fault(args, args.span, 0, &fault.to_string(), "check the arguments of the cycle");
         }
+        self.says_shifted_starts(args, places, &thread);
         self.send_cycle(Cycle::Thread(thread));
         Ok(())
+    }
+
+    /// The target starts each thread at one angle: other angles are starts that lie farther back.
+    fn says_shifted_starts(&self, args: &Arguments, places: &Places, thread: &Thread) {
+        let angle = thread.start_angle.0;
+        let (what, place) = match (angle != 0.0, thread.starts) {
+            (false, 0 | 1) => return,
+            (true, 0 | 1) => (format!("the start angle {angle}"), places.start_angle),
+            (false, starts) => (format!("{starts} starts"), places.starts),
+            (true, starts) => (format!("the start angle {angle} and {starts} starts"), places.start_angle),
+        };
+        let starts = f64::from(thread.starts.max(1));
+        let turn = angle / 360.0 + (starts - 1.0) / starts;
+        let back = thread.parts.first().map_or(0.0, |part| part.lead) * turn;
+        let message = format!(
+            "{}: {what} made by cuts that begin up to {back:.4} mm farther back, where the tool goes at rapid",
+            args.name
+        );
+        let message = message.replacen(" made by", if thread.starts > 1 { " are made by" } else { " is made by" }, 1);
+        let found = Diagnostic::new(codes::S8133, self.loc(args.span_of(place)), message);
+        self.report(found.help("see that nothing stands there"));
     }
 
     /// One flank: which pass stands at the programmed start is not documented. Alternating ones close in on the last pass.
