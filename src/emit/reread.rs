@@ -138,6 +138,9 @@ impl Reader {
     }
 }
 
+/// Bound of a number that is read, in mm: lengths computed from it stay finite. No machine reaches it.
+const LARGEST: f64 = 1e12;
+
 /// Letters and numbers of a line, comments left out.
 fn words(line: &str) -> Vec<(char, f64)> {
     let mut words = Vec::new();
@@ -151,8 +154,8 @@ fn words(line: &str) -> Vec<(char, f64)> {
         let Some(letter) = rest.chars().next() else { return words };
         let behind = &rest[letter.len_utf8()..];
         let number = behind.len() - behind.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.".contains(c)).len();
-        if let Ok(value) = behind[..number].parse() {
-            words.push((letter.to_ascii_uppercase(), value));
+        if let Ok(value) = behind[..number].parse::<f64>() {
+            words.push((letter.to_ascii_uppercase(), value.clamp(-LARGEST, LARGEST)));
         }
         rest = &behind[number..];
     }
@@ -226,6 +229,12 @@ mod tests {
         assert_eq!((moves[2].line, moves[2].feed), (7, Some(100.0)));
         assert!((moves[2].length - 2.0 * TAU * 5.0).abs() < 1e-9);
         assert_eq!(moves[3].text(), "G53 G0 X10 Y0 Z-1 (line 8)");
+    }
+
+    #[test]
+    fn numbers_beyond_any_machine_leave_the_lengths_finite() {
+        let far = format!("G0 X0 Y0\nG3 X10 Y10 I0 J1{}\nG3 X0 I1{}\n", "0".repeat(200), "0".repeat(400));
+        assert!(read(&far).iter().all(|motion| motion.length.is_finite()));
     }
 
     #[test]
