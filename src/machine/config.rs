@@ -31,6 +31,10 @@ struct Reader {
     settings: Settings,
 }
 
+/// Two keys for one thing.
+const BOTH_STARTS: &str =
+    "`[control] start` is the older name of `[start]`: keep one of the two (X counts as a radius in the older one)";
+
 impl Reader {
     fn unknown<'a>(&mut self, name: &str, node: &Node, known: impl Iterator<Item = &'a str>) {
         let mut error = node.fail(format!("unknown key `{name}`"));
@@ -144,6 +148,9 @@ impl Reader {
                 let value =
                     number(node).filter(|v| v.is_finite()).ok_or_else(|| node.fail("a position is a number"))?;
                 s.start.insert(axis(name, node)?, value);
+                if !s.control.mtc200.start.is_empty() {
+                    return Err(node.fail(BOTH_STARTS));
+                }
             }
             ("variables", _) => {
                 let value = number(node).ok_or_else(|| node.fail("a start value is a number"))?;
@@ -320,6 +327,7 @@ impl Reader {
                 let tolerance = number(node).filter(|t| (0.0..=1.0).contains(t));
                 control.circle_tolerance = tolerance.ok_or_else(|| node.fail("a tolerance is 0 to 1 mm"))?;
             }
+            "start" if !self.settings.start.is_empty() => return Err(node.fail(BOTH_STARTS)),
             "start" | "home" => {
                 let list = if name == "start" { &mut control.start } else { &mut control.home };
                 for (name, node) in table_of(node) {

@@ -47,6 +47,11 @@ impl Start {
         }
     }
 
+    /// A work offset is selected in place of another one: the positions counted in that.
+    pub fn end(&mut self) {
+        self.touch(self.at.known());
+    }
+
     /// What to do where the position of an axis is not known: `usual`, and the key where it would say it.
     pub fn help(&self, axis: Axis, usual: &str) -> String {
         if self.touched.contains(axis) {

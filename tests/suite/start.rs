@@ -1,6 +1,7 @@
 //! `[start]`: where the axes stand before the first block, in all dialects.
 
 use super::common::{Compiled, compile_bytes, settings};
+use partc::machine::{config, tree};
 use partc::text::files::NoFiles;
 
 /// A program of a dialect, and what to write around the lines of a case.
@@ -154,5 +155,50 @@ fn a_tool_change_or_a_machine_position_ends_it() {
     for (form, body, code) in cases {
         let compiled = run(&FORMS[form], body, "[start]\nX = 0\nY = 0\nZ = 10\n");
         assert!(compiled.codes().contains(&code), "{body}: {:?}", compiled.rendered);
+    }
+}
+
+/// A configured position is one that was programmed in front of the first block: an increment behind a changed offset or
+/// frame meets the same options and the same refusals as one behind `G0 X10`.
+#[test]
+fn what_changes_the_offset_treats_it_as_a_programmed_position() {
+    const WITH: &str = "[control]\ng91_after_offset = \"with-offset\"\n";
+    const SD: &str = "[control]\nsd42440 = true\n";
+    let moves = [
+        // X10 and 1 more, counted from the zero that G50 moved by 3; TRANS X5 likewise.
+        (4, WITH, "G50 X3\nG94 G91 G01 X1 F10", "X14"),
+        (1, SD, "TRANS X5\nG94 G91 G1 X1 F10", "X16"),
+    ];
+    for (form, control, body, end) in moves {
+        let text = (FORMS[form].around)(body);
+        let settings = settings(&format!("{control}[start]\nX = 10\n"));
+        let compiled = compile_bytes(FORMS[form].name, text.into_bytes(), FORMS[form].dialect, &settings, &NoFiles);
+        let line = first_move(&compiled);
+        assert!(line.contains(end), "{body}: {line}");
+    }
+    let refused = [
+        (4, "G54\nG55\nG94 G91 G01 X1 F10", "M2001"),
+        (1, "G54\nG55\nG94 G91 G1 X1 F10", "S2042"),
+        (3, "G59 Z5\nG94 F100\nG1 Zi-1", "T2016"),
+        (
+            0,
+            "1 CYCL DEF 247 DATUM SETTING ~\n Q339=+1 ;NUMBER\n2 CYCL DEF 247 DATUM SETTING ~\n Q339=+2 ;NUMBER\n3 L IX+1 R0 F100",
+            "K2001",
+        ),
+    ];
+    for (form, body, code) in refused {
+        let compiled = run(&FORMS[form], body, "[start]\nX = 10\nZ = 2\n");
+        assert!(compiled.codes().contains(&code), "{body}: {:?}", compiled.rendered);
+    }
+}
+
+#[test]
+fn the_older_key_beside_it_is_an_error() {
+    for text in
+        ["[control]\nstart = { X = 1.0 }\n[start]\nX = 10\n", "[start]\nX = 10\n[control]\nstart = { Y = 1.0 }\n"]
+    {
+        let read = config::read(&tree::parse(text, "partc.toml").expect("it is TOML"));
+        let errors = read.expect_err("one of the two is left out");
+        assert!(format!("{errors:?}").contains("older name"), "{errors:?}");
     }
 }

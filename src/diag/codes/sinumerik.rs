@@ -491,6 +491,10 @@ S8191 Warning "siemens-g96-shifted" "constant cutting speed under a shift of the
 "G96 makes the speed of the spindle from the diameter at which the tool stands. The target takes the printed coordinate, in which a TRANS of the diameter axis is contained; \
 which of the two the control takes is not confirmed. Look at the speed on the machine, end the shift in front of the cut, or program G97 with a speed."
 
+S8192 Warning "siemens-point-without-axis" "G74 or G75 without an axis"
+"G74 and G75 move the axes that their block names to points of the machine. This block names none, so nothing is printed for it; a retraction that it may stand for is \
+not made. Name the axes: `G75 X1=0 Z1=0`."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 

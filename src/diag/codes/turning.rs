@@ -174,6 +174,10 @@ T2050 Error "turning-lone-return" "carriage return inside a block"
 "A carriage return stands alone, without a line feed, in a file whose lines end with line feeds. Editors show what follows as a line of its own; \
 partc and the control would read it as part of the same line, or of its comment. End the line with a line feed."
 
+T2070 Error "turning-said-twice" "form or blank is described twice"
+"A corner takes one undercut, an element one thread, and a part one blank. Here a second block describes the same one once more, and only one of \
+the two can be meant. Remove the other."
+
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
 `B0` a corner; a line by angle is fixed by one coordinate or by the next element."

@@ -76,6 +76,8 @@ pub enum Degression {
     Amount(f64),
     /// By this factor each, over 0 to 1, but none below `least`. A last step that ends just at the bottom is halved.
     Factor { factor: f64, least: f64 },
+    /// By this amount each, down to `least`; the last step is what remains.
+    Plain { less: f64, least: f64 },
     /// All steps alike; the last two are halves of the rest where the last would be shorter than `least`.
     Even { least: f64 },
 }
@@ -396,6 +398,7 @@ fn good(degression: Degression) -> bool {
     match degression {
         Degression::Amount(amount) => amount > 0.0 && amount.is_finite(),
         Degression::Factor { factor, least } => factor > 0.0 && factor <= 1.0 && least >= 0.0 && least.is_finite(),
+        Degression::Plain { less, least } => less >= 0.0 && less.is_finite() && least > 0.0 && least.is_finite(),
         Degression::Even { least } => least >= 0.0 && least.is_finite(),
     }
 }

@@ -111,6 +111,10 @@ pub fn depths(levels: &Levels, first: f64, degression: Degression) -> Result<Vec
                     next
                 }
             }
+            Degression::Plain { less, least } => {
+                step = (step - less).max(least);
+                if done + step + NOTHING >= total { total } else { done + step }
+            }
             Degression::Even { .. } if done + step >= total => total,
             Degression::Even { least } if total - (done + step) < least => done + rest / 2.0,
             Degression::Even { .. } => done + step,

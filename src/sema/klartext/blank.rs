@@ -109,6 +109,11 @@ impl Run<'_> {
         if block.words.is_empty() {
             self.unusable_blank("BLK FORM names neither 0.1 nor 0.2 nor a shape");
         }
+        if let Some(other) = corner.as_deref().filter(|corner| !matches!(*corner, b"0.1" | b"0,1" | b"0.2" | b"0,2")) {
+            let corner = crate::text::decode::readable(other).into_owned();
+            self.unusable_blank(&format!("BLK FORM {corner} is neither 0.1 nor 0.2"));
+            return Ok(());
+        }
         let [Some(x), Some(y), Some(z)] = values else {
             if let Some(corner) = corner {
                 let corner = crate::text::decode::readable(&corner).into_owned();
@@ -125,11 +130,7 @@ impl Run<'_> {
                     self.unusable_blank("the MAX point does not lie above the MIN point");
                 }
             }
-            Some(other) => {
-                let corner = crate::text::decode::readable(other).into_owned();
-                self.unusable_blank(&format!("BLK FORM {corner} is neither 0.1 nor 0.2"));
-            }
-            None => {}
+            _ => {}
         }
         Ok(())
     }

@@ -321,7 +321,10 @@ impl Run<'_> {
         self.function(Function::WorkOffset(offset));
         let mirror_last = self.st.transform.mirror_last;
         self.set_transformation(Transformation::none(mirror_last))?;
-        // In the new system no axis has a known position, but for those that never moved.
+        // In the new system no axis has a known position, but for those that never moved before the first preset.
+        if std::mem::replace(&mut self.st.preset_selected, true) {
+            self.st.start.end();
+        }
         self.st.pos = self.st.start.position();
         self.st.nominal = crate::ir::Pos::UNKNOWN;
         self.st.lost = AxisSet::EMPTY;

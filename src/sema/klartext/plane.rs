@@ -26,7 +26,9 @@ struct Plane {
     data: Vec<(String, f64)>,
     /// STAY, TURN or MOVE.
     positioning: Option<String>,
-    /// MB, or a word that is not known.
+    /// MB: the tool is retracted before the axes turn.
+    retract: bool,
+    /// A word that is not known.
     open: bool,
 }
 
@@ -42,7 +44,7 @@ enum Effect {
     Tilted,
     /// Nothing is tilted, but no manual page at hand settles by what the plane turns.
     Unsettled,
-    /// A word that is not known.
+    /// MB, a word that is missing or not known.
     Open,
 }
 
@@ -61,6 +63,8 @@ impl Plane {
                 // How fast, about which point, which solution.
                 (_, "FMAX" | "FAUTO" | "COORD" | "TABLE" | "ROT", "") | (_, "SEQ" | "SYM", "+" | "-") => {}
                 (_, "F" | "DIST" | "ABST", number) if value(number).is_some() => {}
+                (_, "MB", rest) if !plane.retract && (rest.is_empty() || value(rest).is_some()) => plane.retract = true,
+                (_, "MAX", "") if plane.retract => {}
                 _ => match value(rest).or_else(|| parameter(rest)) {
                     Some(number) => plane.data.push((name.to_owned(), number)),
                     None => plane.open = true,
@@ -83,10 +87,21 @@ impl Plane {
         (self.data.len() == N).then_some(values)
     }
 
+    /// Why [`Plane::effect`] is [`Effect::Open`].
+    fn why_open(&self) -> &'static str {
+        match (self.open, self.retract, self.kind.as_str()) {
+            (true, ..) => "holds a word that is not known, so its plane is open",
+            (_, true, _) => "retracts the tool by MB before it turns, which cannot be compiled",
+            (.., "SPATIAL") => "needs each of SPA, SPB and SPC once and no other angle, so its plane is open",
+            (.., "EULER") => "needs each of EULPR, EULNU and EULROT once and no other angle, so its plane is open",
+            _ => "does not hold the words that this kind of plane needs, so its plane is open",
+        }
+    }
+
     fn effect(&self) -> Effect {
         let turned = |tilts: bool, angle: f64| if tilts { Effect::Tilted } else { Effect::Turned(angle) };
         let known = match self.kind.as_str() {
-            _ if self.open => None,
+            _ if self.open || self.retract => None,
             "RESET" => self.data.is_empty().then_some(Effect::Turned(0.0)),
             "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(|[a, b, c]| turned(a != 0.0 || b != 0.0, c)),
             // About Z, about the new X, about the new Z.
@@ -170,11 +185,16 @@ impl Run<'_> {
                     "sets the rotary table to an angle, which only the machine can turn into coordinates",
                 );
             }
+            Effect::Tilted if self.st.axis() != Axis::Z => {
+                let axis = self.st.axis().letter();
+                let what = format!("turns about another axis than Z, which is not compiled for the tool axis {axis}");
+                return refuse(self, &what);
+            }
             Effect::Tilted => return refuse(self, "tilts the working plane, which cannot be compiled for three axes"),
             Effect::Unsettled => {
                 return refuse(self, "turns the plane by words whose sense no manual page settles");
             }
-            Effect::Open => return refuse(self, "holds a word that is not known, so its plane is open"),
+            Effect::Open => return refuse(self, plane.why_open()),
         };
         let moves = plane.positioning.as_deref().is_some_and(|word| word != "STAY");
         self.turn_plane(&name, angle, moves, plane.positioning.as_deref() == Some("TURN"))

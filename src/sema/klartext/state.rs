@@ -54,6 +54,8 @@ pub(super) struct State {
     pub transform: Transformation,
     /// Counts changes of the input system.
     pub system: u32,
+    /// Cycle 247 selected a preset.
+    pub preset_selected: bool,
     pub spindle: Option<Turn>,
     /// The spindle was started once.
     pub spindle_used: Option<Turn>,
@@ -174,6 +176,7 @@ impl State {
             tool: None,
             tool_axis: None,
             transform: Transformation::none(settings.control.klartext_readings.mirror_last),
+            preset_selected: false,
             system: 0,
             spindle: None,
             spindle_used: None,

@@ -37,6 +37,9 @@ impl Run<'_> {
             let help = "set the programmed offset to 0 before: `G50 X0 Y0 Z0`";
             return self.fail_help(codes::M2101, span, "G53 while an offset of G50 or G51 is in force", help);
         }
+        if self.st.offset != Offset::Start {
+            self.st.start.end();
+        }
         self.st.offset = offset;
         if let Offset::Work(number) = offset {
             self.function(Function::WorkOffset(number));

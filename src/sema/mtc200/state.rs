@@ -113,13 +113,13 @@ impl State {
         }
         State {
             pos: start.position(),
+            programmed: start.position(),
             start,
             lost: AxisSet::EMPTY,
             motion: None,
             motion_lost: false,
             dimension_said: false,
             feed_said: false,
-            programmed: Pos::UNKNOWN,
             length: Length::default(),
             plane,
             inch: settings.control.unit == Some(Unit::Inch),

@@ -238,6 +238,10 @@ impl Run<'_> {
     /// A name that nothing is known of.
     pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
         let word = self.symbols.name(name);
+        if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
+            let message = format!("{word} lacks the axis or spindle in brackets");
+            return self.fail_help(codes::S1001, 12080, span, message, &format!("write {word}[X]=…"));
+        }
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);
         let help = match like {

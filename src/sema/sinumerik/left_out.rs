@@ -115,7 +115,12 @@ impl Run<'_> {
         }
         self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
         let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
-        let Some(reference) = self.reference(*formula, block, text)? else { return Ok(()) };
+        let Some(reference) = self.reference(*formula, block, text)? else {
+            return match block.formula(*formula) {
+                [Op::Name(name, at)] => self.undefined(*name, *at),
+                _ => Ok(()),
+            };
+        };
         self.set_reference(reference, 0);
         let shown = match block.formula(*formula) {
             [Op::Name(name, _)] => self.symbols.name(*name).to_owned(),

@@ -69,6 +69,10 @@ impl Run<'_> {
                 );
             }
         };
+        let selected = self.st.offsets_printed || self.st.under_g500;
+        if selected && self.st.outer != Outer::Printed(number) {
+            self.st.start.end();
+        }
         self.counts_from(Outer::Printed(number), None);
         self.st.offsets_printed = true;
         if self.st.offsets_resolved {
@@ -82,8 +86,9 @@ impl Run<'_> {
         self.function(Function::WorkOffset(printed));
         self.forget_all();
         // Axes that never moved stand where the configuration says, in the first work offset.
-        let start = self.st.ctx.frame.unapply(&self.st.start.position());
-        self.st.pos.update(&start);
+        let start = self.st.start.position();
+        self.st.programmed.update(&start);
+        self.st.pos.update(&self.st.ctx.frame.unapply(&start));
         if moved == FromBasic::AtStart {
             let word = offset_word(number);
             let message = format!(

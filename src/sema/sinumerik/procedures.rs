@@ -74,6 +74,11 @@ impl Run<'_> {
             let help = "replace it by plain moves, or put its program beside this one";
             return self.fail_help(codes::S9005, 0, call.span, message, help);
         }
+        if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
+            let message = format!("{name} is a word of the language and lacks its value");
+            let help = format!("give its value: {name}=… or {name}[…]=…");
+            return self.fail_help(codes::S1001, 12080, call.span, message, &help);
+        }
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: reference sections 1.5, 2.1, 4.2, 5.6 and 6.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
@@ -200,7 +200,11 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, 14091, span, "a fixed point is approached under radius compensation");
         }
-        if !named.is_empty() {
+        if named.is_empty() && w.machine_axes.is_empty() && w.left_out.is_empty() {
+            let message = format!("{} names no axis: nothing moves", word(code));
+            let found = Diagnostic::new(codes::S8192, self.loc(span), message);
+            self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", word(code))));
+        } else if !named.is_empty() {
             self.machine_rapid(end);
         }
         Ok(())

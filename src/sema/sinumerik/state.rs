@@ -155,6 +155,7 @@ impl State {
         }
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
         let start = Start::new(settings, groups[29] == Code::DIAMON.index);
+        let at = start.position();
         State {
             groups,
             geometry_axes: machine.geometry_axes,
@@ -165,7 +166,7 @@ impl State {
             lost: AxisSet::EMPTY,
             modulo: machine.modulo,
             heading: super::tangent::Heading::None,
-            programmed: Pos::UNKNOWN,
+            programmed: at,
             pole: Point2::origin(),
             pole_lost: false,
             ap: None,

@@ -4,13 +4,13 @@
 
 use crate::diag::codes;
 use crate::parser::turning::ast::Block;
-use crate::text::Loc;
+use crate::text::{Loc, Span};
 
 use super::super::here::Here;
 use super::contour::{Builder, Outline};
 use super::geometry::note_adjusted;
 use super::sections::Family;
-use super::words::{Fun, Words};
+use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
 
 /// A cycle whose contour is being read.
@@ -22,11 +22,16 @@ pub(super) struct Capture {
     /// The block of the cycle.
     here: Here,
     builder: Builder,
+    /// The block of the cycle, as its words count.
+    function: Span,
     /// Something of the contour was refused.
     broken: bool,
     /// G41 or G42 in the block behind G89.
     side: Option<Fun>,
 }
+
+/// Oversizes of the blank in X and Z, in the form of a recess.
+const BLANK_OF_FORM: [&str; 2] = ["RI", "RK"];
 
 impl Capture {
     pub fn loc(&self) -> Loc {
@@ -62,6 +67,7 @@ impl Run<'_> {
             words: w.clone(),
             here: self.here,
             builder: Builder::default(),
+            function: self.block_span(),
             broken: false,
             side: None,
         }));
@@ -128,6 +134,7 @@ impl Run<'_> {
         if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
             return self.fail(codes::T1003, self.block_span(), "G80 stands alone in its block");
         }
+        self.known_words(w, capture.number)?;
         if let Some(outline) = self.contour_words(w, capture.number)? {
             if !capture.builder.is_empty() || capture.broken {
                 return self.fail(
@@ -136,6 +143,7 @@ impl Run<'_> {
                     "the contour stands in blocks and in the words of G80",
                 );
             }
+            self.blank_of_form(&mut capture, w)?;
             return self.captured_cycle(&capture, &outline);
         }
         let left_out = if matches!(capture.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
@@ -151,6 +159,48 @@ impl Run<'_> {
             Ok(_) if empty => self.fail(codes::T3003, self.block_span(), "the contour has no element"),
             Ok(outline) => self.captured_cycle(&capture, &outline),
         }
+    }
+
+    /// The words of a contour in G80; RI and RK belong to the form of a recess. Source: reference section 12.
+    fn known_words(&self, w: &Words, number: u16) -> Outcome {
+        let known = super::functions::find(80).map_or(&[][..], |row| row.longs);
+        for (addr, num) in w.longs() {
+            let name = addr.to_string();
+            if num.unknown {
+                return self.fail(codes::T1003, num.span, format!("{name} takes a number"));
+            }
+            let form = number == 869 && BLANK_OF_FORM.contains(&name.as_str());
+            if !form && !known.contains(&name.as_str()) {
+                return self.fail_help(
+                    codes::T1003,
+                    num.span,
+                    format!("G80 takes no {name} behind G{number}"),
+                    "remove the word, or put it where it belongs",
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// RI and RK of G80 say how far the blank stands proud, as they do in the block of G869.
+    fn blank_of_form(&self, capture: &mut Capture, w: &Words) -> Outcome {
+        for name in BLANK_OF_FORM {
+            let Some(num) = w.long(name) else { continue };
+            if capture.words.long(name).is_some() {
+                return self.fail_help(
+                    codes::T1006,
+                    num.span,
+                    format!("{name} stands in the block of G869 and in the words of G80"),
+                    "leave one of the two out",
+                );
+            }
+            if num.value < 0.0 {
+                return self.fail(codes::T1007, num.span, "the oversize of a blank is not negative");
+            }
+            // What the cycle finds is shown at its own block.
+            capture.words.add_long(name, Num { span: capture.function, ..num });
+        }
+        Ok(())
     }
 
     fn captured_cycle(&mut self, capture: &Capture, outline: &Outline) -> Outcome {

@@ -154,9 +154,9 @@ impl Run<'_> {
             None => first / 10.0,
         };
         let degression = if less == 0.0 {
-            Degression::Even { least: least.min(first) }
+            Degression::Plain { less: 0.0, least: least.min(first) }
         } else if (less - least).abs() <= 1e-9 {
-            Degression::Amount(less)
+            Degression::Plain { less, least: least.min(first) }
         } else {
             return self.fail_help(
                 codes::T9007,

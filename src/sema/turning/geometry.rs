@@ -279,8 +279,21 @@ impl Run<'_> {
 
     // Blanks.
 
+    fn one_blank(&self) -> Outcome {
+        if self.geometry.blank.is_none() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::T2070,
+            self.block_span(),
+            "the blank is described already, by an earlier G20 or G21",
+            "keep one of the two blocks",
+        )
+    }
+
     fn bar(&mut self, w: &Words) -> Outcome {
         self.only(w, letters("XZKI"), &[])?;
+        self.one_blank()?;
         let span = self.block_span();
         let mm = self.st.mm();
         let diameter = self.needed(w, b'X', "the diameter of the bar", span)?;
@@ -298,6 +311,7 @@ impl Run<'_> {
 
     fn casting(&mut self, w: &Words) -> Outcome {
         self.only(w, letters("PQ"), &[])?;
+        self.one_blank()?;
         let num = self.needed(w, b'P', "the oversize of the casting", self.block_span())?;
         let oversize = self.above_zero(num, "the oversize of the casting")?;
         let bore = self.choice(w, b'Q', 0, 1)? == 1;

@@ -2,7 +2,7 @@
 //!
 //! Source: reference section 6.3.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
 use crate::machine::{Axis, RecessDepth, RecessWidth};
 
@@ -13,7 +13,7 @@ use super::forms::{Along, Recess};
 use super::readings::Question;
 use super::undercuts::{self, LEAN_509, SLOPE_76, SLOPE_509, Undercut};
 use super::words::{Words, letters};
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// Depth of a metric ISO thread by its pitch, outside and inside. Source: reference section 6.3, G37.
 const ISO_DEPTH: [f64; 2] = [0.613_43, 0.541_27];
@@ -160,6 +160,9 @@ impl Run<'_> {
         // The table goes by the diameter of the cylinder.
         let diameter = 2.0 * piece.solved.to.y;
         let undercut = self.undercut_of(w, form.value, diameter)?;
+        if let Some((_, first)) = &piece.undercut {
+            return self.said_twice("this corner has an undercut already", first.loc);
+        }
         piece.undercut = Some((undercut, mark));
         piece.codes.1 = code_of_undercut(form.value);
         Ok(())
@@ -221,8 +224,7 @@ impl Run<'_> {
         self.only(w, letters("F"), &[])?;
         let num = self.needed(w, b'F', "the pitch of the thread", self.block_span())?;
         let pitch = self.above_zero(num, "the pitch of the thread")?;
-        self.reference(builder, "a thread")?.thread = Some(ThreadData { pitch, depth: ISO_DEPTH.map(|d| d * pitch) });
-        Ok(())
+        self.put_thread(ThreadData { pitch, depth: ISO_DEPTH.map(|d| d * pitch) }, builder)
     }
 
     /// G37: the element before is a thread of type Q with the pitch F; P is its depth.
@@ -257,7 +259,22 @@ impl Run<'_> {
                 );
             }
         };
-        self.reference(builder, "a thread")?.thread = Some(ThreadData { pitch, depth });
+        self.put_thread(ThreadData { pitch, depth }, builder)
+    }
+
+    fn put_thread(&self, thread: ThreadData, builder: &mut Builder) -> Outcome {
+        let piece = self.reference(builder, "a thread")?;
+        if piece.thread.is_some() {
+            return self.said_twice("this element is a thread already", piece.mark.loc);
+        }
+        piece.thread = Some(thread);
         Ok(())
+    }
+
+    /// Only one of the two can be meant.
+    fn said_twice(&self, message: &str, first: crate::text::Loc) -> Outcome {
+        let found = Diagnostic::new(codes::T2070, self.here.origin.loc, message);
+        self.report(found.also(first, "the element or form that it was said for").help("keep one of the two blocks"));
+        Err(Reported)
     }
 }

@@ -2,8 +2,10 @@
 //!
 //! Source: reference sections 7, 8.1 and 8.2, worked examples 8, 12 and 13.
 
+use std::f64::consts::PI;
+
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Element, Point2, Vec2};
+use crate::geo::{Element, Point2, Vec2, distance};
 use crate::ir::cycle::roughing::{Falling, Nose, RoughingEnd, Smoothing};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Roughing};
@@ -187,16 +189,20 @@ impl Run<'_> {
     /// Parts that fall behind a higher one are left standing: worth a word.
     fn note_bridged(&self, contour: &[Element], at: Point2, into: Towards, number: u16) {
         let out = -(into.unit().x + into.unit().y);
-        let mut points: Vec<Point2> = contour.iter().map(Element::from).collect();
+        let mut points: Vec<Point2> = Vec::with_capacity(contour.len() + 1);
+        for element in contour {
+            points.push(element.from());
+            points.extend(extremes(element));
+        }
         points.extend(contour.last().map(Element::to));
         let along = |p: &Point2| if into.is_radial() { (p.x - at.x).abs() } else { (p.y - at.y).abs() };
         if points.first().map(along) > points.last().map(along) {
             points.reverse();
         }
-        let falls = points
-            .windows(2)
-            .any(|pair| (into.depth_coordinate(pair[1]) - into.depth_coordinate(pair[0])) * out < -1e-6);
-        if falls {
+        let lower = |pair: &[Point2]| (into.depth_coordinate(pair[1]) - into.depth_coordinate(pair[0])) * out < -1e-6;
+        // What runs back towards the tool lies behind what it came from.
+        let back = |pair: &[Point2]| along(&pair[1]) - along(&pair[0]) < -1e-6;
+        if points.windows(2).any(|pair| lower(pair) || back(pair)) {
             let message = format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
             self.report(Diagnostic::new(codes::T2026, self.here.origin.loc, message));
         }
@@ -243,6 +249,24 @@ impl Run<'_> {
             Some((_, loc)) => self.oversize_refused(loc, "an equidistant or negative oversize is not supported here"),
         }
     }
+}
+
+/// Points of an arc that are farthest along an axis, in its order.
+fn extremes(element: &Element) -> Vec<Point2> {
+    let Element::Arc { from, center, sweep, .. } = *element else { return Vec::new() };
+    let radius = distance(from, center);
+    let first = libm::atan2(from.y - center.y, from.x - center.x);
+    let turned = |angle: f64| (angle - first) * sweep.signum();
+    let mut found: Vec<(f64, Point2)> = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.5), (-1.0, 0.0, 1.0), (0.0, -1.0, 1.5)]
+        .map(|(x, y, half_turns)| {
+            let way = libm::fmod(turned(half_turns * PI) + 4.0 * PI, 2.0 * PI);
+            (way, center + Vec2::new(x, y) * radius)
+        })
+        .into_iter()
+        .filter(|(way, _)| *way < sweep.abs())
+        .collect();
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.into_iter().map(|(_, point)| point).collect()
 }
 
 /// Into the material: from the tool to the contour.

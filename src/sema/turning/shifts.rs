@@ -48,6 +48,14 @@ impl Run<'_> {
                             "program G59 before the first move, too",
                         );
                     }
+                    if !self.st.start.position().known().is_empty() {
+                        return self.fail_help(
+                            codes::T2016,
+                            self.block_span(),
+                            "G59 moves the workpiece zero that the positions of `[start]` count from, by an amount that only the machine knows",
+                            "leave `[start]` out of partc.toml, and begin the program with absolute positions",
+                        );
+                    }
                     shift.base = Some(z);
                     let message =
                         format!("coordinates count from the workpiece zero of G59, {z} mm in front of the chuck");

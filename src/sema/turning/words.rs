@@ -100,6 +100,13 @@ impl Words {
         self.more.iter().find(|(known, _)| *known == addr).map(|(_, num)| *num)
     }
 
+    /// A word that another block says for this one.
+    pub fn add_long(&mut self, name: &str, num: Num) {
+        if let Some(addr) = Addr::of(name.as_bytes()) {
+            self.more.push((addr, num));
+        }
+    }
+
     pub fn longs(&self) -> &[(Addr, Num)] {
         &self.more
     }

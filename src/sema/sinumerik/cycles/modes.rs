@@ -179,6 +179,9 @@ impl Run<'_> {
         let retract = self.needed_length(args, 1, "the retraction plane RTP")?;
         let reference = self.needed_length(args, 2, "the reference plane RFP")?;
         let clearance = self.length_of(args, 3).unwrap_or(0.0);
+        if clearance < 0.0 {
+            self.reading(args, 3, "SDIS has no sign, and its minus is left out");
+        }
         let digit = |place: usize, position: u32| if place == 0 { 0 } else { args.digit(place, position) };
         let by = match digit(modes.reading, 0) {
             1 => Depth::Incremental,

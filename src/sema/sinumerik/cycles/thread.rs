@@ -215,6 +215,9 @@ impl Run<'_> {
         let passes = self.roughing_passes(args, places, depth - finish, area)?;
         let idle = self.whole_of(args, places.idle, 0)?;
         let starts = self.whole_of(args, places.starts, 0)?.max(1);
+        if args.name != "CYCLE99" && args.number(places.starts) == Some(0.0) {
+            self.reading(args, places.starts, "NUMT 0 is taken as one start");
+        }
         if args.name == "CYCLE99" && starts > 1 {
             let found = Diagnostic::new(
                 codes::S8019,

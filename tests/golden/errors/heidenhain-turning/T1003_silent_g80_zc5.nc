@@ -1,0 +1,10 @@
+HEADER
+#UNIT METRIC
+MACHINING
+[without ZC the words of G80 are those of a recess]
+N2 T5
+N3 G97 S800 G95 F0.2 M3
+N4 G0 X70 Z-23.1
+N5 G869 P2 Q1
+N6 G80 XS60 ZS-20 XE48 ZE-32
+END

@@ -1,0 +1,16 @@
+HEADER
+#UNIT METRIC
+TURRET
+T1 ID"A"
+FINISHED PART
+[seen across, the recess lies behind the shoulder in front of it: it is left standing]
+N2 G0 X0 Z0
+N3 G1 X40
+N4 G1 Z-30
+N5 G22 Z-10 I30 K-20
+N6 G1 X60
+MACHINING
+N100 T1 G95 F0.25 G97 S500 M3
+N101 G0 X66 Z0
+N103 G820 NS3 NE6 P10 H1
+END
