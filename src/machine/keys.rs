@@ -28,12 +28,19 @@ pub struct Key {
     pub doc: &'static str,
     /// TOML text of the value that holds without the key; empty where none does.
     pub default: &'static str,
+    /// Without the key its default is a reading that warns; setting the key confirms it.
+    pub warns: bool,
 }
 
 impl Key {
     /// The same key with the value that holds without it.
     const fn or(self, default: &'static str) -> Key {
         Key { default, ..self }
+    }
+
+    /// The same key with the reading that is taken, with a warning, without it.
+    const fn or_warn(self, reading: &'static str) -> Key {
+        Key { default: reading, warns: true, ..self }
     }
 
     /// The default as a node of the tree.
@@ -54,7 +61,7 @@ pub struct Section {
 }
 
 const fn key(name: &'static str, kind: Kind, doc: &'static str) -> Key {
-    Key { name, kind, doc, default: "" }
+    Key { name, kind, doc, default: "", warns: false }
 }
 
 const GENERATIONS: &[&str] = &["tnc426", "itnc530", "tnc640", "tnc7"];
@@ -191,13 +198,13 @@ pub const SECTIONS: &[Section] = &[
                 Kind::Choice(&["near", "far"]),
                 "solution that Q0 of an arc names in turning programs",
             )
-            .or(r#""near""#),
+            .or_warn(r#""near""#),
             key(
                 "recess_depth",
                 Kind::Choice(&["diameter", "radius"]),
                 "what an incremental I of a recess (G22) counts",
             )
-            .or(r#""diameter""#),
+            .or_warn(r#""diameter""#),
             key(
                 "clearance",
                 Kind::Number,
@@ -209,45 +216,45 @@ pub const SECTIONS: &[Section] = &[
                 "side of its corner, along Z, on which a wide recess of G86 lies; refused if not given",
             ),
             key("infeed", Kind::Choice(&["radius", "diameter"]), "what the infeed I of G81 in turning programs counts")
-                .or(r#""radius""#),
+                .or_warn(r#""radius""#),
             key(
                 "thread_left",
                 Kind::Choice(&["minus", "plus"]),
                 "turning programs: end of the Z axis that is left for the flank offset H of a thread",
             )
-            .or(r#""minus""#),
+            .or_warn(r#""minus""#),
             key(
                 "recess_width",
                 Kind::Choice(&["opening", "floor"]),
                 "where K of a recess with leaning flanks (G23) is measured",
             )
-            .or(r#""opening""#),
+            .or_warn(r#""opening""#),
             key("recess_blank", Kind::Choice(&["diameter", "radius"]), "what RI of G869 (blank oversize in X) counts")
-                .or(r#""diameter""#),
+                .or_warn(r#""diameter""#),
             key(
                 "simple_thread",
                 Kind::Choice(&["documented", "refuse"]),
                 "G32 of turning programs: its words as in docs/turning.md, or refused",
             )
-            .or(r#""documented""#),
+            .or_warn(r#""documented""#),
             key(
                 "contour_words",
                 Kind::Choice(&["documented", "refuse"]),
                 "contour in the words of G80: as in docs/turning.md, or refused",
             )
-            .or(r#""documented""#),
+            .or_warn(r#""documented""#),
             key(
                 "line_angle",
                 Kind::Choice(&["minus-z", "plus-z"]),
                 "turning programs: direction from which the angle A or AN of a line counts",
             )
-            .or(r#""minus-z""#),
+            .or_warn(r#""minus-z""#),
             key(
                 "undercut_limit",
                 Kind::Choice(&["lower", "upper"]),
                 "row of the table of G85 for a diameter of exactly 18 or 80 mm",
             )
-            .or(r#""lower""#),
+            .or_warn(r#""lower""#),
             key(
                 "thread_face",
                 Kind::Choice(&["front", "rear"]),
@@ -258,19 +265,19 @@ pub const SECTIONS: &[Section] = &[
                 Kind::Choice(&["away", "towards"]),
                 "turning depth compensation R or RB of G869: away from the floor, or towards it",
             )
-            .or(r#""away""#),
+            .or_warn(r#""away""#),
             key(
                 "offset_one_way",
                 Kind::Choice(&["none", "end"]),
                 "offset width B of G869 with U1: no effect, or each pass from the second on ends earlier",
             )
-            .or(r#""none""#),
+            .or_warn(r#""none""#),
             key(
                 "recess_oversize",
                 Kind::Choice(&["all", "floor"]),
                 "oversize of G86: left on the floor and the walls, or on the floor alone",
             )
-            .or(r#""all""#),
+            .or_warn(r#""all""#),
             key(
                 "arc_tolerance",
                 Kind::Number,
@@ -371,14 +378,14 @@ pub const SECTIONS: &[Section] = &[
                 "MTC200: readings that no manual at hand confirms and that this control has: [\"flow\", \"degrees\"]",
             )
             .or("[]"),
-            key("dwell", Kind::Choice(&["s", "ms"]), "MTC200: unit of the F of G04").or(r#""s""#),
+            key("dwell", Kind::Choice(&["s", "ms"]), "MTC200: unit of the F of G04").or_warn(r#""s""#),
             key(
                 "tool_change",
                 Kind::Choice(&["m6", "t"]),
                 "word that changes the tool; default: t on a SINUMERIK lathe, TOOL CALL (t) of a Klartext program without M6, else m6",
             ),
             key("angles", Kind::Choice(&["degrees", "radians"]), "MTC200: unit of angles in formulas")
-                .or(r#""degrees""#),
+                .or_warn(r#""degrees""#),
             key(
                 "rotary",
                 Kind::Choice(&["shortest", "absolute"]),

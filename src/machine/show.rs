@@ -20,6 +20,9 @@ pub fn toml(tree: &Table) -> String {
         for key in section.keys {
             match (table.and_then(|table| table.get(key.name)), key.default_node()) {
                 (Some(node), _) => line(&mut text, key.name, node, &place(node)),
+                (None, Some(node)) if key.warns => {
+                    line(&mut text, &format!("# {}", key.name), &node, "in use, with a warning until it is set");
+                }
                 (None, Some(node)) => line(&mut text, key.name, &node, "default"),
                 (None, None) => {
                     let _ = writeln!(text, "{:WIDTH$}  # not set: {}", format!("# {} =", key.name), key.doc);
@@ -51,6 +54,7 @@ pub fn json(tree: &Table) -> serde_json::Value {
         for key in section.keys {
             let entry = match (table.and_then(|table| table.get(key.name)), key.default_node()) {
                 (Some(node), _) => json!({ "value": plain(&node.value), "from": place(node) }),
+                (None, Some(node)) if key.warns => json!({ "value": plain(&node.value), "from": "reading" }),
                 (None, Some(node)) => json!({ "value": plain(&node.value), "from": "default" }),
                 (None, None) => json!({ "value": null, "from": null }),
             };
@@ -82,7 +86,8 @@ fn place(node: &Node) -> String {
 }
 
 fn line(text: &mut String, name: &str, node: &Node, place: &str) {
-    let entry = format!("{} = {}", quoted_key(name), value(&node.value));
+    let name = if name.starts_with("# ") { name.to_owned() } else { quoted_key(name) };
+    let entry = format!("{name} = {}", value(&node.value));
     let _ = writeln!(text, "{entry:WIDTH$}  # {place}");
 }
 
