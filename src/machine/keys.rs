@@ -281,9 +281,9 @@ pub const SECTIONS: &[Section] = &[
             key(
                 "arc_tolerance",
                 Kind::Number,
-                "turning programs: how far the radii at both ends of an arc may differ, in mm",
+                "turning programs: how far the radii at both ends of an arc may differ, in mm; 0.02 if not given",
             )
-            .or("0.02"),
+            ,
             key("tool_change_point", Kind::Free, "machine coordinates of G14: X (diameter) and Z"),
             key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm"),
             key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too"),
