@@ -13,6 +13,9 @@ const NAMES: &[&str] = &["N", "G", "M", "T", "NS", "NE", "L"];
 
 /// Words that may have another value without any effect, as program, word and reason.
 const WITHOUT_EFFECT: &[(&str, &str, &str)] = &[
+    ("oversize_of_the_cycle", "X2", "I of the cycle takes the place of G57, as a note says"),
+    ("oversize_of_the_cycle", "Z3", "I of the cycle takes the place of G57, as a note says"),
+    ("oversize_replaced", "P3", "G57 takes the place of G58, as a note says"),
     ("if_else", "Z-1", "a branch that does not run"),
     ("if_else", "Z-4", "a branch that does not run"),
     ("nested", "Z-1", "a branch that does not run"),

@@ -159,10 +159,18 @@ impl Run<'_> {
             Some(tip) => tip,
             None if radius == 0.0 => return Ok(None),
             None => {
+                let given = known.and_then(|tool| tool.orientation);
+                let message = match given {
+                    Some(position) => format!(
+                        "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be compensated"
+                    ),
+                    None => "the cutting-edge position of the tool is not known, so its nose cannot be compensated"
+                        .to_owned(),
+                };
                 return self.fail_help(
                     codes::T2024,
                     self.block_span(),
-                    "the cutting-edge position of the tool is not known, so its nose cannot be compensated",
+                    message,
                     "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = 0`",
                 );
             }

@@ -280,6 +280,14 @@ impl Run<'_> {
             let value = |letter| w.value(letter).unwrap_or(0.0) * mm;
             Oversize::Paraxial { x: value(b'X'), z: value(b'Z') }
         };
+        if let Some((before, loc)) = self.st.oversize
+            && std::mem::discriminant(&before) != std::mem::discriminant(&oversize)
+        {
+            let (old, new) = (before.name(), oversize.name());
+            let message = format!("from here on {old} changes nothing: {new} takes its place");
+            let found = Diagnostic::new(codes::T8017, loc, message);
+            self.report(found.also(self.here.origin.loc, "what takes its place").help("keep one of the two"));
+        }
         self.st.oversize = Some((oversize, self.here.origin.loc));
         Ok(())
     }

@@ -241,6 +241,15 @@ impl Run<'_> {
             num => Ok(num.map_or(0.0, |num| num.value * mm)),
         };
         if w.has(b'I') || w.has(b'K') {
+            if let Some((oversize, loc)) = self.st.oversize {
+                let name = oversize.name();
+                let message =
+                    format!("{name} changes nothing here: I or K of the cycle takes its place, for both axes");
+                let found = Diagnostic::new(codes::T8017, loc, message);
+                self.report(
+                    found.also(self.here.origin.loc, "the cycle").help("program both I and K in the cycle, or neither"),
+                );
+            }
             return Ok(Vec2::new(length(b'K')?, length(b'I')? / 2.0));
         }
         match self.st.oversize {

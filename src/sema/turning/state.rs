@@ -37,6 +37,16 @@ pub(super) enum Oversize {
     Equidistant(f64),
 }
 
+impl Oversize {
+    /// The function that sets it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Oversize::Paraxial { .. } => "G57",
+            Oversize::Equidistant(_) => "G58",
+        }
+    }
+}
+
 /// Everything that one block leaves to the next. Positions are millimetres, X is a radius.
 #[derive(Debug)]
 pub(super) struct State {
