@@ -95,7 +95,9 @@ const FAULTS: &[(&str, Fault)] = &[
     ("more turns", |l, i| is_arc(&l[i]).then(|| number(&mut l[i], 'P', |p| p + 1.0))?),
     ("no turns", |l, i| is_arc(&l[i]).then(|| no_word(l, i, 'P'))?),
     ("another plane", |l, i| {
-        let next = l[i + 1..].iter().find(|line| is_arc(line) || line.starts_with("G4") || is_plane(line))?;
+        // Tool lengths act along Z in every plane.
+        let asks = |line: &str| line.starts_with("G4") && !line.starts_with("G43") && !line.starts_with("G49");
+        let next = l[i + 1..].iter().find(|line| is_arc(line) || asks(line) || is_plane(line))?;
         (!is_plane(next) && !next.starts_with("G4 ")).then(|| swap_line(l, i, &["G17", "G18", "G19"]))?
     }),
     ("inches", |l, i| within(&mut l[i], "G21", "G20")),
