@@ -166,6 +166,7 @@ impl Run<'_> {
             );
         }
         self.st.tool = Some(number);
+        self.length_acts_along_z(self.st.plane, span)?;
         self.function(Function::ToolChange { number });
         self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
         self.forget_tip();

@@ -478,6 +478,25 @@ impl Run<'_> {
         }
     }
 
+    /// G43 of the target adds the length of the tool to Z, whatever the plane.
+    fn length_acts_along_z(&self, plane: Plane, span: Span) -> Outcome {
+        let settings = &self.job.settings;
+        let none = self.st.tool.is_none_or(|number| number == 0);
+        if plane == Plane::Xy
+            || none
+            || !settings.output.tool_length
+            || settings.machine.kind == crate::machine::MachineKind::Lathe
+        {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::O9190,
+            span,
+            "outside G17 the length of the tool does not act along Z, to which the G43 of the target adds it",
+            "leave `[output] tool_length` at \"off\" and set the length on the target, or program the block under G17",
+        )
+    }
+
     fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {
         if plane == self.st.plane {
             return Ok(());
@@ -486,6 +505,7 @@ impl Run<'_> {
             let text = "the working plane changes inside a compensated contour or a corner";
             return self.fail_help(codes::M1006, span, text, "program G40 before");
         }
+        self.length_acts_along_z(plane, span)?;
         self.st.plane = plane;
         self.st.cornerable = false;
         self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
