@@ -9,9 +9,9 @@ use crate::parser::sinumerik::records::Record;
 use crate::sema::records::{Block, Contour, CornerWord};
 use crate::text::Span;
 
+use super::g_groups::Code;
 use super::state::Diameter;
 use super::stored::{Stored, TOLERANCE};
-use super::vocabulary::Code;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -123,7 +123,7 @@ impl Run<'_> {
         let here = self.here.origin;
         self.tell_of_records(made, stored);
         self.stand_at(stored, made.start_record);
-        self.st.groups[1] = Code::G0.index;
+        self.st.codes.activate(Code::G0);
         self.tapping_ends();
         self.thread_chain = None;
         self.compensation_starts = false;
@@ -158,7 +158,7 @@ impl Run<'_> {
             }
             None => (Code::G1, Path::Line),
         };
-        self.st.groups[1] = code.index;
+        self.st.codes.activate(code);
         self.corner_open = None;
         self.send(&end, path, feed);
         let (shape, modal) = match block.corner {
