@@ -13,6 +13,7 @@ mod circle;
 mod contour;
 mod cycles;
 mod declare;
+mod editor_contour;
 mod eval;
 mod externs;
 mod feed;
@@ -40,9 +41,6 @@ mod special;
 mod spindle;
 mod stand_in;
 mod state;
-mod stored;
-mod stored_difference;
-mod stored_rebuild;
 mod system;
 mod tangent;
 mod tech;
@@ -176,7 +174,7 @@ struct Run<'a> {
     /// The contour that is described now.
     capture: Option<Box<capture::Capture>>,
     /// The contour of the contour editor that runs.
-    stored: Option<Box<stored::Stored>>,
+    stored: Option<Box<editor_contour::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,
     /// The same of the last tap, with its sign.

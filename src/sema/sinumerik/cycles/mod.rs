@@ -10,6 +10,7 @@ mod pattern;
 mod signatures;
 mod thread;
 mod undercut;
+mod undercut_call;
 
 use crate::diag::{Code, Diagnostic, codes};
 use crate::geo::{Plane, Point2};

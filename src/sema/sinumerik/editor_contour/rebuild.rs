@@ -6,14 +6,14 @@ use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
-use crate::sema::records::{Block, Contour, CornerWord};
 use crate::text::Span;
 
-use super::g_groups::Code;
-use super::state::Diameter;
-use super::stored::{Stored, TOLERANCE};
-use super::words::Words;
-use super::{Outcome, Run};
+use super::super::g_groups::Code;
+use super::super::state::Diameter;
+use super::super::words::Words;
+use super::super::{Outcome, Run};
+use super::made::{Block, Contour, CornerWord};
+use super::{Stored, TOLERANCE};
 
 impl Run<'_> {
     /// What holds where the blocks are missing must be what the editor would have written into them.
