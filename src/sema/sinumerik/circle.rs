@@ -11,8 +11,9 @@ use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
+use super::g_groups::Code;
 use super::state::Diameter;
-use super::vocabulary::{Address, Code};
+use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
 

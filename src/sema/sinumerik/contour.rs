@@ -9,8 +9,9 @@ use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
 
+use super::g_groups::Code;
 use super::offsets::Outer;
-use super::vocabulary::{Address, Code};
+use super::vocabulary::Address;
 use super::words::{Mode, Words};
 use super::{Outcome, Reported, Run};
 

@@ -7,7 +7,8 @@ use crate::ir::Feed;
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::vocabulary::{Address, Code};
+use super::g_groups::{Code, Group};
+use super::vocabulary::Address;
 use super::words::{Given, Words};
 use super::{Outcome, Reported, Run};
 
@@ -159,21 +160,19 @@ impl Run<'_> {
     }
 
     pub(super) fn feed_code(&mut self, code: Code, span: Span) -> Outcome {
-        let old = self.st.groups[15];
-        match code.index {
-            6 | 9.. => {
-                let message = format!("{} gives feeds that plain G-code cannot say", super::vocabulary::word(code));
-                return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
-            }
-            _ => {}
+        let old = self.st.codes.of(Group::FeedType);
+        use Code as G;
+        if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
+            let message = format!("{} gives feeds that plain G-code cannot say", code.word());
+            return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
         }
-        if matches!(code.index, 4 | 7) && self.job.settings.machine.diameter_axis.is_none() {
+        if code.holds_cutting_speed() && self.job.settings.machine.diameter_axis.is_none() {
             let message = "constant cutting speed needs a diameter axis (MD 20100)";
             return self.fail_help(codes::S2060, 10870, span, message, "set `[machine] diameter_axis = \"X\"`");
         }
-        self.st.groups[15] = code.index;
+        self.st.codes.activate(code);
         self.st.feed_kind_open = false;
-        if old != code.index {
+        if old != code {
             self.feed_mode_changed();
         }
         Ok(())

@@ -9,8 +9,9 @@ use crate::ir::{Feed, Pos, Side};
 
 use crate::text::Span;
 
+use super::g_groups::{Code, Group};
 use super::offsets::Outer;
-use super::vocabulary::{Address, Code};
+use super::vocabulary::Address;
 use super::words::{Mode, Words};
 use super::{Outcome, Run};
 
@@ -156,7 +157,7 @@ impl Run<'_> {
         if let Some(first) = w.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
-        if let Some((_, span)) = w.code_of(9) {
+        if let Some((_, span)) = w.code_of(Group::Suppression) {
             return self.fail_help(
                 codes::S9011,
                 0,

@@ -8,8 +8,8 @@ use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
 use crate::text::Span;
 
+use super::super::g_groups::Code;
 use super::super::state::Diameter;
-use super::super::vocabulary::Code;
 use super::super::words::Words;
 use super::super::{Outcome, Run};
 use super::made::{Block, Contour, CornerWord};
@@ -123,7 +123,7 @@ impl Run<'_> {
         let here = self.here.origin;
         self.tell_of_records(made, stored);
         self.stand_at(stored, made.start_record);
-        self.st.groups[1] = Code::G0.index;
+        self.st.codes.activate(Code::G0);
         self.tapping_ends();
         self.thread_chain = None;
         self.compensation_starts = false;
@@ -153,7 +153,7 @@ impl Run<'_> {
             }
             None => (Code::G1, Path::Line(feed)),
         };
-        self.st.groups[1] = code.index;
+        self.st.codes.activate(code);
         self.corner_open = None;
         self.send(&end, path);
         let (shape, modal) = match block.corner {
