@@ -241,7 +241,7 @@ impl<B: Clone> Source<B> {
         let place = self.cursor.place();
         self.parsed_again = place.at < self.furthest;
         self.furthest = self.furthest.max(place.at.saturating_add(1));
-        match self.cursor.next(job.sources) {
+        let read = match self.cursor.next(job.sources) {
             Ok(Next::Block(found)) => {
                 parse(found.text, into);
                 into.lines = found.lines;
@@ -259,7 +259,19 @@ impl<B: Clone> Source<B> {
                 job.diags.push(found.called(call));
                 Read::Broken
             }
-        }
+        };
+        report_hole(job, self.file, &mut self.cursor, place, call);
+        read
+    }
+}
+
+/// Reports what is lost in a file; `block` was read last.
+#[inline]
+pub fn report_hole(job: &Job<'_>, file: FileId, cursor: &mut Cursor, block: Place, call: CallPath) {
+    if let Some(Place { at, line }) = cursor.passed_hole(block) {
+        let loc = Loc { file, line, span: Span::at(at, 1) };
+        let found = Diagnostic::new(codes::P0005, loc, "NUL or Ctrl-Z bytes stand inside the program");
+        job.diags.push(found.help("get the program anew: what stood here is lost").called(call));
     }
 }
 

@@ -73,6 +73,7 @@ pub struct Cursor {
     line: u32,
     /// Offset of the first block: behind a byte order mark.
     first: u32,
+    holes: Holes,
     hash: Xxh3,
 }
 
@@ -92,6 +93,63 @@ pub enum OpenError {
     TooLarge,
     /// Nothing but blanks.
     Empty,
+}
+
+/// A byte that fills up a file: no line of a program holds one.
+fn is_padding(b: u8) -> bool {
+    matches!(b, 0 | 0x1a)
+}
+
+fn is_empty(b: u8) -> bool {
+    b.is_ascii_whitespace() || b == 0x0b || is_padding(b)
+}
+
+/// Looks for NUL and Ctrl-Z with a program before and after them: there something is lost. In front of the program,
+/// behind it, and between the programs of an archive they are padding.
+#[derive(Debug, Clone, Copy)]
+struct Holes {
+    /// Text was seen.
+    begun: bool,
+    /// First byte of padding that may be a hole.
+    open: Option<u64>,
+    /// Offset of the first hole; beyond every file if there is none.
+    found: u64,
+    said: bool,
+}
+
+impl Holes {
+    const NONE: Holes = Holes { begun: false, open: None, found: u64::MAX, said: false };
+
+    /// Looks through the next `bytes` of the file, which begin at `base`.
+    fn look(&mut self, bytes: &[u8], base: u64) {
+        if self.said || self.begun && self.open.is_none() && memchr2(0, 0x1a, bytes).is_none() {
+            return;
+        }
+        let mut at = 0;
+        while at < bytes.len() && self.found == u64::MAX {
+            if let Some(hole) = self.open {
+                let Some(next) = bytes[at..].iter().position(|b| !is_empty(*b)) else { return };
+                at += next;
+                self.open = None;
+                if self.begun && bytes[at] != b'%' {
+                    self.found = hole;
+                }
+            }
+            let next = memchr2(0, 0x1a, &bytes[at..]).map_or(bytes.len(), |next| at + next);
+            self.begun |= bytes[at..next].iter().any(|b| !is_empty(*b));
+            if next < bytes.len() {
+                self.open = Some(base + next as u64);
+            }
+            at = next;
+        }
+    }
+}
+
+/// Two bytes a character without a byte order mark: one of each pair is zero in most of them.
+fn is_utf16(head: &[u8]) -> bool {
+    let zeros = |from: usize| head.iter().skip(from).step_by(2).filter(|b| **b == 0).count();
+    let (even, odd) = (zeros(0), zeros(1));
+    head.len() >= 4 && even.max(odd) * 3 > head.len() && even.min(odd) == 0
 }
 
 /// The byte that ends the lines of a file which begins so: a file without a single line feed but with
@@ -122,19 +180,20 @@ impl Cursor {
             line_end: b'\n',
             line: 1,
             first: 0,
+            holes: Holes::NONE,
             hash: Xxh3::new(),
         };
         cursor.fill(sources).map_err(OpenError::Io)?;
         let head = &cursor.window[..cursor.end];
-        if head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]) {
+        if head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]) || is_utf16(&head[..head.len().min(4096)])
+        {
             return Err(OpenError::Utf16);
         }
         if head.starts_with(&[0xef, 0xbb, 0xbf]) {
             cursor.pos = 3;
             cursor.first = 3;
         }
-        let blank = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x0b | 0x1a);
-        if head.iter().all(blank) && head.len() as u64 == sources.size(file) {
+        if head[cursor.pos..].iter().all(|b| is_empty(*b)) && head.len() as u64 == sources.size(file) {
             return Err(OpenError::Empty);
         }
         cursor.line_end = line_end(head);
@@ -160,6 +219,23 @@ impl Cursor {
     /// Is the whole file in memory?
     pub fn is_whole(&self) -> bool {
         self.whole
+    }
+
+    /// Where a hole was read over, which is NUL or Ctrl-Z inside the program; said once. `block` was read last.
+    #[inline]
+    pub fn passed_hole(&mut self, block: Place) -> Option<Place> {
+        if self.holes.found < self.base + self.pos as u64 { Some(self.hole(block)) } else { None }
+    }
+
+    #[cold]
+    fn hole(&mut self, block: Place) -> Place {
+        let at = self.holes.found;
+        self.holes = Holes { found: u64::MAX, said: true, ..self.holes };
+        let window = at.checked_sub(self.base).and_then(|from| self.window.get(from as usize..self.pos));
+        // What was read of it is gone where the hole is larger than what is read at a time.
+        let Some(since) = window else { return block };
+        let lines = since.iter().filter(|b| **b == self.line_end).count() as u32;
+        Place { at: at as u32, line: self.line.saturating_sub(lines).max(1) }
     }
 
     /// Reads the next logical block.
@@ -263,6 +339,8 @@ impl Cursor {
         text.truncate(done);
         self.hash = Xxh3::new();
         self.hash.update(&text);
+        self.holes = Holes { said: self.holes.said, ..Holes::NONE };
+        self.holes.look(&text, 0);
         self.end = text.len();
         self.window = text;
         self.base = 0;
@@ -296,6 +374,7 @@ impl Cursor {
         let at = self.base + self.end as u64;
         let n = sources.read_at(self.file, at, &mut self.window[self.end..])?;
         self.hash.update(&self.window[self.end..self.end + n]);
+        self.holes.look(&self.window[self.end..self.end + n], at);
         self.end += n;
         self.at_end = n == 0;
         Ok(())
@@ -344,6 +423,35 @@ mod tests {
         assert_eq!(found[0], ("A".into(), 0, 1));
         assert_eq!((found[1].0.as_str(), found[1].1, found[1].2), ("too long", 2, 2));
         assert_eq!(found[2], ("B".into(), 3 * MAX_BLOCK as u32 + 3, 3));
+    }
+
+    #[test]
+    fn holes_are_told_from_padding() {
+        let hole = |bytes: &[u8]| {
+            let sources = Sources::default();
+            let text = Box::new(Memory::new(bytes.to_vec()));
+            let file = sources.add(Opened { name: "a".into(), identity: "a".into(), text }).unwrap();
+            let mut cursor = Cursor::open(&sources, file, RULES).unwrap();
+            let mut found = Vec::new();
+            loop {
+                let place = cursor.place();
+                let end = matches!(cursor.next(&sources).unwrap(), Next::End);
+                found.extend(cursor.passed_hole(place).map(|hole| (hole.at, hole.line)));
+                if end {
+                    return found;
+                }
+            }
+        };
+        for whole in ["A\nB\n", "\0\0A\nB", "A\nB\0\0", "A\nB\n\x1a", "A\n\x1a\r\n\0 \n", "A\n\0\0%B\nC\n\x1a"] {
+            assert_eq!(hole(whole.as_bytes()), [], "{whole:?}");
+        }
+        assert_eq!(hole(b"A\nB\0C\nD\0E"), [(3, 2)]);
+        assert_eq!(hole(b"A\n\x1a\nC"), [(2, 2)]);
+        assert_eq!(hole(b"A\0\nC"), [(1, 1)]);
+        // The padding is longer than what is read at a time.
+        let wide = |tail: &str| [b"A\n".to_vec(), vec![0; CHUNK + 10], tail.as_bytes().to_vec()].concat();
+        assert_eq!(hole(&wide("\n")), []);
+        assert_eq!(hole(&wide("\nB\n")).len(), 1);
     }
 
     #[test]

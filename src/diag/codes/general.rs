@@ -17,6 +17,11 @@ P0004 Error "empty-file" "file holds no block"
 "The file is empty, or holds nothing but blanks. No control runs that, and most often a transfer broke off or the editor did not save. \
 Nothing is written, since a program without moves would look like one that was compiled."
 
+P0005 Error "hole-in-file" "NUL or Ctrl-Z bytes stand inside the program"
+"No editor and no control writes these bytes into a program. Where they stand something else stood before: a memory card, a transfer or a \
+full disk lost it, perhaps whole blocks. What is left may be a path that nobody meant, so nothing is written.\n\
+Get the program anew from where it was made. Bytes of this kind before the first block and after the last one are padding and mean nothing."
+
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
 Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\

@@ -70,7 +70,7 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::exec::{Budget, open_cursor};
+use super::exec::{Budget, open_cursor, report_hole};
 use super::here::Here;
 use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
@@ -338,6 +338,8 @@ impl<'a> Run<'a> {
         parsed.text.clear();
         self.read(at, place, call, &mut parsed);
         self.scratch = Some(parsed);
+        let file = &mut self.programs.files[at];
+        report_hole(&self.job, file.file, &mut file.cursor, place, call);
     }
 
     fn read(&mut self, at: usize, place: Place, call: CallPath, parsed: &mut Parsed) {
