@@ -153,7 +153,7 @@ impl Run<'_> {
         let start = Loc { file: self.job.main, line: 1, span: Span::default() };
         let Some(program) = self.open(self.job.main, start) else { return false };
         self.levels.push(Level::main(program));
-        self.out.begins_at(&self.st.start.position());
+        self.out.begins_at(&self.st.position.start());
         while !self.ended {
             self.step();
         }

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, EndPoint, Move, Path};
 use crate::ir::{Function, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::frames::FrameValue;
@@ -150,7 +150,7 @@ impl Run<'_> {
         };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         for axis in end.known().iter() {
-            self.st.forget(axis);
+            self.st.position.forget(AxisSet::of(axis));
         }
     }
 
