@@ -3,6 +3,7 @@
 //! Stages push into [`Diags`]; none prints, none stops another. Renderers live in [`render`].
 
 pub mod codes;
+pub mod finding;
 pub mod render;
 pub mod trail;
 
@@ -13,6 +14,7 @@ use rustc_hash::FxHashMap;
 use crate::text::Loc;
 
 pub use codes::Code;
+pub use finding::Finding;
 pub use trail::{CallPath, Trail};
 
 /// How bad it is.

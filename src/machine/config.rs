@@ -4,7 +4,7 @@ use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
 use super::mtc200::{Centres, G52, InchSpeed, Reading, ShiftedIncrement};
 use super::settings::*;
 use super::tools::{Corner, Tool};
-use super::tree::{ConfigError, Node, Table, Value, did_you_mean};
+use super::tree::{ConfigError, Node, Table, Value, did_you_mean, parse};
 use super::values::*;
 
 /// Reads the settings from a tree; all errors at once.
@@ -24,6 +24,15 @@ pub fn read(root: &Table) -> Result<Settings, Vec<ConfigError>> {
         }
     }
     if reader.errors.is_empty() { Ok(reader.settings) } else { Err(reader.errors) }
+}
+
+/// Reads the settings from the text of a `partc.toml`, without `extend` and tool tables, which are files; `file` names it
+/// in errors.
+///
+/// # Errors
+/// What is no TOML, unknown keys and values that do not fit.
+pub fn from_toml(text: &str, file: &str) -> Result<Settings, Vec<ConfigError>> {
+    read(&parse(text, file).map_err(|error| vec![error])?)
 }
 
 struct Reader {
