@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
-use crate::machine::mtc200::Reading;
+use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Func, Op, Target, Value, Word};
 use crate::text::Span;
 

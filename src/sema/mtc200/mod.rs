@@ -28,7 +28,7 @@ use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
-use crate::machine::mtc200::Reading;
+use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
 use crate::parser::mtc200::{SPLIT, parse_block};
 use crate::parser::problem::Problem;

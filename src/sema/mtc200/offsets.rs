@@ -10,7 +10,7 @@ use crate::diag::codes;
 use crate::ir::contour::Ctx;
 use crate::ir::{Frame, Function, Pos, Side};
 use crate::machine::axis::AXES;
-use crate::machine::mtc200::{G52, Reading, ShiftedIncrement};
+use crate::machine::options::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
