@@ -18,8 +18,8 @@ mod eval;
 mod externs;
 mod feed;
 mod flow;
+mod formula_functions;
 mod frames;
-mod functions;
 mod g_groups;
 mod idle;
 mod known_words;
@@ -43,7 +43,7 @@ mod stand_in;
 mod state;
 mod system;
 mod tangent;
-mod tech;
+mod technology;
 mod threads;
 mod tools;
 mod value;
@@ -70,9 +70,9 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::Job;
 use super::exec::{Budget, open_cursor};
 use super::here::Here;
+use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
 use g_groups::GCodes;
@@ -195,7 +195,7 @@ struct Run<'a> {
     cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
-    stack: Vec<Val>,
+    machine: eval::Machine,
     words: Option<Box<Words>>,
     here: Here,
     expanded: bool,
@@ -211,12 +211,6 @@ struct Run<'a> {
 const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
@@ -264,7 +258,7 @@ impl<'a> Run<'a> {
             corner_open: None,
             cut_speed_open: None,
             depth: 0,
-            stack: Vec::new(),
+            machine: eval::Machine::new(eval::RULES),
             words: None,
             here: Here::default(),
             expanded: false,
