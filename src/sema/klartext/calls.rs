@@ -9,11 +9,11 @@ use crate::text::blocks::{Cursor, Place};
 use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
 use super::super::Job;
-use super::super::exec::open_program;
 use super::labels::{Label, Labels};
 use super::vars::Locals;
 use super::{Outcome, ProgramHead, Reported, Run};
 use crate::sema::klartext::formula::Val;
+use crate::sema::run::open_program;
 
 /// Most repeats of a section.
 const MOST_REPEATS: f64 = 65534.0;

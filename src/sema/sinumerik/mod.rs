@@ -72,8 +72,8 @@ use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
 use super::Job;
-use super::exec::{Budget, open_cursor};
-use super::here::Here;
+use super::run::Site;
+use super::run::{Budget, open_cursor};
 use calls::{Level, Modal};
 use contour::Pending;
 use programs::{Programs, UnitKind};
@@ -114,7 +114,7 @@ pub fn check_form(job: &Job<'_>) {
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut symbols, &mut problems);
         macros |= matches!(block.stmt, Stmt::Define(_));
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             // A macro may stand for anything.
             if !macros {
@@ -197,7 +197,7 @@ struct Run<'a> {
     depth: u32,
     stack: Vec<Val>,
     words: Option<Box<Words>>,
-    here: Here,
+    here: Site,
     expanded: bool,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
@@ -266,7 +266,7 @@ impl<'a> Run<'a> {
             depth: 0,
             stack: Vec::new(),
             words: None,
-            here: Here::default(),
+            here: Site::default(),
             expanded: false,
             problems: Vec::new(),
             scratch: None,
@@ -335,7 +335,7 @@ impl<'a> Run<'a> {
         {
             file.cursor.resume(parsed.next);
             self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
-            self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
+            self.here = Site::new(file.file, place.at, place.line, parsed.lines, call);
             self.expanded = parsed.expanded;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -350,7 +350,7 @@ impl<'a> Run<'a> {
         let file = &mut self.programs.files[at];
         match file.cursor.next(self.job.sources) {
             Ok(Next::Block(found)) => {
-                self.here = Here::new(file.file, place.at, place.line, found.lines, call);
+                self.here = Site::new(file.file, place.at, place.line, found.lines, call);
                 parsed.lines = found.lines;
                 parsed.expanded = false;
                 if self.macros.is_empty() {

@@ -197,7 +197,7 @@ impl Run<'_> {
             }),
         };
         let mv = Move { end: EndPoint::Cartesian(end), path, feed: tag.feed, side: tag.side, coords: Coords::Frame };
-        self.out.movement(&mv, &self.st.ctx, &tag.origin);
+        self.core.out.movement(&mv, &self.st.ctx, &tag.origin);
         if tag.feed.is_some() {
             self.cuts(solved.to);
         }
@@ -214,7 +214,7 @@ impl Run<'_> {
             Transition::Rounding(radius) => CornerShape::Rounding { radius },
             Transition::Chamfer(side) => CornerShape::Chamfer { side },
         };
-        self.out.corner(
+        self.core.out.corner(
             &Corner {
                 shape,
                 feed,
