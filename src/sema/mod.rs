@@ -5,12 +5,10 @@
 
 pub mod klartext;
 pub mod mtc200;
-pub mod records;
 pub mod run;
 pub mod sinumerik;
 pub mod start;
 pub mod turning;
-pub mod undercut_calls;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;
