@@ -36,8 +36,9 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
-use super::Job;
-use super::run::{self, Core, Interpreter, Language, Level, Outcome, Parsed, Reported};
+use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use centre::Settled;
 use flow::{Frame, Labels};
 use gfunc::{G, Group};
@@ -109,7 +110,7 @@ struct Run<'a> {
     st: State,
     /// Axis of each letter.
     axis_names: [Option<Axis>; 26],
-    variables: Vec<Option<f64>>,
+    variables: Vec<Option<Outcome<f64>>>,
     /// Result of the last assignment: what branches look at.
     result: Option<f64>,
     settled: Settled,
@@ -117,7 +118,7 @@ struct Run<'a> {
     noted: FxHashSet<String>,
     /// Readings that the configuration confirms, and those that were said.
     confirmed: Vec<Reading>,
-    stack: Vec<f64>,
+    machine: Machine,
     words: Option<Box<Words>>,
 }
 
@@ -148,7 +149,7 @@ impl<'a> Run<'a> {
             settled,
             noted: FxHashSet::default(),
             confirmed: job.settings.control.mtc200.confirmed.clone(),
-            stack: Vec::new(),
+            machine: Machine::new(eval::rules(job.settings.control.mtc200.radians)),
             words: None,
         }
     }
@@ -491,12 +492,12 @@ fn axis_names(main: [Axis; 3]) -> [Option<Axis>; 26] {
 }
 
 /// Variables with their start values: `@50` and `@050` are the same.
-fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<f64>> {
+fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<Outcome<f64>>> {
     let mut variables = vec![None; eval::VARIABLES];
     for (name, value) in start {
         let number = name.strip_prefix('@').and_then(|digits| digits.parse::<usize>().ok());
         if let Some(slot) = number.and_then(|number| variables.get_mut(number)) {
-            *slot = Some(*value);
+            *slot = Some(Ok(*value));
         }
     }
     variables

@@ -9,14 +9,14 @@ use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Pos};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::sema::Job;
+use crate::sema::{Job, Outcome, Reported};
 use crate::text::{FileId, Loc, Span};
 
+use super::Language;
 use super::budget::Budget;
 use super::level::{Level, Program};
 use super::site::Site;
 use super::source::{Parsed, Read, Source};
-use super::{Language, Outcome, Reported};
 
 /// Files, call stack, budget, and the block in hand.
 pub struct Core<'a, L: Language> {

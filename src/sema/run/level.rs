@@ -1,13 +1,14 @@
 //! The call stack: which program runs, where its caller goes on.
 
 use crate::diag::{CallPath, codes};
+use crate::sema::Outcome;
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc};
 
+use super::Language;
 use super::core::Core;
 use super::files::open_program;
 use super::source::Source;
-use super::{Language, Outcome};
 
 /// A program file and what is known of it.
 #[derive(Debug)]

@@ -27,12 +27,6 @@ pub use self::report::Where;
 pub use self::site::Site;
 pub use self::source::{Cache, Parsed, Read, Source};
 
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Reported;
-
-pub type Outcome<T = ()> = Result<T, Reported>;
-
 /// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
 /// need nothing.
 pub trait Language: Default {

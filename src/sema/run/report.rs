@@ -2,12 +2,12 @@
 
 use crate::diag::{Code, Diagnostic, Raised, Severity};
 use crate::parser::problem::Problem;
-use crate::sema::Job;
+use crate::sema::{Job, Outcome, Reported};
 use crate::text::{Loc, Span};
 
+use super::Language;
 use super::core::Core;
 use super::site::Site;
-use super::{Language, Outcome, Reported};
 
 /// What of the block a finding is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

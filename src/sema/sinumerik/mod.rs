@@ -18,8 +18,8 @@ mod eval;
 mod externs;
 mod feed;
 mod flow;
+mod formula_functions;
 mod frames;
-mod functions;
 mod g_groups;
 mod idle;
 mod known_words;
@@ -70,9 +70,8 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::Job;
-use super::run::Site;
-use super::run::{Budget, open_cursor};
+use super::run::{Budget, Site, open_cursor};
+use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
 use g_groups::GCodes;
@@ -195,7 +194,7 @@ struct Run<'a> {
     cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
-    stack: Vec<Val>,
+    machine: eval::Machine,
     words: Option<Box<Words>>,
     here: Site,
     expanded: bool,
@@ -211,12 +210,6 @@ struct Run<'a> {
 const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
@@ -264,7 +257,7 @@ impl<'a> Run<'a> {
             corner_open: None,
             cut_speed_open: None,
             depth: 0,
-            stack: Vec::new(),
+            machine: eval::Machine::new(eval::RULES),
             words: None,
             here: Site::default(),
             expanded: false,

@@ -51,8 +51,9 @@ use crate::parser::turning::ast::{Block, Stmt};
 use crate::parser::turning::{SPLIT, parse_block};
 use crate::text::{Span, SplitRules};
 
-use super::Job;
-use super::run::{self, Core, Interpreter, Language, Level, Outcome, Parsed, Reported};
+use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use capture::Capture;
 use chain::Chain;
 use geometry::Geometry;
@@ -75,7 +76,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         named: None,
         capture: None,
         chain: Chain::default(),
-        stack: Vec::new(),
+        machine: Machine::new(eval::RULES),
         words: Some(Box::default()),
     };
     if run::run(&mut run) { run.core.hash() } else { 0 }
@@ -132,7 +133,7 @@ struct Run<'a> {
     capture: Option<Box<Capture>>,
     /// Moves that wait for the next one.
     chain: Chain<Tag>,
-    stack: Vec<f64>,
+    machine: Machine,
     words: Option<Box<Words>>,
 }
 
