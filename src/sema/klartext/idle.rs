@@ -16,7 +16,7 @@ use super::cycle_names::{Nature, nature};
 use super::labels::{Label, Labels};
 use super::path::{PATH, corner_words, path_words};
 use super::words::{Admits, same_matter};
-use super::{mfunc, other, plane};
+use super::{m_functions, other, plane};
 use crate::sema::run::Site;
 use crate::sema::run::open_cursor;
 
@@ -132,7 +132,7 @@ fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Site) -> Option<
             );
         }
         // What follows may belong to the function.
-        if matches!(word.addr, Addr::M(number) if mfunc::takes_words(number)) {
+        if matches!(word.addr, Addr::M(number) if m_functions::takes_words(number)) {
             return None;
         }
     }
@@ -169,7 +169,7 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     };
     code.or_else(|| {
         block.words.iter().find_map(|word| match word.addr {
-            Addr::M(number) => mfunc::refused_code(number, &job.settings.output.pass_m),
+            Addr::M(number) => m_functions::refused_code(number, &job.settings.output.pass_m),
             Addr::FeedOther => Some(codes::K9013),
             _ => None,
         })

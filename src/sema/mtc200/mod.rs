@@ -7,10 +7,10 @@
 mod centre;
 mod eval;
 mod flow;
-mod functions;
-mod gfunc;
+mod g_functions;
 mod header;
 mod length;
+mod m_functions;
 mod offsets;
 mod path;
 mod readings;
@@ -41,7 +41,7 @@ use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;
 use flow::{Frame, Labels};
-use gfunc::{G, Group};
+use g_functions::{G, Group};
 use header::Header;
 use state::{Motion, State};
 use words::Words;
@@ -407,7 +407,7 @@ impl Run<'_> {
             if !(0.0..=999.0).contains(&number) || number.fract() != 0.0 {
                 continue;
             }
-            match gfunc::entry(number as u32) {
+            match g_functions::entry(number as u32) {
                 Some((_, G::Motion(motion))) => self.st.motion = Some(motion),
                 Some((_, G::Incremental(on))) => self.st.incremental = on,
                 Some((_, G::Diameter(on))) => self.st.diameter = on,

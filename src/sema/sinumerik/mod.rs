@@ -43,7 +43,7 @@ mod stand_in;
 mod state;
 mod system;
 mod tangent;
-mod tech;
+mod technology;
 mod threads;
 mod tools;
 mod value;

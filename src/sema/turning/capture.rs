@@ -163,7 +163,7 @@ impl Run<'_> {
 
     /// The words of a contour in G80; RI and RK belong to the form of a recess. Source: reference section 12.
     fn known_words(&self, w: &Words, number: u16) -> Outcome {
-        let known = super::functions::find(80).map_or(&[][..], |row| row.longs);
+        let known = super::g_functions::find(80).map_or(&[][..], |row| row.longs);
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if num.unknown {

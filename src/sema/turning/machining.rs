@@ -8,7 +8,7 @@ use crate::ir::{Function as Item, Side};
 use crate::parser::turning::ast::Block;
 use crate::text::decode::readable;
 
-use super::functions::{Function, Kind, find};
+use super::g_functions::{Function, Kind, find};
 use super::sections::Part;
 use super::state::{FeedMode, SpeedMode};
 use super::words::{Fun, Letters, Words, letters};
