@@ -32,6 +32,9 @@ pub struct Finding {
     pub related: Vec<Related>,
     /// The calls that led there, the innermost first.
     pub stack: Vec<Site>,
+    /// Number of the alarm that the control shows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alarm: Option<u32>,
 }
 
 /// A place that explains a finding.
@@ -71,7 +74,7 @@ impl Finding {
             code: found.code.id,
             name: found.code.name,
             severity: found.code.severity,
-            message: found.message.clone(),
+            message: found.text().into_owned(),
             help: found.help.clone(),
             file: sources.name(loc.file),
             line: line.number,
@@ -82,6 +85,7 @@ impl Finding {
             times: found.times,
             related: related.collect(),
             stack: stack.collect(),
+            alarm: found.alarm,
         }
     }
 }

@@ -19,7 +19,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
         line.column,
         found.code.severity.word(),
         found.code.id,
-        found.message
+        found.text()
     );
     if found.times > 1 {
         let _ = write!(text, " ({} times)", found.times);
@@ -158,7 +158,7 @@ pub mod terminal {
     impl Shown {
         fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
             let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
-            let mut title = harmless_lines(&found.message);
+            let mut title = harmless_lines(&found.text());
             if found.times > 1 {
                 let _ = write!(title, " ({} times)", found.times);
             }

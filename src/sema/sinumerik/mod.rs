@@ -70,8 +70,7 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::exec::{Budget, open_cursor};
-use super::here::Here;
+use super::run::{Budget, Site, open_cursor};
 use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
@@ -114,7 +113,7 @@ pub fn check_form(job: &Job<'_>) {
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut symbols, &mut problems);
         macros |= matches!(block.stmt, Stmt::Define(_));
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             // A macro may stand for anything.
             if !macros {
@@ -197,7 +196,7 @@ struct Run<'a> {
     depth: u32,
     machine: eval::Machine,
     words: Option<Box<Words>>,
-    here: Here,
+    here: Site,
     expanded: bool,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
@@ -260,7 +259,7 @@ impl<'a> Run<'a> {
             depth: 0,
             machine: eval::Machine::new(eval::RULES),
             words: None,
-            here: Here::default(),
+            here: Site::default(),
             expanded: false,
             problems: Vec::new(),
             scratch: None,
@@ -329,7 +328,7 @@ impl<'a> Run<'a> {
         {
             file.cursor.resume(parsed.next);
             self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
-            self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
+            self.here = Site::new(file.file, place.at, place.line, parsed.lines, call);
             self.expanded = parsed.expanded;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -344,7 +343,7 @@ impl<'a> Run<'a> {
         let file = &mut self.programs.files[at];
         match file.cursor.next(self.job.sources) {
             Ok(Next::Block(found)) => {
-                self.here = Here::new(file.file, place.at, place.line, found.lines, call);
+                self.here = Site::new(file.file, place.at, place.line, found.lines, call);
                 parsed.lines = found.lines;
                 parsed.expanded = false;
                 if self.macros.is_empty() {
