@@ -8,7 +8,7 @@ use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::mtc200::{Reading, ShiftedIncrement};
+use crate::machine::options::mtc200::{Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::position::Missing;
 use crate::text::Span;
