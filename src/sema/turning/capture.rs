@@ -6,12 +6,12 @@ use crate::diag::codes;
 use crate::parser::turning::ast::Block;
 use crate::text::{Loc, Span};
 
-use super::super::here::Here;
 use super::contour::{Builder, Outline};
 use super::geometry::note_adjusted;
 use super::sections::Family;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::run::Site;
 
 /// A cycle whose contour is being read.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub(super) struct Capture {
     name: &'static str,
     words: Words,
     /// The block of the cycle.
-    here: Here,
+    here: Site,
     builder: Builder,
     /// The block of the cycle, as its words count.
     function: Span,
