@@ -17,6 +17,7 @@ mod cycle_digits;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;
+mod documents;
 mod endless;
 mod fuzz;
 mod golden;
