@@ -45,6 +45,7 @@ mod tangent;
 mod tech;
 mod threads;
 mod tools;
+mod undercut_sizes;
 mod value;
 mod vars;
 mod vocabulary;
