@@ -15,7 +15,6 @@ mod cycle_names;
 mod cycle_words;
 mod eval;
 mod feed;
-mod formula;
 mod help;
 mod holes;
 mod idle;
@@ -32,6 +31,7 @@ mod probing;
 mod rotary;
 mod state;
 mod system;
+mod text_functions;
 mod tool;
 mod transform;
 mod vars;
@@ -50,12 +50,12 @@ use crate::text::{FileId, Loc, Next, Span};
 
 pub use idle::check_idle;
 
-use super::Job;
 use super::exec::{Budget, Parsed, Read, Source, open_cursor};
 use super::here::Here;
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use calls::{Level, LevelKind};
 use cycle::Cycles;
-use formula::Val;
 use labels::Labels;
 use state::State;
 use vars::{Locals, Vars};
@@ -79,7 +79,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         places_lost: false,
         selected: None,
         noted: Vec::new(),
-        stack: Vec::new(),
+        machine: Machine::new(eval::rules(job.settings)),
         words: None,
         skipped: None,
         here: Here::default(),
@@ -184,7 +184,7 @@ struct Run<'a> {
     selected: Option<String>,
     /// M functions of which it was said that they are left out.
     noted: Vec<u32>,
-    stack: Vec<Val>,
+    machine: Machine,
     words: Option<Box<words::Words>>,
     /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
     skipped: Option<u32>,
@@ -193,12 +193,6 @@ struct Run<'a> {
     scratch: Option<Box<Parsed<Block>>>,
     ended: bool,
 }
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl Run<'_> {
     fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {

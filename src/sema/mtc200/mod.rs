@@ -35,9 +35,10 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{FileId, Loc, Next, Span};
 
-use super::Job;
 use super::exec::{Budget, Parsed, Read, Source, open_cursor};
 use super::here::Here;
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use centre::Settled;
 use flow::{Labels, Level};
 use gfunc::{G, Group};
@@ -96,7 +97,7 @@ struct Run<'a> {
     symbols: Symbols,
     /// Axis of each letter.
     axis_names: [Option<Axis>; 26],
-    variables: Vec<Option<f64>>,
+    variables: Vec<Option<Outcome<f64>>>,
     /// Result of the last assignment: what branches look at.
     result: Option<f64>,
     settled: Settled,
@@ -107,19 +108,13 @@ struct Run<'a> {
     programs: Vec<Program>,
     levels: Vec<Level>,
     budget: Budget,
-    stack: Vec<f64>,
+    machine: Machine,
     words: Option<Box<Words>>,
     here: Here,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed<Block>>>,
     ended: bool,
 }
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink, settled: Settled) -> Run<'a> {
@@ -137,7 +132,7 @@ impl<'a> Run<'a> {
             programs: Vec::new(),
             levels: Vec::new(),
             budget: Budget::new(job.settings.limits.steps),
-            stack: Vec::new(),
+            machine: Machine::new(eval::rules(job.settings.control.mtc200.radians)),
             words: None,
             here: Here::default(),
             problems: Vec::new(),
@@ -578,12 +573,12 @@ fn axis_names(main: [Axis; 3]) -> [Option<Axis>; 26] {
 }
 
 /// Variables with their start values: `@50` and `@050` are the same.
-fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<f64>> {
+fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<Outcome<f64>>> {
     let mut variables = vec![None; eval::VARIABLES];
     for (name, value) in start {
         let number = name.strip_prefix('@').and_then(|digits| digits.parse::<usize>().ok());
         if let Some(slot) = number.and_then(|number| variables.get_mut(number)) {
-            *slot = Some(*value);
+            *slot = Some(Ok(*value));
         }
     }
     variables

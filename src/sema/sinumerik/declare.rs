@@ -10,7 +10,7 @@ use crate::sema::exec::{open_cursor, refused};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Request};
 
-use super::functions;
+use super::formula_functions;
 use super::value::{MOST_TEXT, Val, whole};
 use super::vars::{MOST_ELEMENTS, Var};
 use super::vocabulary::Meaning;
@@ -101,7 +101,7 @@ impl Run<'_> {
             Meaning::Axis(named) if self.axis_names.is_given(named) => Some("an axis"),
             Meaning::Axis(_) => None,
             Meaning::Unknown if is_address(&word) => Some("an address"),
-            Meaning::Unknown if functions::NAMES.contains(&word.as_str()) => Some("a function"),
+            Meaning::Unknown if formula_functions::find(&word).is_some() => Some("a function"),
             Meaning::Unknown => None,
             // Options of the language, whose names machines without them leave free.
             Meaning::Known(_) => None,

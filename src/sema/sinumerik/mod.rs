@@ -18,8 +18,9 @@ mod eval;
 mod externs;
 mod feed;
 mod flow;
+mod formula_functions;
 mod frames;
-mod functions;
+mod g_groups;
 mod idle;
 mod known_words;
 mod left_out;
@@ -70,16 +71,17 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::Job;
 use super::exec::{Budget, open_cursor};
 use super::here::Here;
+use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
+use g_groups::GCodes;
 use programs::{Programs, UnitKind};
 use state::State;
 use value::Val;
 use vars::Vars;
-use vocabulary::{GCodes, Meaning};
+use vocabulary::Meaning;
 use words::Words;
 
 pub use idle::check_idle;
@@ -88,7 +90,7 @@ pub use vocabulary::all_words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    run.set_plane(run.st.groups[6]);
+    run.set_plane(run.st.codes.of(g_groups::Group::Plane));
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
@@ -194,7 +196,7 @@ struct Run<'a> {
     cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
-    stack: Vec<Val>,
+    machine: eval::Machine,
     words: Option<Box<Words>>,
     here: Here,
     expanded: bool,
@@ -210,12 +212,6 @@ struct Run<'a> {
 const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
@@ -263,7 +259,7 @@ impl<'a> Run<'a> {
             corner_open: None,
             cut_speed_open: None,
             depth: 0,
-            stack: Vec::new(),
+            machine: eval::Machine::new(eval::RULES),
             words: None,
             here: Here::default(),
             expanded: false,

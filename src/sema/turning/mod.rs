@@ -48,9 +48,10 @@ use crate::parser::turning::ast::{Block, Stmt};
 use crate::parser::turning::{SPLIT, parse_block};
 use crate::text::{FileId, Loc, Next, Span};
 
-use super::Job;
 use super::exec::{Budget, Parsed, Read, Source, open_cursor};
 use super::here::Here;
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use capture::Capture;
 use chain::Chain;
 use geometry::Geometry;
@@ -77,7 +78,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         named: None,
         capture: None,
         chain: Chain::default(),
-        stack: Vec::new(),
+        machine: Machine::new(eval::RULES),
         words: Some(Box::default()),
         here: Here::default(),
         problems: Vec::new(),
@@ -137,19 +138,13 @@ struct Run<'a> {
     capture: Option<Box<Capture>>,
     /// Moves that wait for the next one.
     chain: Chain<Tag>,
-    stack: Vec<f64>,
+    machine: Machine,
     words: Option<Box<Words>>,
     here: Here,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed<Block>>>,
     ended: bool,
 }
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl Run<'_> {
     fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {

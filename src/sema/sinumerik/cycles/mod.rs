@@ -299,7 +299,7 @@ impl Run<'_> {
     }
 
     fn no_cycle_by_time(&self, span: Span) -> Outcome {
-        if !self.st.is(super::vocabulary::Code::G93) {
+        if !self.st.is(super::g_groups::Code::G93) {
             return Ok(());
         }
         self.not_by_time(span, "the moves of a cycle have no share of the time that G93 gives the blocks")

@@ -9,6 +9,7 @@ use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::standard::din13::proposed_pitch;
 
+use super::super::g_groups::Group;
 use super::super::{Outcome, Run};
 use super::Arguments;
 use super::undercut_call::{
@@ -94,7 +95,7 @@ impl Run<'_> {
             return self.not_built(args, 20, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
         let plane = args.digit(21, 0);
-        if plane != 0 && plane != i32::from(self.st.groups[6]) {
+        if plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index) {
             return self.not_built(args, 21, "a plane other than the active one (`_DMODE`)");
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
