@@ -7,6 +7,7 @@ use crate::geo::Deg;
 use crate::geo::undercut::{Edge, Shape};
 use crate::machine::{Axis, RecessDepth, RecessWidth};
 use crate::standard::{din13, din76, din509};
+use crate::text::Span;
 
 use super::chain::Coord;
 use super::contour::{Builder, Mark, ThreadData};
@@ -175,7 +176,11 @@ impl Run<'_> {
         let needed =
             |letter: u8, what: &str| self.needed(w, letter, what, span).and_then(|num| self.above_zero(num, what));
         let tables = &self.job.settings.undercut;
-        let listed = tables.size_for(diameter, din509::HEIDENHAIN).map(|(_, size)| *size);
+        let row = tables.size_for(diameter, din509::HEIDENHAIN);
+        let listed = row.map(|(_, size)| *size);
+        if let (0 | 5 | 6, Some((range, size)), None) = (form as i32, row, w.get(b'R')) {
+            self.disputed_row(range, size, span);
+        }
         let of_table = |letter: u8, value: fn(&din509::Size) -> f64| match (w.value(letter), listed) {
             (Some(v), _) => Ok(v * mm),
             (None, Some(size)) => Ok(value(&size)),
@@ -228,6 +233,17 @@ impl Run<'_> {
             }
             _ => return self.fail(codes::T1007, w.span(b'H', span), format!("H{form} is no form of an undercut")),
         })
+    }
+
+    /// A word about the size of an undercut of which sources say different things.
+    fn disputed_row(&self, range: &din509::Range, size: &din509::Size, span: Span) {
+        let Some(otherwise) = range.otherwise else { return };
+        let (r, t, source) = (size.radius, size.depth, range.source.0);
+        let message = format!("the size of this undercut is {r} x {t} ({source}); {otherwise}");
+        let help = "set `[undercut] din509_by_diameter`, or give the sizes of the drawing with I, K and R";
+        self.job
+            .diags
+            .push_once(Diagnostic::new(codes::T8007, self.loc(span), message).help(help).called(self.here.origin.call));
     }
 
     /// G34: the element before is a metric ISO thread.

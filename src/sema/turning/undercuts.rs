@@ -3,7 +3,7 @@
 //! Source: reference section 6.3 and worked example 7. All lengths in mm; depths are radius values.
 
 use crate::geo::undercut::{Allowance, Corner, Fault, Placed, Reference, Shape, place};
-use crate::geo::{Deg, Element, Point2, SAME_DIRECTION, Vec2, direction};
+use crate::geo::{Deg, Element, Point2, SAME_DIRECTION, Vec2, direction, distance};
 use crate::ir::undercut::{internal_depth, thread_length};
 use crate::machine::Undercuts;
 use crate::machine::undercut::ThreadLength;
@@ -111,6 +111,11 @@ pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>
     let corner = Corner { from: before.from, at: before.to, to: after.to };
     let placed =
         place(&shape, &corner, Reference::First, Allowance::default()).map_err(|fault| refusal(&shape, fault))?;
+    // Neither longer than the lines, nor further below the corner than the shoulder is high.
+    let room = |p: Point2, end: Point2| distance(p, corner.at) <= distance(corner.at, end) + 1e-6;
+    if !room(placed.leave, corner.from) || !room(placed.join, corner.to) {
+        return Err(ROOM);
+    }
     made(placed, undercut.edge, corner.at)
 }
 
@@ -130,6 +135,7 @@ fn slope_fits(shape: &Shape) -> Result<(), &'static str> {
     if rises > depth + 1e-9 || length <= depth * cos / sin { Err(RADIUS) } else { Ok(()) }
 }
 
+const ROOM: &str = "the undercut is wider than the element before it, or higher than the shoulder";
 const SLOPE: &str = "the slope of an undercut lies between 0 and 90 degrees";
 const RADIUS: &str = "the radius does not fit into the undercut";
 const SIZES: &str = "the sizes of the undercut do not fit together";
@@ -137,9 +143,7 @@ const SIZES: &str = "the sizes of the undercut do not fit together";
 fn refusal(shape: &Shape, fault: Fault) -> &'static str {
     match (fault, shape) {
         (Fault::Degenerate | Fault::NotSquare { .. }, _) => "an undercut stands between two lines",
-        (Fault::ReferenceTooShort { .. } | Fault::OtherTooShort { .. }, _) => {
-            "the undercut is wider than the element before it, or higher than the shoulder"
-        }
+        (Fault::ReferenceTooShort { .. } | Fault::OtherTooShort { .. }, _) => ROOM,
         (Fault::Angle, Shape::Square { .. }) => SLOPE,
         (Fault::TooNarrow, Shape::Square { .. }) => "the undercut is too narrow for its radius",
         (Fault::TooNarrow, Shape::Groove { .. }) => RADIUS,
