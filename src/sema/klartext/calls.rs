@@ -9,10 +9,10 @@ use crate::text::blocks::{Cursor, Place};
 use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
 use super::super::Job;
-use super::super::exec::open_program;
 use super::labels::{Label, Labels};
 use super::vars::{Locals, Val};
 use super::{Outcome, ProgramHead, Reported, Run};
+use crate::sema::run::open_program;
 
 /// Most repeats of a section.
 const MOST_REPEATS: f64 = 65534.0;

@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
-use crate::sema::exec::{open_cursor, refused};
+use crate::sema::run::{open_cursor, refused};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Request};
 
@@ -224,7 +224,7 @@ impl Run<'_> {
                 break;
             }
             parse_block(&text, &mut block, &mut self.symbols, &mut self.problems);
-            self.here = crate::sema::here::Here::new(file, at, line, 1, here.origin.call);
+            self.here = crate::sema::run::Site::new(file, at, line, 1, here.origin.call);
             self.here.origin.loc.span = block.span.shifted(at);
             self.report_problems();
             let _ = match block.stmt {

@@ -43,7 +43,7 @@ mod stand_in;
 mod state;
 mod system;
 mod tangent;
-mod tech;
+mod technology;
 mod threads;
 mod tools;
 mod undercut_sizes;
@@ -62,7 +62,7 @@ use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::Side;
 use crate::ir::contour::Sink;
 use crate::ir::function::Turn;
-use crate::machine::{Axis, Proposed};
+use crate::machine::{Axis, AxisSet, Proposed};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
@@ -71,8 +71,7 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::exec::{Budget, open_cursor};
-use super::here::Here;
+use super::run::{Budget, Site, open_cursor};
 use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
@@ -95,7 +94,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
     run.levels.push(Level::main(unit));
-    run.out.begins_at(&run.st.start.position());
+    run.out.begins_at(&run.st.position.start());
     run.vars.enter();
     while !run.ended.get() {
         run.step();
@@ -115,7 +114,7 @@ pub fn check_form(job: &Job<'_>) {
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut symbols, &mut problems);
         macros |= matches!(block.stmt, Stmt::Define(_));
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             // A macro may stand for anything.
             if !macros {
@@ -198,7 +197,7 @@ struct Run<'a> {
     depth: u32,
     machine: eval::Machine,
     words: Option<Box<Words>>,
-    here: Here,
+    here: Site,
     expanded: bool,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
@@ -261,7 +260,7 @@ impl<'a> Run<'a> {
             depth: 0,
             machine: eval::Machine::new(eval::RULES),
             words: None,
-            here: Here::default(),
+            here: Site::default(),
             expanded: false,
             problems: Vec::new(),
             scratch: None,
@@ -330,7 +329,7 @@ impl<'a> Run<'a> {
         {
             file.cursor.resume(parsed.next);
             self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
-            self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
+            self.here = Site::new(file.file, place.at, place.line, parsed.lines, call);
             self.expanded = parsed.expanded;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -345,7 +344,7 @@ impl<'a> Run<'a> {
         let file = &mut self.programs.files[at];
         match file.cursor.next(self.job.sources) {
             Ok(Next::Block(found)) => {
-                self.here = Here::new(file.file, place.at, place.line, found.lines, call);
+                self.here = Site::new(file.file, place.at, place.line, found.lines, call);
                 parsed.lines = found.lines;
                 parsed.expanded = false;
                 if self.macros.is_empty() {
@@ -449,7 +448,7 @@ impl<'a> Run<'a> {
                 if scan(text, &mut self.symbols).structure.is_some() {
                     self.stop_run();
                 }
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.pending = None;
                 self.lost();
                 return Err(Reported);
@@ -479,7 +478,7 @@ impl<'a> Run<'a> {
                 self.pending_must_be_done(block.span)?;
                 let result = self.call_form(form, block, text);
                 if result.is_err() {
-                    self.st.lose(Axis::ALL.into_iter().collect());
+                    self.st.position.lose(AxisSet::ALL);
                     self.lost();
                 }
                 result

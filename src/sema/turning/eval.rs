@@ -62,7 +62,7 @@ impl Run<'_> {
         match var.kind {
             VarKind::Local | VarKind::Argument => {
                 let start = self.vars.get(var).and_then(|slot| slot.value);
-                match (self.level().locals.get(&var).copied(), start) {
+                match (self.level().frame.locals.get(&var).copied(), start) {
                     (Some(Some(value)), _) | (None, Some(value)) => Ok(value),
                     (Some(None), _) => Err(Reported),
                     (None, None) => self.unset(var, span),
@@ -119,7 +119,7 @@ impl Run<'_> {
                 return self.fail(codes::T2010, block.span, format!("{var} belongs to the control"));
             }
             VarKind::Local | VarKind::Argument => {
-                self.level().locals.insert(var, value.ok());
+                self.level().frame.locals.insert(var, value.ok());
             }
             _ => {
                 let level = self.level_number();
@@ -132,6 +132,6 @@ impl Run<'_> {
     /// 1 for the main program, one more for each call that is open.
     fn level_number(&self) -> u32 {
         // A level is told apart by how often a call was made, so that two calls never share one.
-        self.levels.last().map_or(1, |level| level.number)
+        self.levels.last().map_or(1, |level| level.frame.number)
     }
 }
