@@ -8,11 +8,9 @@ pub mod exec;
 pub mod here;
 pub mod klartext;
 pub mod mtc200;
-pub mod records;
 pub mod sinumerik;
 pub mod start;
 pub mod turning;
-pub mod undercut_calls;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;

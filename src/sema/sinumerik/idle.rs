@@ -20,8 +20,9 @@ use crate::text::{FileError, Loc, Next, Request, Span};
 
 use super::calls::EXTENSIONS;
 use super::cycles::is_built;
+use super::g_groups::{Code, GCodes};
 use super::programs::{Programs, Skeleton, bare_name, without_extension};
-use super::vocabulary::{self, Code, GCodes, Meaning, Procedure};
+use super::vocabulary::{self, Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
 pub fn check_idle(job: &Job<'_>) {
@@ -296,12 +297,12 @@ impl<'a> Idle<'a> {
                     );
                 }
             };
-            let shapes = |code: Code| code.group <= 4;
+            let shapes = |code: Code| code.group.shapes_block();
             let other = seen
                 .iter()
                 .find(|(known, _)| *known != code && (known.group == code.group || shapes(*known) && shapes(code)));
             if let Some((first, at)) = other {
-                let (a, b) = (vocabulary::word(*first), vocabulary::word(code));
+                let (a, b) = (first.word(), code.word());
                 let (kind, message) = if shapes(code) {
                     (codes::S2009, format!("{a} and {b} cannot stand in one block (alarm 12070)"))
                 } else {

@@ -13,12 +13,14 @@ mod circle;
 mod contour;
 mod cycles;
 mod declare;
+mod editor_contour;
 mod eval;
 mod externs;
 mod feed;
 mod flow;
 mod frames;
 mod functions;
+mod g_groups;
 mod idle;
 mod known_words;
 mod left_out;
@@ -39,9 +41,6 @@ mod special;
 mod spindle;
 mod stand_in;
 mod state;
-mod stored;
-mod stored_difference;
-mod stored_rebuild;
 mod system;
 mod tangent;
 mod tech;
@@ -76,11 +75,12 @@ use super::exec::{Budget, open_cursor};
 use super::here::Here;
 use calls::{Level, Modal};
 use contour::Pending;
+use g_groups::GCodes;
 use programs::{Programs, UnitKind};
 use state::State;
 use value::Val;
 use vars::Vars;
-use vocabulary::{GCodes, Meaning};
+use vocabulary::Meaning;
 use words::Words;
 
 pub use idle::check_idle;
@@ -89,7 +89,7 @@ pub use vocabulary::all_words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    run.set_plane(run.st.groups[6]);
+    run.set_plane(run.st.codes.of(g_groups::Group::Plane));
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
@@ -174,7 +174,7 @@ struct Run<'a> {
     /// The contour that is described now.
     capture: Option<Box<capture::Capture>>,
     /// The contour of the contour editor that runs.
-    stored: Option<Box<stored::Stored>>,
+    stored: Option<Box<editor_contour::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,
     /// The same of the last tap, with its sign.

@@ -76,8 +76,8 @@ impl Run<'_> {
             },
             "$P_GG" => {
                 let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                match group.and_then(|group| self.st.groups.get(group)) {
-                    Some(index) => Val::Int(i32::from(*index)),
+                match group.and_then(|group| self.st.codes.shown(group)) {
+                    Some(index) => Val::Int(i32::from(index)),
                     None => return self.fail(codes::S2018, 17020, span, "there is no such G group"),
                 }
             }

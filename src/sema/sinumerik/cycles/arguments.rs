@@ -9,7 +9,7 @@ use super::table::Cycle;
 /// A parameter as the code names it. The lists of the manuals have most names with and without `_` in front; they are one
 /// name here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Key(pub(super) &'static str);
+pub(in super::super) struct Key(pub(super) &'static str);
 
 macro_rules! keys {
     ($($name:ident)*) => {
@@ -30,7 +30,7 @@ keys! {
 
 /// What a call gives, and the cycle whose parameters these are.
 #[derive(Debug, Clone)]
-pub(super) struct Arguments {
+pub(in super::super) struct Arguments {
     pub cycle: &'static Cycle,
     /// The call.
     pub span: Span,

@@ -11,6 +11,7 @@ mod pattern;
 mod table;
 mod thread;
 mod undercut;
+mod undercut_call;
 
 use crate::diag::{Code, Diagnostic, codes};
 use crate::geo::{Plane, Point2};
@@ -23,6 +24,7 @@ use crate::sema::cycle_table::Kind;
 use crate::text::Span;
 
 use super::super::here::Here;
+use super::g_groups::Group;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
 use super::value::Val;
@@ -226,7 +228,7 @@ impl Run<'_> {
     }
 
     fn no_cycle_by_time(&self, span: Span) -> Outcome {
-        if !self.st.is(super::vocabulary::Code::G93) {
+        if !self.st.is(super::g_groups::Code::G93) {
             return Ok(());
         }
         self.not_by_time(span, "the moves of a cycle have no share of the time that G93 gives the blocks")
@@ -340,7 +342,7 @@ impl Run<'_> {
     /// Does `_DMODE` name another plane than the active one?
     fn names_other_plane(&self, args: &Arguments) -> bool {
         let plane = args.digit(DMODE, 0);
-        plane != 0 && plane != i32::from(self.st.groups[6])
+        plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index)
     }
 
     /// A variant that is known, but not built.

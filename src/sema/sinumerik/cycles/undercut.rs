@@ -1,4 +1,4 @@
-//! Undercut cycles: CYCLE94, CYCLE96, CYCLE940. What their arguments mean is in `sema::undercut_calls`.
+//! Undercut cycles: CYCLE94, CYCLE96, CYCLE940. What their arguments mean is in `undercut_call`.
 //!
 //! Source: reference sections 4.1, 5.1 and 5.7.
 
@@ -8,14 +8,14 @@ use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::machine::undercut::proposed_pitch;
-use crate::sema::undercut_calls::{
-    CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
-};
 
 use super::super::{Outcome, Run};
 use super::arguments::{
     AMODE, Arguments, DIATH, DMODE, EPD, EPL, FAL, FALX, FALZ, FFP, FORM, Key, LAGE, MID, PITI, PTABA, R1, R2, SDIS,
     SPD, SPL, STA, VARI, VRT,
+};
+use super::undercut_call::{
+    CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
 };
 
 /// Safety clearance of the classic cycles, in mm.
