@@ -19,7 +19,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
         line.column,
         found.code.severity.word(),
         found.code.id,
-        found.message
+        found.text()
     );
     if found.times > 1 {
         let _ = write!(text, " ({} times)", found.times);
@@ -91,11 +91,11 @@ fn object(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Value {
             json!({ "message": label.text, "file": sources.name(label.loc.file), "line": line.number, "column": line.column })
         })
         .collect();
-    json!({
+    let mut object = json!({
         "code": found.code.id,
         "name": found.code.name,
         "severity": found.code.severity.word(),
-        "message": found.message,
+        "message": found.text(),
         "help": found.help,
         "file": sources.name(loc.file),
         "line": line.number,
@@ -106,7 +106,11 @@ fn object(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Value {
         "times": found.times,
         "related": related,
         "stack": stack,
-    })
+    });
+    if let Some(alarm) = found.alarm {
+        object["alarm"] = json!(alarm);
+    }
+    object
 }
 
 /// Renders for a terminal through miette.
@@ -192,7 +196,7 @@ pub mod terminal {
     impl Shown {
         fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
             let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
-            let mut title = harmless_lines(&found.message);
+            let mut title = harmless_lines(&found.text());
             if found.times > 1 {
                 let _ = write!(title, " ({} times)", found.times);
             }

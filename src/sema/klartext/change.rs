@@ -13,10 +13,10 @@ use crate::parser::klartext::{SPLIT, parse_block};
 use crate::text::{FileId, Loc, Next, Span};
 
 use super::super::Job;
-use super::super::exec::open_cursor;
 use super::path::plane_axes;
 use super::state::State;
 use super::{Outcome, Reported, Run};
+use crate::sema::run::open_cursor;
 
 /// The number of the M function that changes the tool.
 const M6: u32 = 6;

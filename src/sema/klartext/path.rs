@@ -11,7 +11,7 @@ use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 use crate::text::Loc;
 
 use super::approach::Last;
-use super::mfunc::Args;
+use super::m_functions::Args;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
 

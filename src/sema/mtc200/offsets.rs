@@ -14,7 +14,7 @@ use crate::machine::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
-use super::gfunc::G;
+use super::g_functions::G;
 use super::state::Offset;
 use super::words::Words;
 use super::{Outcome, Run};

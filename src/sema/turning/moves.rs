@@ -195,7 +195,7 @@ impl Run<'_> {
             (_, feed) => Path::straight(feed),
         };
         let mv = Move { end, path, side: tag.side, coords: Coords::Frame };
-        self.out.movement(&mv, &self.st.ctx, &tag.origin);
+        self.core.out.movement(&mv, &self.st.ctx, &tag.origin);
         if tag.feed.is_some() {
             self.cuts(solved.to);
         }
@@ -212,7 +212,7 @@ impl Run<'_> {
             Transition::Rounding(radius) => CornerShape::Rounding { radius },
             Transition::Chamfer(side) => CornerShape::Chamfer { side },
         };
-        self.out.corner(
+        self.core.out.corner(
             &Corner {
                 shape,
                 feed,

@@ -23,7 +23,6 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::sema::cycle_table::Kind;
 use crate::text::Span;
 
-use super::super::here::Here;
 use super::g_groups::Group;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
@@ -31,6 +30,7 @@ use super::value::Val;
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
+use crate::sema::run::Site;
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
@@ -45,7 +45,7 @@ pub(super) struct ModalCycle {
     hole: Drilling,
     args: Arguments,
     /// Where MCALL stands.
-    here: Here,
+    here: Site,
     /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
     spindle: SpindleState,
     /// The feed is the one that is modal when the hole is drilled.

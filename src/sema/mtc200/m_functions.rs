@@ -10,7 +10,7 @@ use crate::machine::Compensation;
 use crate::machine::mtc200::{InchSpeed, Reading};
 use crate::text::Span;
 
-use super::gfunc::{G, Group};
+use super::g_functions::{G, Group};
 use super::words::{At, Words};
 use super::{Outcome, Run};
 
