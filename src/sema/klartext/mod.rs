@@ -89,7 +89,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     };
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(program) = run.open(job.main, start) else { return 0 };
-    run.out.begins_at(&run.st.start.position());
+    run.out.begins_at(&run.st.position.start());
     run.levels.push(Level::main(program, job.settings.control.unit.unwrap_or_default(), locals));
     while !run.ended {
         run.step();
