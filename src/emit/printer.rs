@@ -244,16 +244,16 @@ impl<'a> Printer<'a> {
         }
         match &mv.path {
             Path::Rapid => self.straight(b"G0", mv, origin),
-            Path::Line => self.straight(b"G1", mv, origin),
+            Path::Line(_) => self.straight(b"G1", mv, origin),
             Path::Thread { lead } => self.thread(*lead, mv, origin),
-            Path::Arc(arc) => self.arc(arc, mv, origin),
+            Path::Arc(arc, feed) => self.arc(arc, *feed, mv, origin),
         }
     }
 
     /// Does an axis of the working plane get another number?
     fn changes_plane(&self, mv: &Move) -> bool {
         let (first, second, _) = mv.plane.axes();
-        matches!(mv.path, Path::Arc(_))
+        matches!(mv.path, Path::Arc(..))
             || [first, second].iter().map(|i| Axis::ALL[*i]).filter(|axis| mv.axes.contains(*axis)).any(|axis| {
                 let units = mv.end.get(axis).and_then(|value| self.places.units(value));
                 !self.known.contains(axis) || units != Some(self.at[axis.index()])
@@ -334,7 +334,7 @@ impl<'a> Printer<'a> {
         if changed.is_empty() {
             return;
         }
-        let feed = match self.feed_word(mv.feed, origin) {
+        let feed = match mv.path.feed().map_or(Ok(None), |feed| self.feed_word(feed, origin)) {
             Ok(feed) => feed,
             Err(()) => return,
         };
@@ -378,9 +378,8 @@ impl<'a> Printer<'a> {
             return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
         };
         let before = self.lines;
-        let end = Move { feed: None, ..*mv };
         self.thread_lead = Some(lead);
-        self.straight(b"G33", &end, origin);
+        self.straight(b"G33", mv, origin);
         self.thread_lead = None;
         if self.lines == before && !self.diags.has_errors() {
             self.report(codes::O1003, origin, "the thread has no length that can be printed");
@@ -395,8 +394,7 @@ impl<'a> Printer<'a> {
 
     /// The F word where it changes; a change of its kind gets a line of its own.
     #[inline]
-    fn feed_word(&mut self, feed: Option<Feed>, origin: &Origin) -> Result<Option<i64>, ()> {
-        let Some(feed) = feed else { return Ok(None) };
+    fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
         let units = self.places.units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
@@ -413,7 +411,7 @@ impl<'a> Printer<'a> {
         Ok(if known { None } else { Some(units) })
     }
 
-    fn arc(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
+    fn arc(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         let (first, second, third) = arc.plane.axes();
         let scale = self.places.scale();
         let (x, y) = (Axis::ALL[first], Axis::ALL[second]);
@@ -442,13 +440,13 @@ impl<'a> Printer<'a> {
             Printed::Arc { offset, turns } => (offset, turns),
             Printed::Nothing => {
                 self.report(codes::O4002, origin, "the arc is shorter than the last printed digit and is left out");
-                let straight = Move { path: Path::Line, ..*mv };
+                let straight = Move { path: Path::Line(feed), ..*mv };
                 return self.straight(b"G1", &straight, origin);
             }
-            Printed::Lines => return self.chords(arc, mv, origin),
+            Printed::Lines => return self.chords(arc, feed, mv, origin),
         };
         self.select_plane(arc.plane, origin);
-        let Ok(feed) = self.feed_word(mv.feed, origin) else { return };
+        let Ok(word) = self.feed_word(feed, origin) else { return };
         let mut ends = self.at;
         let mut printed = AxisSet::of(x).union(AxisSet::of(y));
         for axis in mv.axes.without(printed).iter() {
@@ -463,7 +461,7 @@ impl<'a> Printer<'a> {
         (ends[first], ends[second]) = (to_x, to_y);
         let start = self.at;
         let blocks = if self.traits.turns_in_one_block { 1 } else { turns };
-        if blocks > 1 && matches!(mv.feed, Some(Feed::InverseTime(_))) {
+        if blocks > 1 && matches!(feed, Feed::InverseTime(_)) {
             return self.report(codes::O1001, origin, "the feed by time cannot be divided over the turns of a helix");
         }
         for block in 1..=blocks {
@@ -490,7 +488,7 @@ impl<'a> Printer<'a> {
             if self.traits.turns_in_one_block && turns > 1 {
                 self.text.whole(b'P', u64::from(turns));
             }
-            if let (1, Some(units)) = (block, feed) {
+            if let (1, Some(units)) = (block, word) {
                 self.text.number(b'F', units, self.places);
             }
             self.end_line(origin);
@@ -503,7 +501,7 @@ impl<'a> Printer<'a> {
 
     /// Straight lines instead of an arc that does not fit the printed grid.
     #[cold]
-    fn chords(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
+    fn chords(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         self.report(codes::O4001, origin, "the arc is too small for its printed numbers and is printed as lines");
         let radius = crate::geo::distance(arc.from, arc.center);
         let unit = 1.0 / self.places.scale();
@@ -516,11 +514,11 @@ impl<'a> Printer<'a> {
         for i in 1..=count as u32 {
             let t = f64::from(i) / count;
             let mut point = *mv;
-            point.path = Path::Line;
             // Equal chords share the time.
-            if let Some(feed @ Feed::InverseTime(f)) = mv.feed {
-                point.feed = Some(feed.with_value(f * count));
-            }
+            point.path = Path::Line(match feed {
+                Feed::InverseTime(f) => Feed::InverseTime(f * count),
+                Feed::PerMinute(_) | Feed::PerRevolution(_) => feed,
+            });
             if t < 1.0 {
                 let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
                 for &(axis, from) in &start {

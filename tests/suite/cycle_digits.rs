@@ -90,7 +90,7 @@ fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
     let text = format!("{head}{}\nM30\n", call.replace('#', value));
     let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &partc::text::files::NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
-    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (moves, said)
 }
 

@@ -78,7 +78,7 @@ fn without(text: &str, cycle: &str, place: usize) -> Option<String> {
 /// What the machine would do, and what is said; comments of the source are neither.
 fn result(compiled: &Compiled) -> (Vec<String>, Vec<String>) {
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
-    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (moves, said)
 }
 

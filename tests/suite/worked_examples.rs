@@ -251,7 +251,7 @@ fn moves(case: &str) -> Vec<motion::Move> {
     session.lower(dialect, &case.settings(), case, &mut out);
     assert!(!session.diags.has_errors(), "{} is refused", case.name);
     // What a chamfer leaves of a line may have no length.
-    out.0.dedup_by(|mv, before| matches!(mv.path, motion::Path::Line) && mv.end == before.end);
+    out.0.dedup_by(|mv, before| matches!(mv.path, motion::Path::Line(_)) && mv.end == before.end);
     out.0
 }
 
@@ -268,8 +268,8 @@ fn fits(mv: &motion::Move, line: &str, example: &Example) -> bool {
     let ends = [(Axis::X, word(line, 'X').map(x)), (Axis::Y, word(line, 'Y')), (Axis::Z, word(line, 'Z'))];
     let end = ends.iter().all(|(axis, wanted)| wanted.is_none_or(|w| mv.end.get(*axis).is_some_and(|v| near(v, w))));
     let path = match (&mv.path, &line.trim_start()[..2]) {
-        (motion::Path::Rapid, "G0") | (motion::Path::Line, "G1") => true,
-        (motion::Path::Arc(arc), g @ ("G2" | "G3")) => {
+        (motion::Path::Rapid, "G0") | (motion::Path::Line(_), "G1") => true,
+        (motion::Path::Arc(arc, _), g @ ("G2" | "G3")) => {
             let (first, second) = match example.plane {
                 Plane::Zx => (word(line, 'K'), word(line, 'I').map(x)),
                 _ => (word(line, 'I'), word(line, 'J')),
@@ -326,9 +326,9 @@ fn does(mv: &motion::Move, item: &str) -> bool {
         .all(|(axis, letter)| at(end_words, *letter).is_none_or(|w| mv.end.get(*axis).is_none_or(|v| near(v, w))));
     let path = match &mv.path {
         motion::Path::Rapid => item.starts_with("G0"),
-        motion::Path::Line => item.starts_with("G1"),
+        motion::Path::Line(_) => item.starts_with("G1"),
         motion::Path::Thread { .. } => item.starts_with("thread"),
-        motion::Path::Arc(arc) => {
+        motion::Path::Arc(arc, _) => {
             let letters = match arc.plane {
                 Plane::Xy => ['X', 'Y'],
                 Plane::Zx => ['Z', 'X'],
@@ -383,11 +383,11 @@ fn refusals_in_the_heads_of_cases_are_met() {
         count += 1;
         let compiled = case.compile();
         let said = |found: &partc::diag::Diagnostic| {
-            found.code.id == code && (found.message.contains(part) || found.help.iter().any(|help| help.contains(part)))
+            found.code.id == code && (found.text().contains(part) || found.help.iter().any(|help| help.contains(part)))
         };
         if !compiled.findings.iter().any(said) {
             let said: Vec<_> =
-                compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+                compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
             let _ = writeln!(bad, "{}: {code} {part}: {said:?}", case.name);
         }
     }

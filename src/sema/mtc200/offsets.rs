@@ -10,11 +10,11 @@ use crate::diag::codes;
 use crate::ir::contour::Ctx;
 use crate::ir::{Frame, Function, Pos, Side};
 use crate::machine::axis::AXES;
-use crate::machine::mtc200::{G52, Reading, ShiftedIncrement};
+use crate::machine::options::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
-use super::gfunc::G;
+use super::g_functions::G;
 use super::state::Offset;
 use super::words::Words;
 use super::{Outcome, Run};

@@ -236,7 +236,7 @@ struct Before {
     system: BTreeMap<String, Val>,
     modal: Option<super::calls::Modal>,
     modal_cycle: Option<Box<super::cycles::ModalCycle>>,
-    stored: Option<Box<super::stored::Stored>>,
+    stored: Option<Box<super::editor_contour::Stored>>,
     lead: Option<(Axis, f64)>,
     corner_open: Option<(Loc, u32)>,
     cut_speed_open: Option<Span>,

@@ -7,8 +7,9 @@ use crate::ir::Feed;
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::vocabulary::{Address, Code};
-use super::words::Words;
+use super::g_groups::{Code, Group};
+use super::vocabulary::Address;
+use super::words::{Given, Words};
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -40,22 +41,35 @@ impl Run<'_> {
         }
     }
 
-    /// The feed of a path block.
+    /// The feed of a straight path block; `None` at rapid traverse.
     pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
-        if !rapid && self.st.is(Code::G93) && !self.is_capturing() {
+        if rapid {
+            self.block_feed(w)?;
+            return Ok(None);
+        }
+        self.cutting_feed(w).map(Some)
+    }
+
+    /// FB, for one block.
+    fn block_feed(&self, w: &mut Words) -> Outcome<Option<Given>> {
+        match w.take(Address::Fb) {
+            Some(fb) if fb.value <= 0.0 => {
+                self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value))
+            }
+            fb => Ok(fb),
+        }
+    }
+
+    /// The feed of a path block that cuts.
+    pub(super) fn cutting_feed(&mut self, w: &mut Words) -> Outcome<Feed> {
+        if self.st.is(Code::G93) && !self.is_capturing() {
             self.time_of_block(w)?;
         }
-        if let Some(fb) = w.take(Address::Fb) {
-            if fb.value <= 0.0 {
-                return self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value));
-            }
-            if !rapid && self.st.per_revolution() {
+        if let Some(fb) = self.block_feed(w)? {
+            if self.st.per_revolution() {
                 self.master_is_main(fb.span, "a feed per revolution")?;
             }
-            return Ok((!rapid).then(|| self.feed_of(fb.value)));
-        }
-        if rapid {
-            return Ok(None);
+            return Ok(self.feed_of(fb.value));
         }
         if !self.is_capturing() {
             self.speed_is_known()?;
@@ -85,12 +99,12 @@ impl Run<'_> {
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
                 if rotary_only && let Feed::PerMinute(f) = feed {
                     // Degrees have no unit of length.
-                    return Ok(Some(Feed::PerMinute(f / self.st.feed_unit())));
+                    return Ok(Feed::PerMinute(f / self.st.feed_unit()));
                 }
-                Ok(Some(feed))
+                Ok(feed)
             }
             // The cycle that takes the contour has the feeds.
-            None if self.is_capturing() => Ok(Some(Feed::PerRevolution(1.0))),
+            None if self.is_capturing() => Ok(Feed::PerRevolution(1.0)),
             None => {
                 // Once is enough.
                 self.st.feed_lost = true;
@@ -146,21 +160,19 @@ impl Run<'_> {
     }
 
     pub(super) fn feed_code(&mut self, code: Code, span: Span) -> Outcome {
-        let old = self.st.groups[15];
-        match code.index {
-            6 | 9.. => {
-                let message = format!("{} gives feeds that plain G-code cannot say", super::vocabulary::word(code));
-                return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
-            }
-            _ => {}
+        let old = self.st.codes.of(Group::FeedType);
+        use Code as G;
+        if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
+            let message = format!("{} gives feeds that plain G-code cannot say", code.word());
+            return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
         }
-        if matches!(code.index, 4 | 7) && self.job.settings.machine.diameter_axis.is_none() {
+        if code.holds_cutting_speed() && self.job.settings.machine.diameter_axis.is_none() {
             let message = "constant cutting speed needs a diameter axis (MD 20100)";
             return self.fail_help(codes::S2060, 10870, span, message, "set `[machine] diameter_axis = \"X\"`");
         }
-        self.st.groups[15] = code.index;
+        self.st.codes.activate(code);
         self.st.feed_kind_open = false;
-        if old != code.index {
+        if old != code {
             self.feed_mode_changed();
         }
         Ok(())

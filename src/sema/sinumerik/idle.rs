@@ -13,15 +13,16 @@ use crate::parser::sinumerik::ast::{
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
-use crate::sema::exec::open_cursor;
-use crate::sema::here::Here;
+use crate::sema::run::Site;
+use crate::sema::run::open_cursor;
 use crate::text::blocks::BlockText;
 use crate::text::{FileError, Loc, Next, Request, Span};
 
 use super::calls::EXTENSIONS;
 use super::cycles::is_built;
+use super::g_groups::{Code, GCodes};
 use super::programs::{Programs, Skeleton, bare_name, without_extension};
-use super::vocabulary::{self, Code, GCodes, Meaning, Procedure};
+use super::vocabulary::{self, Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
 pub fn check_idle(job: &Job<'_>) {
@@ -143,7 +144,7 @@ impl<'a> Idle<'a> {
     }
 
     fn look(&mut self, block: &Block, text: &BlockText<'_>) {
-        let here = Here::new(self.job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(self.job.main, text.at, text.line, text.lines, CallPath::MAIN);
         let found = match block.stmt {
             Stmt::Words => self.words(block, &here),
             Stmt::Goto(jump) => self.jump(jump, text.at, &here),
@@ -170,7 +171,7 @@ impl<'a> Idle<'a> {
         self.programs.skeleton(self.job, unit, &mut self.symbols).ok()
     }
 
-    fn jump(&mut self, jump: Jump, at: u32, here: &Here) -> Option<Diagnostic> {
+    fn jump(&mut self, jump: Jump, at: u32, here: &Site) -> Option<Diagnostic> {
         if jump.search == Search::BothQuiet {
             return None;
         }
@@ -200,14 +201,14 @@ impl<'a> Idle<'a> {
         )
     }
 
-    fn label(&mut self, name: Symbol, block: &Block, at: u32, here: &Here) -> Option<Diagnostic> {
+    fn label(&mut self, name: Symbol, block: &Block, at: u32, here: &Site) -> Option<Diagnostic> {
         let jump = Jump { search: Search::Both, target: JumpTarget::Label(name), span: block.span };
         self.jump(jump, at, here)
     }
 
     // Calls.
 
-    fn call(&mut self, form: CallForm, block: &Block, text: &[u8], here: &Here) -> Option<Diagnostic> {
+    fn call(&mut self, form: CallForm, block: &Block, text: &[u8], here: &Site) -> Option<Diagnostic> {
         let written = |formula: Formula| match block.formula(formula) {
             [Op::Text(span)] => Some((String::from_utf8_lossy(span.of(text)).into_owned(), formula.span)),
             _ => None,
@@ -231,7 +232,7 @@ impl<'a> Idle<'a> {
     }
 
     /// A warning for a program that is not here.
-    fn program(&mut self, name: &str, span: Span, here: &Here) -> Option<Diagnostic> {
+    fn program(&mut self, name: &str, span: Span, here: &Site) -> Option<Diagnostic> {
         let upper = name.to_ascii_uppercase();
         let last = upper.rsplit(['/', '\\']).next().unwrap_or(&upper);
         let (bare, _) = bare_name(last);
@@ -263,7 +264,7 @@ impl<'a> Idle<'a> {
 
     // Words.
 
-    fn words(&mut self, block: &Block, here: &Here) -> Option<Diagnostic> {
+    fn words(&mut self, block: &Block, here: &Site) -> Option<Diagnostic> {
         let repeated = repeated_words(self, block, here);
         repeated
             .or_else(|| self.codes(block, here))
@@ -283,7 +284,7 @@ impl<'a> Idle<'a> {
     }
 
     /// G codes that do not exist or exclude each other.
-    fn codes(&self, block: &Block, here: &Here) -> Option<Diagnostic> {
+    fn codes(&self, block: &Block, here: &Site) -> Option<Diagnostic> {
         let mut seen: Vec<(Code, Span)> = Vec::new();
         for word in &block.words {
             let code = match self.code_of(word) {
@@ -296,12 +297,12 @@ impl<'a> Idle<'a> {
                     );
                 }
             };
-            let shapes = |code: Code| code.group <= 4;
+            let shapes = |code: Code| code.group.shapes_block();
             let other = seen
                 .iter()
                 .find(|(known, _)| *known != code && (known.group == code.group || shapes(*known) && shapes(code)));
             if let Some((first, at)) = other {
-                let (a, b) = (vocabulary::word(*first), vocabulary::word(code));
+                let (a, b) = (first.word(), code.word());
                 let (kind, message) = if shapes(code) {
                     (codes::S2009, format!("{a} and {b} cannot stand in one block (alarm 12070)"))
                 } else {
@@ -316,7 +317,7 @@ impl<'a> Idle<'a> {
     }
 
     /// What would be refused, or is not here.
-    fn refused_word(&mut self, word: &Word, block: &Block, here: &Here) -> Option<Diagnostic> {
+    fn refused_word(&mut self, word: &Word, block: &Block, here: &Site) -> Option<Diagnostic> {
         match (word.target, word.value) {
             (Target::Letter(b'L'), Value::Literal { value, digits, whole: true }) => {
                 let width = usize::from(digits);
@@ -349,7 +350,7 @@ impl<'a> Idle<'a> {
 }
 
 /// A word that may stand once and stands twice.
-fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnostic> {
+fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Site) -> Option<Diagnostic> {
     let once = |word: &Word| match word.target {
         Target::Letter(
             letter @ (b'X' | b'Y' | b'Z' | b'A'..=b'C' | b'U'..=b'W' | b'I'..=b'K' | b'F' | b'T' | b'D' | b'L' | b'P'),
@@ -374,7 +375,7 @@ fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnos
     None
 }
 
-fn refused(job: &Job<'_>, here: &Here, span: Span, code: &'static Found) -> Diagnostic {
+fn refused(job: &Job<'_>, here: &Site, span: Span, code: &'static Found) -> Diagnostic {
     let message = format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
     Diagnostic::new(codes::S8040, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
 }

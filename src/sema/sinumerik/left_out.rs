@@ -8,8 +8,8 @@ use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::g_groups::{Code, Group};
 use super::value::Val;
-use super::vocabulary::{Code, word};
 use super::{Outcome, Run};
 
 const DYNAMICS: &str = "words that only shape speed and accuracy are left out";
@@ -26,45 +26,79 @@ impl Run<'_> {
 
     /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
     pub(super) fn left_out_code(&self, code: Code, span: Span) {
-        match (code.group, code.index) {
-            (10..=12 | 21 | 24 | 30 | 34 | 39 | 45 | 57 | 59, _) | (16 | 37 | 55, 1) => {
-                self.dynamics_are_left_out(span)
-            }
-            (16 | 37, _) => {
-                let name = word(code);
-                let what = if code.group == 16 {
+        match code.group {
+            Group::ExactStop
+            | Group::ExactStopBlock
+            | Group::ExactStopWindow
+            | Group::Acceleration
+            | Group::Feedforward
+            | Group::Compression
+            | Group::OrientationSmoothing
+            | Group::ContourAccuracy
+            | Group::PathReference
+            | Group::CornerDeceleration
+            | Group::Dynamics => self.dynamics_are_left_out(span),
+            _ if matches!(code, Code::CFC | Code::FNORM | Code::RTLION) => self.dynamics_are_left_out(span),
+            Group::CurveFeed | Group::FeedProfile => {
+                let name = code.word();
+                let what = if code.group == Group::CurveFeed {
                     "makes the feed on arcs count differently under radius compensation"
                 } else {
                     "lets the feed run from value to value"
                 };
                 self.changes_feeds(format!("{name} {what}, which is left out"), span);
             }
-            (55, _) if self.job.diags.first_time(codes::S8102) => {
+            Group::RapidInterpolation if self.job.diags.first_time(codes::S8102) => {
                 let message =
                     "under RTLIOF each axis runs at its own rapid traverse; the output goes straight to the point";
                 let found = Diagnostic::new(codes::S8102, self.loc(span), message);
                 self.report(found.help("check that both ways are free, or program RTLION"));
             }
-            (28 | 60, _) => self.limits_are_left_out(span),
-            (33, 2) | (56, 2..) => {
-                let name = word(code);
-                let what =
-                    if code.group == 33 { "lets other programs shift the tool" } else { "turns the wear of tools" };
-                let message = format!("{name} {what}: the target has tool data of its own");
-                let found = Diagnostic::new(codes::S8010, self.loc(span), message);
-                if !self.job.diags.knows(&found) {
-                    self.report(found);
-                }
+            Group::WorkingArea | Group::WorkingAreaGroup => self.limits_are_left_out(span),
+            Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
+            Group::FineToolOffset if code == Code::FTOCON => {
+                self.tool_data_differ(code, "lets other programs shift the tool", span);
             }
-            (25 | 27 | 50 | 51 | 54 | 61, _) => {
+            Group::OrientationReference
+            | Group::OrientationCorner
+            | Group::OrientationAngles
+            | Group::OrientationPath
+            | Group::OrientationVector
+            | Group::OrientationContinuity => {
                 self.note_once(codes::S8104, span, "words for tool orientation are left out: the output turns no tool");
             }
             // SAR, splines, punching, transformations and frames of the tool are refused themselves.
-            (4 | 19 | 20 | 26 | 33 | 35 | 36 | 38 | 40..=44 | 46 | 47 | 49 | 52 | 53 | 56 | 58 | 62, _) => {
-                self.control_words_are_left_out(span)
-            }
+            Group::Buffer
+            | Group::SplineStart
+            | Group::SplineEnd
+            | Group::RepositioningPoint
+            | Group::FineToolOffset
+            | Group::Punching
+            | Group::PunchingDelay
+            | Group::PunchingOutput
+            | Group::ConstantCompensation
+            | Group::ThreadInterruption
+            | Group::ToolCarrier
+            | Group::SoftApproach
+            | Group::SoftApproachPath
+            | Group::RetractionPlane
+            | Group::CodeMode
+            | Group::PointToPoint
+            | Group::WorkpieceFrame
+            | Group::ToolFrame
+            | Group::ToolWear
+            | Group::SoftwareLimit
+            | Group::RepositioningPointBlock => self.control_words_are_left_out(span),
             // The others are asked for where they count.
             _ => {}
+        }
+    }
+
+    fn tool_data_differ(&self, code: Code, what: &str, span: Span) {
+        let message = format!("{} {what}: the target has tool data of its own", code.word());
+        let found = Diagnostic::new(codes::S8010, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found);
         }
     }
 

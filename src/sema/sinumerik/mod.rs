@@ -13,12 +13,14 @@ mod circle;
 mod contour;
 mod cycles;
 mod declare;
+mod editor_contour;
 mod eval;
 mod externs;
 mod feed;
 mod flow;
+mod formula_functions;
 mod frames;
-mod functions;
+mod g_groups;
 mod idle;
 mod known_words;
 mod left_out;
@@ -39,12 +41,9 @@ mod special;
 mod spindle;
 mod stand_in;
 mod state;
-mod stored;
-mod stored_difference;
-mod stored_rebuild;
 mod system;
 mod tangent;
-mod tech;
+mod technology;
 mod threads;
 mod tools;
 mod value;
@@ -71,16 +70,16 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::Job;
-use super::exec::{Budget, open_cursor};
-use super::here::Here;
+use super::run::{Budget, Site, open_cursor};
+use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
+use g_groups::GCodes;
 use programs::{Programs, UnitKind};
 use state::State;
 use value::Val;
 use vars::Vars;
-use vocabulary::{GCodes, Meaning};
+use vocabulary::Meaning;
 use words::Words;
 
 pub use idle::check_idle;
@@ -89,7 +88,7 @@ pub use vocabulary::all_words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    run.set_plane(run.st.groups[6]);
+    run.set_plane(run.st.codes.of(g_groups::Group::Plane));
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
@@ -114,7 +113,7 @@ pub fn check_form(job: &Job<'_>) {
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut symbols, &mut problems);
         macros |= matches!(block.stmt, Stmt::Define(_));
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             // A macro may stand for anything.
             if !macros {
@@ -174,7 +173,7 @@ struct Run<'a> {
     /// The contour that is described now.
     capture: Option<Box<capture::Capture>>,
     /// The contour of the contour editor that runs.
-    stored: Option<Box<stored::Stored>>,
+    stored: Option<Box<editor_contour::Stored>>,
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,
     /// The same of the last tap, with its sign.
@@ -195,9 +194,9 @@ struct Run<'a> {
     cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
-    stack: Vec<Val>,
+    machine: eval::Machine,
     words: Option<Box<Words>>,
-    here: Here,
+    here: Site,
     expanded: bool,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
@@ -211,12 +210,6 @@ struct Run<'a> {
 const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
@@ -264,9 +257,9 @@ impl<'a> Run<'a> {
             corner_open: None,
             cut_speed_open: None,
             depth: 0,
-            stack: Vec::new(),
+            machine: eval::Machine::new(eval::RULES),
             words: None,
-            here: Here::default(),
+            here: Site::default(),
             expanded: false,
             problems: Vec::new(),
             scratch: None,
@@ -335,7 +328,7 @@ impl<'a> Run<'a> {
         {
             file.cursor.resume(parsed.next);
             self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
-            self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
+            self.here = Site::new(file.file, place.at, place.line, parsed.lines, call);
             self.expanded = parsed.expanded;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -350,7 +343,7 @@ impl<'a> Run<'a> {
         let file = &mut self.programs.files[at];
         match file.cursor.next(self.job.sources) {
             Ok(Next::Block(found)) => {
-                self.here = Here::new(file.file, place.at, place.line, found.lines, call);
+                self.here = Site::new(file.file, place.at, place.line, found.lines, call);
                 parsed.lines = found.lines;
                 parsed.expanded = false;
                 if self.macros.is_empty() {

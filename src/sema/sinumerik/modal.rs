@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Side;
 use crate::text::Span;
 
-use super::vocabulary::Code;
+use super::g_groups::{Code, Group};
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -27,24 +27,24 @@ impl Run<'_> {
     }
 
     pub(super) fn modal_code(&mut self, code: Code, span: Span) -> Outcome {
-        let old = self.st.groups[code.group as usize];
+        let old = self.st.codes.of(code.group);
         match code.group {
-            1 => {
+            Group::Motion => {
                 self.check_interpolation(code, span)?;
-                self.st.groups[1] = code.index;
+                self.st.codes.activate(code);
             }
-            2 | 3 | 9 => {}
-            11 | 62 => self.left_out_code(code, span),
-            6 => {
-                self.st.groups[6] = code.index;
-                if old != code.index {
-                    self.plane_change(code.index, span)?;
+            Group::Nonmodal | Group::Frame | Group::Suppression => {}
+            Group::ExactStopBlock | Group::RepositioningPointBlock => self.left_out_code(code, span),
+            Group::Plane => {
+                self.st.codes.activate(code);
+                if old != code {
+                    self.plane_change(code, span)?;
                 }
             }
-            7 => self.compensation_code(code, span)?,
-            8 => self.work_offset(code.index, span)?,
-            15 => self.feed_code(code, span)?,
-            29 => {
+            Group::Compensation => self.compensation_code(code, span)?,
+            Group::WorkOffset => self.work_offset(code.index, span)?,
+            Group::FeedType => self.feed_code(code, span)?,
+            Group::Diameter => {
                 if code != Code::DIAMOF && self.job.settings.machine.diameter_axis.is_none() {
                     return self.no_diameter_axis(span);
                 }
@@ -52,7 +52,7 @@ impl Run<'_> {
                 if code == Code::DIAMCYCOF {
                     self.control_words_are_left_out(span);
                 } else {
-                    self.st.groups[29] = code.index;
+                    self.st.codes.activate(code);
                     if let Some(stored) = self.stored.as_mut() {
                         stored.diameter_said = true;
                     }
@@ -62,13 +62,13 @@ impl Run<'_> {
             _ => {
                 self.refused_code(code, span)?;
                 self.left_out_code(code, span);
-                self.st.groups[code.group as usize] = code.index;
+                self.st.codes.activate(code);
             }
         }
         Ok(())
     }
 
-    pub(super) fn plane_change(&mut self, index: u8, span: Span) -> Outcome {
+    pub(super) fn plane_change(&mut self, code: Code, span: Span) -> Outcome {
         if self.st.side() != Side::None {
             return self.fail_help(
                 codes::S2080,
@@ -86,15 +86,15 @@ impl Run<'_> {
             self.st.lose(crate::machine::AxisSet::MAIN);
             return Err(Reported);
         }
-        self.set_plane(index);
+        self.set_plane(code);
         let plane = self.st.plane();
         self.function(crate::ir::Function::Plane(plane));
         Ok(())
     }
 
     pub(super) fn refused_code(&mut self, code: Code, span: Span) -> Outcome {
-        let what = match (code.group, code.index) {
-            (47, 2) => {
+        let what = match code {
+            Code::G291 => {
                 self.iso = true;
                 self.st.lose(crate::machine::Axis::ALL.into_iter().collect());
                 self.lost();
@@ -106,23 +106,22 @@ impl Run<'_> {
                     "translate the ISO part, or compile it by itself",
                 );
             }
-            (49, i) if i > 1 => "point-to-point travel",
-            (52, 2) => "a frame turned to the workpiece",
-            (53, i) if i > 1 => "a frame turned to the tool",
-            (42, i) if i > 1 => "an orientable tool carrier",
-            (35, i) if i > 1 => "punching",
-            (31 | 32, _) => "a code of the machine builder",
-            (40, 2) => "compensation with a constant offset",
-            (64, _) => "a grinding frame",
+            Code { group: Group::PointToPoint, index: 2.. } => "point-to-point travel",
+            Code::PAROT => "a frame turned to the workpiece",
+            Code { group: Group::ToolFrame, index: 2.. } => "a frame turned to the tool",
+            Code { group: Group::ToolCarrier, index: 2.. } => "an orientable tool carrier",
+            Code { group: Group::Punching, index: 2.. } => "punching",
+            Code { group: Group::Builder1 | Group::Builder2, .. } => "a code of the machine builder",
+            Code::CUTCONON => "compensation with a constant offset",
             _ => return Ok(()),
         };
-        let message = format!("{} is {what}, which cannot be printed", super::vocabulary::word(code));
+        let message = format!("{} is {what}, which cannot be printed", code.word());
         self.fail_help(codes::S9001, 0, span, message, "leave it out, or replace it by plain moves")
     }
 
     /// Groups 1 to 4 shape the block: it takes one of them.
     pub(super) fn check_codes(&mut self, w: &Words) -> Outcome {
-        let mut shaping = w.codes.iter().filter(|(code, _)| code.group <= 4);
+        let mut shaping = w.codes.iter().filter(|(code, _)| code.group.shapes_block());
         if let (Some((a, first)), Some((b, second))) = (shaping.next(), shaping.next()) {
             return self.two_shapes(*a, *first, *b, *second);
         }
@@ -130,7 +129,7 @@ impl Run<'_> {
     }
 
     pub(super) fn two_shapes(&self, a: Code, first: Span, b: Code, second: Span) -> Outcome {
-        let (a, b) = (super::vocabulary::word(a), super::vocabulary::word(b));
+        let (a, b) = (a.word(), b.word());
         let message = format!("{a} and {b} cannot stand in one block (alarm 12070)");
         let found = Diagnostic::new(codes::S2009, self.loc(second), message);
         self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));

@@ -10,9 +10,9 @@ use crate::parser::sinumerik::ast::{Block, Target};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::g_groups::{Code, Group};
 use super::state::Diameter;
-use super::threads::is_tapping;
-use super::vocabulary::{Address, Code, Meaning};
+use super::vocabulary::{Address, Meaning};
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Reported, Run};
 
@@ -89,24 +89,24 @@ impl Run<'_> {
         if self.tapping.is_some() || self.thread_chain.is_some() {
             self.beside_threads(w);
         }
-        let triggers =
-            self.modal_cycle.is_some() && (w.code_of(1).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
+        let triggers = self.modal_cycle.is_some()
+            && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
         if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() {
             self.check_codes(w)?;
-            if let Some((code, span)) = w.code_of(2) {
+            if let Some((code, span)) = w.code_of(Group::Nonmodal) {
                 self.modal_codes(w)?;
                 return self.special_block(code, span, w);
             }
-            if let Some((code, span)) = w.code_of(3) {
+            if let Some((code, span)) = w.code_of(Group::Frame) {
                 self.modal_codes(w)?;
                 return self.frame_block(code, span, w);
             }
             self.modal_codes(w)?;
-            if let Some((code, span)) = w.code_of(4).filter(|(code, _)| *code != Code::FIFOCTRL) {
+            if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != Code::FIFOCTRL) {
                 return self.buffer_code(code, span, w);
             }
         }
-        if is_tapping(self.st.groups[1]) && !w.axes.is_empty() {
+        if self.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
             self.only_tapping(w)?;
         }
         self.technology(w)?;
@@ -119,7 +119,7 @@ impl Run<'_> {
         self.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
             // The control tells a code that is written from one that holds on.
-            let alarm = if w.code_of(1).is_some() { 12110 } else { 15460 };
+            let alarm = if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 };
             return self.does_not_fit_code(left.span, alarm);
         }
         if let Some(axis) = w.machine_axes.first() {
@@ -166,9 +166,9 @@ impl Run<'_> {
 
     /// The motion of the block. True if axes moved along a path.
     fn motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
-        let interpolation = Code { group: 1, index: self.st.groups[1] };
+        let interpolation = self.st.codes.of(Group::Motion);
         self.modal_contour_words(w)?;
-        let suppressed = w.code_of(9).filter(|(code, _)| *code != Code::SUPD);
+        let suppressed = w.code_of(Group::Suppression).filter(|(code, _)| *code != Code::SUPD);
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
         let round = matches!(interpolation, Code::G2 | Code::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
@@ -195,7 +195,7 @@ impl Run<'_> {
             if self.has_corner_words(w) {
                 return self.no_corner(block.span);
             }
-            if let Some((_, span)) = w.code_of(9).filter(|_| w.positioning.is_empty()) {
+            if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.positioning.is_empty()) {
                 self.control_words_are_left_out(span);
             }
             return Ok(false);
@@ -206,7 +206,7 @@ impl Run<'_> {
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
-        if let Some((_, span)) = w.code_of(9) {
+        if let Some((_, span)) = w.code_of(Group::Suppression) {
             self.suppressed_tool(w, span)?;
         }
         let in_plane = polar || w.get(Address::Ang).is_some() || {
@@ -269,12 +269,12 @@ impl Run<'_> {
             Code::G0 | Code::G1 | Code::G2 | Code::G3 | Code::CIP | Code::CT => return Ok(()),
             Code::G33 | Code::G331 | Code::G332 => return Ok(()),
             Code::G34 | Code::G35 => "a thread of changing lead",
-            Code { index: 6..=9, .. } => "a spline or polynomial",
-            Code { index: 18 | 19, .. } => "an involute",
-            Code { index: 20 | 21, .. } => "a thread on an arc",
+            Code::ASPLINE | Code::BSPLINE | Code::CSPLINE | Code::POLY => "a spline or polynomial",
+            Code::INVCW | Code::INVCCW => "an involute",
+            Code::G335 | Code::G336 => "a thread on an arc",
             _ => "an interpolation of the machine builder",
         };
-        let message = format!("{} is {what}, which plain G-code cannot say", super::vocabulary::word(code));
+        let message = format!("{} is {what}, which plain G-code cannot say", code.word());
         self.fail_help(codes::S9002, 0, span, message, "have the CAM system put out lines and arcs")
     }
 
@@ -285,13 +285,12 @@ impl Run<'_> {
         polar: bool,
         corner: Option<&crate::ir::contour::Corner>,
     ) -> Outcome {
-        let feed = self.path_feed(w, code == Code::G0)?;
-        let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
+        let path = Path::straight(self.path_feed(w, code == Code::G0)?);
         if w.get(Address::Ang).is_some() || self.pending.is_some() {
-            return self.angle_block(w, path, feed, corner);
+            return self.angle_block(w, path, corner);
         }
         let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
-        self.send(&end, path, feed);
+        self.send(&end, path);
         Ok(())
     }
 

@@ -7,8 +7,9 @@ use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
 use crate::parser::symbols::Symbol;
 
 use super::axis_names::NamedAxis;
+use super::g_groups::{Code, Group};
 use super::value::{Val, whole};
-use super::vocabulary::{Address, Code, Indexed, Meaning, Procedure};
+use super::vocabulary::{Address, Indexed, Meaning, Procedure};
 use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
 use super::{Outcome, Run};
 
@@ -211,18 +212,15 @@ impl Run<'_> {
             b'G' => {
                 let group = self.index_number(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                let size = u8::try_from(group).map_or(0, super::vocabulary::size);
-                if size == 0 || (2..=5).contains(&group) {
-                    return self.fail(
-                        codes::S2010,
-                        12470,
-                        word.span,
-                        format!("G group {group} cannot be set by index"),
-                    );
-                }
+                let known = u8::try_from(group).ok().and_then(Group::of).filter(|group| group.takes_index());
+                let Some(known) = known else {
+                    let message = format!("G group {group} cannot be set by index");
+                    return self.fail(codes::S2010, 12470, word.span, message);
+                };
+                let size = known.size();
                 let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
                 match index {
-                    Some(index) => self.code_word(words, Code { group: group as u8, index }, word.span),
+                    Some(index) => self.code_word(words, Code::new(known, index), word.span),
                     None => {
                         let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
                         self.fail(codes::S2011, 12475, word.span, message)

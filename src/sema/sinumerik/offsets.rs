@@ -7,6 +7,7 @@ use crate::ir::{Function, Side};
 use crate::text::Span;
 
 use super::frames::FrameValue;
+use super::g_groups::{Code, Group};
 use super::system::offset_word;
 use super::{Outcome, Run};
 
@@ -39,7 +40,7 @@ impl Run<'_> {
     pub(super) fn work_offset(&mut self, index: u8, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         let number = index - 1;
-        self.st.groups[8] = index;
+        self.st.codes.activate(Code::new(Group::WorkOffset, index));
         self.st.offset = number;
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, 0, span, "the work offset changes while radius compensation is on");

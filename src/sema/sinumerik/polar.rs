@@ -9,7 +9,8 @@ use crate::ir::Pos;
 use crate::machine::AxisSet;
 use crate::text::Span;
 
-use super::vocabulary::{Address, Code};
+use super::g_groups::Code;
+use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Reported, Run};
 

@@ -60,7 +60,7 @@ impl Run<'_> {
             return if self.own_program(&name) { self.call_not_alone(call.span) } else { self.unknown_word(call) };
         }
         let name = self.symbols.name(call.name).to_owned();
-        if (super::functions::NAMES.contains(&name.as_str()) || super::words::is_modifier(&name))
+        if (super::formula_functions::find(&name).is_some() || super::words::is_modifier(&name))
             && !self.own_program(&name)
         {
             let help = format!("give its value to a variable or a word: X={name}(…)");

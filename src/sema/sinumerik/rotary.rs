@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::vocabulary::Code;
+use super::g_groups::Code;
 use super::words::{Given, Mode};
 use super::{Outcome, Reported, Run};
 

@@ -3,13 +3,14 @@
 //! Source: reference sections 1.5, 2.1, 4.2, 5.6 and 6.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, EndPoint, Move, Path};
+use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
 
 use super::frames::FrameValue;
-use super::vocabulary::{Address, Code, word};
+use super::g_groups::{Code, Group};
+use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Run};
 
@@ -20,7 +21,7 @@ impl Run<'_> {
     /// A code of group 2.
     pub(super) fn special_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let mut moved = false;
-        if let Some((_, suppressed)) = w.code_of(9) {
+        if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
             return self.not_alone(suppressed);
         }
         if code != Code::G4 {
@@ -37,10 +38,10 @@ impl Run<'_> {
                 self.technology(w)?;
                 self.early_functions(w)?;
                 moved = true;
-                let feed = self.path_feed(w, false)?;
+                let feed = self.cutting_feed(w)?;
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
-                self.send(&end, Path::Line, feed);
+                self.send(&end, Path::Line(feed));
                 w.left_out.clear();
             }
             Code::G74 | Code::G75 => {
@@ -51,7 +52,7 @@ impl Run<'_> {
                 w.left_out.clear();
             }
             _ => {
-                let message = format!("{} is not supported", word(code));
+                let message = format!("{} is not supported", code.word());
                 return self.fail_help(
                     codes::S9001,
                     0,
@@ -77,7 +78,7 @@ impl Run<'_> {
         }
         self.nothing_left(w)?;
         self.dynamics_are_left_out(span);
-        self.st.groups[4] = code.index;
+        self.st.codes.activate(code);
         Ok(())
     }
 
@@ -140,13 +141,7 @@ impl Run<'_> {
 
     /// A rapid to a place in machine coordinates, behind which its axes stand at no known place of the workpiece.
     pub(super) fn machine_rapid(&mut self, end: Pos) {
-        let mv = Move {
-            end: EndPoint::Cartesian(end),
-            path: Path::Rapid,
-            feed: None,
-            side: Side::None,
-            coords: Coords::Machine,
-        };
+        let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         for axis in end.known().iter() {
             self.st.forget(axis);
@@ -191,7 +186,7 @@ impl Run<'_> {
                         codes::S9008,
                         0,
                         span,
-                        format!("where {} moves {letter} to is a machine datum", word(code)),
+                        format!("where {} moves {letter} to is a machine datum", code.word()),
                         &format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`"),
                     );
                 }
@@ -201,9 +196,9 @@ impl Run<'_> {
             return self.fail(codes::S2080, 14091, span, "a fixed point is approached under radius compensation");
         }
         if named.is_empty() && w.machine_axes.is_empty() && w.left_out.is_empty() {
-            let message = format!("{} names no axis: nothing moves", word(code));
+            let message = format!("{} names no axis: nothing moves", code.word());
             let found = Diagnostic::new(codes::S8192, self.loc(span), message);
-            self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", word(code))));
+            self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", code.word())));
         } else if !named.is_empty() {
             self.machine_rapid(end);
         }
@@ -214,7 +209,7 @@ impl Run<'_> {
 
     /// A code of group 3.
     pub(super) fn frame_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
-        if let Some((_, suppressed)) = w.code_of(9) {
+        if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
             return self.not_alone(suppressed);
         }
         match code {
@@ -306,7 +301,7 @@ impl Run<'_> {
                 FrameValue::mirrored(mirror)
             }
             _ => {
-                let message = format!("{} turns the plane by solid angles, which is not supported", word(code));
+                let message = format!("{} turns the plane by solid angles, which is not supported", code.word());
                 return self.fail_help(codes::S9001, 0, span, message, "use ROT with angles about the axes");
             }
         };
@@ -349,12 +344,12 @@ impl Run<'_> {
     fn axial_shift(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let small = self.job.settings.control.sinumerik == "802d";
         if w.axes.is_empty() && !small {
-            let message = format!("{} has no axes", word(code));
+            let message = format!("{} has no axes", code.word());
             let help = "on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`";
             return self.fail_help(codes::S2013, 12120, span, message, help);
         }
         if small && !w.axes.is_empty() {
-            let message = format!("{} selects a work offset on an 802D and moves in the same block", word(code));
+            let message = format!("{} selects a work offset on an 802D and moves in the same block", code.word());
             return self.fail_help(codes::S2013, 0, span, message, "give the selection a block of its own");
         }
         if w.axes.is_empty() && small {

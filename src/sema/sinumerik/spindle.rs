@@ -7,8 +7,9 @@ use crate::ir::Function;
 use crate::ir::function::Spindle;
 use crate::text::Span;
 
+use super::g_groups::{Code, Group};
 use super::state::{MAIN_SPINDLE, SpindleState};
-use super::vocabulary::{Address, Code};
+use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words};
 use super::{Outcome, Run};
 
@@ -43,7 +44,7 @@ impl Run<'_> {
 
     /// S words of a block.
     pub(super) fn speeds(&mut self, w: &Words) -> Outcome {
-        let constant = matches!(self.st.groups[15], 4 | 7);
+        let constant = self.st.codes.of(Group::FeedType).holds_cutting_speed();
         let masters = |s: &SWord| s.spindle.is_none_or(|n| n == self.st.master);
         let given = w.s.iter().any(masters);
         if !given {
@@ -58,10 +59,10 @@ impl Run<'_> {
                     self.st.turns = None;
                     return self.speeds_given(w, constant);
                 }
-                self.freeze_speed(w.code_of(15).map(|(_, span)| span).unwrap_or_default())?;
+                self.freeze_speed(w.code_of(Group::FeedType).map(|(_, span)| span).unwrap_or_default())?;
             }
         }
-        if let Some((code, span)) = w.code_of(15)
+        if let Some((code, span)) = w.code_of(Group::FeedType)
             && !given
         {
             self.feed_kind_limits_speed(code, span);
@@ -76,7 +77,7 @@ impl Run<'_> {
         if !constant || self.st.constant_cut {
             self.cut_speed_open = None;
         } else if self.cut_speed_open.is_none() {
-            self.cut_speed_open = Some(w.code_of(15).map(|(_, span)| span).unwrap_or_default());
+            self.cut_speed_open = Some(w.code_of(Group::FeedType).map(|(_, span)| span).unwrap_or_default());
         }
         Ok(())
     }
@@ -148,7 +149,7 @@ impl Run<'_> {
 
     /// The limit of a programmed speed: G26, and LIMS under G97.
     fn limit_of_turns(&self) -> Option<f64> {
-        let lims = self.st.speed_limit.filter(|_| matches!(self.st.groups[15], 5 | 8));
+        let lims = self.st.speed_limit.filter(|_| self.st.codes.of(Group::FeedType).ends_cutting_speed());
         [lims, self.st.highest_speed].into_iter().flatten().reduce(f64::min)
     }
 
@@ -176,7 +177,7 @@ impl Run<'_> {
         }
         self.limit_changed(span);
         if let Some(now) = self.st.turns.filter(|now| *now > before) {
-            let code = super::vocabulary::word(code);
+            let code = code.word();
             let message = format!("LIMS= does not count under {code}: the spindle goes from {before} to {now} turns");
             let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
             self.report(found.help("program S with it, or limit the speed by G26 S"));

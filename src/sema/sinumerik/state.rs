@@ -12,8 +12,8 @@ use crate::sema::start::Start;
 
 use super::Run;
 use super::frames::FrameValue;
+use super::g_groups::{ActiveCodes, Code, Group};
 use super::offsets::{FromBasic, Outer};
-use super::vocabulary::{Code, GROUPS, defaults};
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,8 +28,7 @@ pub(super) enum Diameter {
 /// Everything modal.
 #[derive(Debug, Clone)]
 pub(super) struct State {
-    /// Active index by G group.
-    pub groups: [u8; GROUPS],
+    pub codes: ActiveCodes,
     pub geometry_axes: [Axis; 3],
     pub lathe: bool,
     pub ctx: CtxRef,
@@ -129,35 +128,23 @@ pub(super) struct Tool {
 /// What SAVE brings back.
 #[derive(Debug, Clone)]
 pub(super) struct Saved {
-    groups: [u8; GROUPS],
+    codes: ActiveCodes,
     programmable: FrameValue,
     settable: Option<FrameValue>,
 }
 
 impl State {
     pub fn new(settings: &Settings) -> State {
-        let mut groups = defaults();
+        let codes = ActiveCodes::at_start(settings);
         let machine = &settings.machine;
         let lathe = machine.kind == MachineKind::Lathe;
         let basic_unit = settings.control.unit.unwrap_or_default();
-        if lathe {
-            groups[6] = Code::G18.index;
-            if machine.power_on_diameter && machine.diameter_axis.is_some() {
-                groups[29] = Code::DIAMON.index;
-            }
-        }
         let feed_at_start = settings.control.siemens.feed_per_revolution;
-        if feed_at_start == Some(true) {
-            groups[15] = Code::G95.index;
-        }
-        if basic_unit == Unit::Inch {
-            groups[13] = Code::G70.index;
-        }
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
-        let start = Start::new(settings, groups[29] == Code::DIAMON.index);
+        let start = Start::new(settings, codes.is(Code::DIAMON));
         let at = start.position();
         State {
-            groups,
+            codes,
             geometry_axes: machine.geometry_axes,
             lathe,
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
@@ -203,7 +190,7 @@ impl State {
     }
 
     pub fn is(&self, code: Code) -> bool {
-        self.groups[code.group as usize] == code.index
+        self.codes.is(code)
     }
 
     /// Under G500 beside offsets of the machine.
@@ -218,24 +205,17 @@ impl State {
     /// Millimetres in a programmed unit of length.
     #[inline]
     pub fn length_unit(&self) -> f64 {
-        match self.groups[13] {
-            1 | 3 => 25.4,
-            _ => 1.0,
-        }
+        self.codes.length_unit()
     }
 
     /// Millimetres in the unit of length of F.
     pub fn feed_unit(&self) -> f64 {
-        match self.groups[13] {
-            3 => 25.4,
-            4 => 1.0,
-            _ => self.basic_unit.mm(),
-        }
+        self.codes.feed_unit(self.basic_unit)
     }
 
     /// Does F count per revolution?
     pub fn per_revolution(&self) -> bool {
-        matches!(self.groups[15], 3..=5)
+        self.codes.per_revolution()
     }
 
     /// Does a feed count as the kind of feed in force?
@@ -248,17 +228,17 @@ impl State {
     }
 
     pub fn side(&self) -> Side {
-        match self.groups[7] {
-            2 => Side::Left,
-            3 => Side::Right,
+        match self.codes.of(Group::Compensation) {
+            Code::G41 => Side::Left,
+            Code::G42 => Side::Right,
             _ => Side::None,
         }
     }
 
     pub fn diameter_mode(&self) -> Diameter {
-        self.diameter.unwrap_or(match self.groups[29] {
-            2 => Diameter::On,
-            3 => Diameter::Absolute,
+        self.diameter.unwrap_or(match self.codes.of(Group::Diameter) {
+            Code::DIAMON => Diameter::On,
+            Code::DIAM90 => Diameter::Absolute,
             _ => Diameter::Off,
         })
     }
@@ -288,18 +268,19 @@ impl State {
 
 impl Run<'_> {
     pub(super) fn save(&self) -> Saved {
-        Saved { groups: self.st.groups, programmable: self.st.programmable.clone(), settable: self.st.settable.clone() }
+        Saved { codes: self.st.codes, programmable: self.st.programmable.clone(), settable: self.st.settable.clone() }
     }
 
     pub(super) fn restore(&mut self, saved: Saved) {
-        let changed = self.st.groups[15] != saved.groups[15];
-        let (offset, plane) = (self.st.groups[8], saved.groups[6]);
-        self.st.groups = saved.groups;
+        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
+        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
+        self.st.codes = saved.codes;
         self.st.programmable = saved.programmable;
         self.set_plane(plane);
-        if offset != self.st.groups[8] {
+        if !self.st.is(offset) {
             // The work offset of the call comes back, whatever MD 10617 says.
-            let _: super::Outcome = self.work_offset(self.st.groups[8], crate::text::Span::default());
+            let _: super::Outcome =
+                self.work_offset(self.st.codes.of(Group::WorkOffset).index, crate::text::Span::default());
         } else if self.st.settable != saved.settable {
             self.restore_offset_frame(saved.settable);
         }
@@ -323,10 +304,10 @@ impl Run<'_> {
     }
 
     /// The context with the plane of group 6.
-    pub(super) fn set_plane(&mut self, index: u8) {
-        let (i, j) = match index {
-            2 => (2, 0),
-            3 => (1, 2),
+    pub(super) fn set_plane(&mut self, code: Code) {
+        let (i, j) = match code {
+            Code::G18 => (2, 0),
+            Code::G19 => (1, 2),
             _ => (0, 1),
         };
         let axes = self.st.geometry_axes;

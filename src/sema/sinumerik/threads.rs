@@ -9,7 +9,8 @@ use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
-use super::vocabulary::{Address, Code};
+use super::g_groups::{Code, Group};
+use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
 use super::{Outcome, Reported, Run};
 
@@ -32,10 +33,6 @@ const AUXILIARY: u32 = 10600;
 const STANDSTILL: u32 = 10601;
 
 /// Rigid tapping: in, or out again.
-pub(super) const fn is_tapping(index: u8) -> bool {
-    index == Code::G331.index || index == Code::G332.index
-}
-
 impl Run<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
@@ -52,8 +49,9 @@ impl Run<'_> {
     }
 
     fn goes_on_tapping(&self, w: &Words) -> bool {
-        let index = w.code_of(1).map_or(self.st.groups[1], |(code, _)| code.index);
-        is_tapping(index) && !w.axes.is_empty() && [2, 3, 4, 9].iter().all(|group| w.code_of(*group).is_none())
+        let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
+        let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
+        code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
     }
 
     /// The spindle stands while no block taps.
@@ -107,7 +105,7 @@ impl Run<'_> {
         if let Some((word, given)) = start_angle {
             self.shift_start(word, given, &end, (axis, lead), follows)?;
         }
-        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
+        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }));
         let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
         self.thread_chain = Some(ThreadChain { last: self.here.origin.loc, broken });
         Ok(())
@@ -161,7 +159,7 @@ impl Run<'_> {
         );
         let found = Diagnostic::new(codes::S8133, self.loc(start.span), message);
         self.report(found.help("see that nothing stands there"));
-        self.send(&shifted, Path::Rapid, None);
+        self.send(&shifted, Path::Rapid);
         Ok(())
     }
 
@@ -214,12 +212,12 @@ impl Run<'_> {
         if !self.is_capturing() {
             self.turn_with_the_tap(turn, code, span);
         }
-        self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }), None);
+        self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
         Ok(())
     }
 
     fn turn_with_the_tap(&mut self, turn: Turn, code: Code, span: Span) {
-        let word = super::vocabulary::word(code);
+        let word = code.word();
         self.note_once(codes::S8025, span, format!("{word}: the tap needs a compensating chuck on the target"));
         if let Some(before) = self.st.turn.take() {
             let m = if before == Turn::Clockwise { "M3" } else { "M4" };
@@ -256,7 +254,7 @@ impl Run<'_> {
     }
 
     fn tapping_speed(&self, span: Span) -> Outcome {
-        if matches!(self.st.groups[15], 4 | 7) || self.st.constant_cut {
+        if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.constant_cut {
             return self.fail_help(
                 codes::S2045,
                 0,
@@ -352,7 +350,7 @@ struct Lead {
 
 /// A word that does not belong between two threads, and the alarm for it.
 fn breaks_chain(w: &Words) -> Option<(Span, u32)> {
-    let dwell = w.code_of(2).filter(|(code, _)| *code == Code::G4).map(|(_, span)| span);
+    let dwell = w.code_of(Group::Nonmodal).filter(|(code, _)| *code == Code::G4).map(|(_, span)| span);
     let stop = w.get(Address::Spos).or(w.get(Address::Sposa)).map(|given| given.span);
     if let Some(span) = dwell.or(stop).or(standstill_behind(w)) {
         return Some((span, STANDSTILL));
@@ -364,5 +362,5 @@ fn breaks_chain(w: &Words) -> Option<(Span, u32)> {
 /// M0, M1 and G9: the axes stand at the end of the block.
 fn standstill_behind(w: &Words) -> Option<Span> {
     let stop = w.m.iter().find(|m| matches!(m.number, 0 | 1)).map(|m| m.span);
-    stop.or(w.code_of(11).map(|(_, span)| span))
+    stop.or(w.code_of(Group::ExactStopBlock).map(|(_, span)| span))
 }

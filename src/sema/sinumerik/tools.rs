@@ -8,7 +8,7 @@ use crate::ir::{Function, Side};
 use crate::machine::{Axis, Compensation, Tool};
 use crate::text::Span;
 
-use super::vocabulary::Code;
+use super::g_groups::{Code, Group};
 use super::words::{Given, Words};
 use super::{Outcome, Run};
 
@@ -140,8 +140,8 @@ impl Run<'_> {
                     "print the contour with G41/G42: `[output] compensation = \"control\"`",
                 );
             }
-            if self.st.groups[22] > 2 {
-                let kind = super::vocabulary::word(Code { group: 22, index: self.st.groups[22] });
+            if self.st.codes.of(Group::CompensationType).index > 2 {
+                let kind = self.st.codes.of(Group::CompensationType).word();
                 let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
                 return self.fail_help(codes::S9010, 0, span, message, "have the CAM system put out the centre path");
             }
@@ -156,17 +156,16 @@ impl Run<'_> {
         if code == Code::G40 && self.st.side() != Side::None {
             self.leaving = self.st.side();
         }
-        self.compensation_starts = code.index != self.st.groups[7] || self.leaving_open;
-        self.st.groups[7] = code.index;
+        self.compensation_starts = !self.st.is(code) || self.leaving_open;
+        self.st.codes.activate(code);
         Ok(())
     }
 
     /// The target rounds corners, enters and leaves the contour in its own way.
     fn says_shape_of_compensation(&self, span: Span) {
-        let shapes =
-            [17, 18, 23, 48].into_iter().map(|group| Code { group, index: self.st.groups[usize::from(group)] });
-        if let Some(code) = shapes.into_iter().find(|code| code.index != 1) {
-            self.says_shape(span, &super::vocabulary::word(code));
+        let shapes = [Group::Approach, Group::Corner, Group::Collision, Group::CompensationEnds];
+        if let Some(code) = shapes.into_iter().map(|group| self.st.codes.of(group)).find(|code| code.index != 1) {
+            self.says_shape(span, &code.word());
         }
     }
 
@@ -204,7 +203,7 @@ impl Run<'_> {
     pub(super) fn select_cutter_or_end(&mut self, span: Span) -> Outcome {
         let result = self.select_cutter(span);
         if result.is_err() {
-            self.st.groups[7] = Code::G40.index;
+            self.st.codes.activate(Code::G40);
             self.compensation_starts = false;
         }
         result

@@ -10,8 +10,9 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::g_groups::{Code, Group};
 use super::value::Val;
-use super::vocabulary::{ADDRESSES, Address, Code, Indexed, Meaning};
+use super::vocabulary::{ADDRESSES, Address, Indexed, Meaning};
 use super::{Outcome, Run};
 
 /// How a value is meant.
@@ -230,7 +231,7 @@ impl Words {
 
     /// Code of a group, if the block has one.
     #[inline]
-    pub fn code_of(&self, group: u8) -> Option<(Code, Span)> {
+    pub fn code_of(&self, group: Group) -> Option<(Code, Span)> {
         self.codes.iter().copied().find(|(code, _)| code.group == group)
     }
 
@@ -427,10 +428,10 @@ impl Run<'_> {
             if first == code {
                 return Ok(());
             }
-            if code.group <= 4 {
+            if code.group.shapes_block() {
                 return self.two_shapes(first, other, code, span);
             }
-            let (a, b) = (super::vocabulary::word(first), super::vocabulary::word(code));
+            let (a, b) = (first.word(), code.word());
             let message = format!("{a} and {b} are of one group");
             let found = crate::diag::Diagnostic::new(codes::S2008, self.loc(span), format!("{message} (alarm 12060)"));
             self.report(

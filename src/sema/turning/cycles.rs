@@ -39,7 +39,7 @@ impl Run<'_> {
 
     /// Sends a cycle; the tool stands where the cycle leaves it.
     pub(super) fn send_cycle(&mut self, cycle: &Cycle) {
-        self.out.cycle(cycle, &self.st.ctx, &self.here.origin);
+        self.core.send_cycle(cycle, &self.st.ctx);
         self.st.pos = cycle.leaves(&self.st.pos);
         self.st.start.touch(AxisSet::MAIN);
         self.st.last = None;

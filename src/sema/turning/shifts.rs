@@ -15,7 +15,7 @@ use crate::machine::Axis;
 use crate::machine::axis::AXES;
 
 use super::chain::Coord;
-use super::functions::Kind;
+use super::g_functions::Kind;
 use super::words::Words;
 use super::{Outcome, Run};
 

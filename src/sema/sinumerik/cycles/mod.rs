@@ -10,6 +10,7 @@ mod pattern;
 mod signatures;
 mod thread;
 mod undercut;
+mod undercut_call;
 
 use crate::diag::{Code, Diagnostic, codes};
 use crate::geo::{Plane, Point2};
@@ -20,13 +21,13 @@ use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
-use super::super::here::Here;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
+use crate::sema::run::Site;
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
@@ -37,7 +38,7 @@ pub(super) struct ModalCycle {
     hole: Drilling,
     args: Arguments,
     /// Where MCALL stands.
-    here: Here,
+    here: Site,
     /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
     spindle: SpindleState,
     /// The feed is the one that is modal when the hole is drilled.
@@ -298,7 +299,7 @@ impl Run<'_> {
     }
 
     fn no_cycle_by_time(&self, span: Span) -> Outcome {
-        if !self.st.is(super::vocabulary::Code::G93) {
+        if !self.st.is(super::g_groups::Code::G93) {
             return Ok(());
         }
         self.not_by_time(span, "the moves of a cycle have no share of the time that G93 gives the blocks")

@@ -7,6 +7,7 @@ use crate::geo::{Deg, Plane};
 use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
 
+use super::super::g_groups::Group;
 use super::super::{Outcome, Run};
 use super::Arguments;
 
@@ -92,7 +93,7 @@ impl Run<'_> {
         if modes.display != 0
             && let plane = args.digit(modes.display, 0)
             && plane != 0
-            && plane != i32::from(self.st.groups[6])
+            && plane != i32::from(self.st.codes.of(Group::Plane).index)
         {
             axis = self.axis_at(args, modes.display, plane, modes.axis)?;
         }

@@ -7,6 +7,7 @@ use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
 
+use super::super::g_groups::Group;
 use super::super::value::whole;
 use super::super::{Outcome, Reported, Run};
 use super::Arguments;
@@ -44,7 +45,7 @@ impl Run<'_> {
         for position in positions {
             self.goes_on()?;
             let end = self.moved_in_plane(position);
-            self.send(&end, Path::Rapid, None);
+            self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
         Ok(())
@@ -68,7 +69,7 @@ impl Run<'_> {
             return self.not_built(args, start, "another first position (`_NSP`)");
         }
         let digit = args.digit(plane, 0);
-        if digit != 0 && digit != i32::from(self.st.groups[6]) {
+        if digit != 0 && digit != i32::from(self.st.codes.of(Group::Plane).index) {
             return self.not_built(args, plane, "a plane other than the active one (`_DMODE`)");
         }
         for place in 24..=33 {

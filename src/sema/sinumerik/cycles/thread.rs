@@ -7,8 +7,9 @@ use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
-use crate::machine::settings::FlankReference;
+use crate::machine::options::sinumerik::FlankReference;
 
+use super::super::g_groups::Group;
 use super::super::value::whole;
 use super::super::{Outcome, Run};
 use super::Arguments;
@@ -105,7 +106,7 @@ impl Run<'_> {
                 }
                 self.flank_agrees(args, 11, 13, 25)?;
                 let plane = args.digit(30, 0);
-                if plane != 0 && plane != i32::from(self.st.groups[6]) {
+                if plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index) {
                     return self.not_built(args, 30, "a plane other than the active one (`_DMODE`)");
                 }
                 (CYCLE98, points, leads)
@@ -457,7 +458,7 @@ impl Run<'_> {
         }
         self.flank_agrees(args, 7, 9, 23)?;
         let plane = args.digit(28, 0);
-        if plane != 0 && plane != i32::from(self.st.groups[6]) {
+        if plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index) {
             return self.not_built(args, 28, "a plane other than the active one (`_DMODE`)");
         }
         self.note_once(

@@ -1,4 +1,4 @@
-//! Undercut cycles: CYCLE94, CYCLE96, CYCLE940. What their arguments mean is in `sema::undercut_calls`.
+//! Undercut cycles: CYCLE94, CYCLE96, CYCLE940. What their arguments mean is in `undercut_call`.
 //!
 //! Source: reference sections 4.1, 5.1 and 5.7.
 
@@ -8,12 +8,13 @@ use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::machine::undercut::proposed_pitch;
-use crate::sema::undercut_calls::{
-    CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
-};
 
+use super::super::g_groups::Group;
 use super::super::{Outcome, Run};
 use super::Arguments;
+use super::undercut_call::{
+    CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
+};
 
 /// Safety clearance of the classic cycles, in mm.
 const CLEARANCE: f64 = 1.0;
@@ -94,7 +95,7 @@ impl Run<'_> {
             return self.not_built(args, 20, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
         let plane = args.digit(21, 0);
-        if plane != 0 && plane != i32::from(self.st.groups[6]) {
+        if plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index) {
             return self.not_built(args, 21, "a plane other than the active one (`_DMODE`)");
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.

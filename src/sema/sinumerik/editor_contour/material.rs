@@ -5,8 +5,8 @@
 
 use crate::geo::{Point2, SAME_POINT, Vec2, cross};
 
-use super::NoUndercut;
-use super::solver::Solved;
+use super::made::NoUndercut;
+use super::solve::Solved;
 
 /// What the whole contour tells: the material lies to its left, or to its right.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,9 +6,9 @@ use crate::ir::undercut::{Surface, ThreadForm, Undercut, form_e, form_f, thread,
 use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::{Record, Undercut as Form};
 
+use super::made::{Block, Contour, CornerWord, NoUndercut, Unsolved, Written};
 use super::material::Material;
-use super::solver::{Begin, Solved};
-use super::{Block, Contour, CornerWord, NoUndercut, Unsolved, Written};
+use super::solve::{Begin, Solved};
 
 /// Directions closer than this are the same, in degrees: three decimals of a coordinate over a few mm.
 const SAME_ANGLE: f64 = 0.01;

@@ -3,7 +3,7 @@
 use crate::geo::{Deg, Point2, SAME_POINT, Vec2, arc, cross, direction, distance, intersect, left};
 use crate::parser::sinumerik::records::{Heading, Keys, Record};
 
-use super::Unsolved;
+use super::made::Unsolved;
 
 /// Stored values are rounded to three places.
 const ROUNDED: f64 = 0.005;

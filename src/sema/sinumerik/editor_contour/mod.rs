@@ -3,23 +3,30 @@
 //!
 //! Source: `reference/sinumerik-contours-undercuts-cycles` section 1.
 
+mod compare;
+mod difference;
+mod generate;
+mod made;
+mod material;
+mod rebuild;
+mod solve;
+
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
-use crate::sema::records::{
-    Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, compare, outline, solve,
-};
 use crate::text::{Loc, Span};
 
 use super::state::Diameter;
-use super::stored_difference::Told;
 use super::tangent::Heading;
 use super::{Outcome, Reported, Run};
+use compare::compare;
+use difference::Told;
+use made::{Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, outline, solve};
 
 /// How far blocks and records may differ, in the unit of the program.
-pub(super) const TOLERANCE: f64 = 0.001;
+const TOLERANCE: f64 = 0.001;
 /// Most blocks of a contour that are compared: an undercut is one record and four of them.
 const MOST_BLOCKS: usize = 4 * MOST_RECORDS;
 
@@ -34,10 +41,10 @@ pub(super) struct Stored {
     centre: Option<crate::geo::Point2>,
     /// The first element that runs at rapid traverse.
     rapid: Option<usize>,
-    pub(super) records: Vec<Record>,
+    records: Vec<Record>,
     /// Where each record stands.
-    pub(super) record_places: Vec<Loc>,
-    pub(super) begin: Loc,
+    record_places: Vec<Loc>,
+    begin: Loc,
     /// Lengths across the part are diameters, and in which unit they are: what holds in front of the block of the start
     /// point, which the editor wrote; words that were added there or behind it do not change what the records mean.
     written: Written,
@@ -157,7 +164,7 @@ impl Run<'_> {
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
         let (arc, radius) = match path {
-            Path::Arc(arc) => match (self.heading_of(arc, &all), arc.shape) {
+            Path::Arc(arc, _) => match (self.heading_of(arc, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))
@@ -399,9 +406,12 @@ impl Run<'_> {
     }
 
     /// What follows comes from a record.
-    pub(super) fn stand_at(&mut self, stored: &Stored, record: usize) {
+    fn stand_at(&mut self, stored: &Stored, record: usize) {
         if let Some(place) = stored.record_places.get(record) {
             self.here.origin.loc = *place;
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,9 @@
 //! What to say where the blocks of a stored contour and its records differ: both values, and how far they lie apart.
 
 use crate::geo::{Point2, distance};
-use crate::sema::records::{Block, Contour, CornerWord, Difference, Written};
+
+use super::compare::Difference;
+use super::made::{Block, Contour, CornerWord, Written};
 
 /// The two halves of a contour, and how their numbers are written.
 #[derive(Debug)]

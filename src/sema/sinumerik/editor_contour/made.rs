@@ -3,24 +3,20 @@
 //! In: the records between begin and end. Out: the NC blocks that the editor makes of them, to be compared with the
 //! blocks that are there, or to take their place where they are missing. What the records leave open is not guessed.
 
-mod generator;
-mod material;
-mod solver;
-
-use crate::geo::{Point2, arc, distance};
+use crate::geo::Point2;
 use crate::ir::undercut::{Surface, Undercut};
 use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::Record;
 
-use generator::Generator;
-use solver::Solver;
+use super::generate::Generator;
+use super::solve::Solver;
 
 /// Most records of a contour.
-pub const MOST_RECORDS: usize = 5000;
+pub(super) const MOST_RECORDS: usize = 5000;
 
 /// An NC block of the contour: a corner point before rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Block {
+pub(super) struct Block {
     /// Abscissa and ordinate, mm, radius values.
     pub end: Point2,
     /// Centre and sense of an arc.
@@ -36,7 +32,7 @@ pub struct Block {
 
 /// What a block says about the corner at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CornerWord {
+pub(super) enum CornerWord {
     /// `RND`
     Radius(f64),
     /// `CHR`
@@ -47,7 +43,7 @@ pub enum CornerWord {
 
 /// How the numbers of records are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Written {
+pub(super) struct Written {
     /// Ordinates are diameters.
     pub diameter: bool,
     /// Millimetres in a unit of length.
@@ -56,7 +52,7 @@ pub struct Written {
 
 /// The NC half of a contour.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Contour {
+pub(super) struct Contour {
     pub start: Point2,
     /// Index of the record of the start point.
     pub start_record: usize,
@@ -74,7 +70,7 @@ pub struct Contour {
 
 /// Why records make no contour. Each names the index of its record.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Unsolved {
+pub(super) enum Unsolved {
     /// The contour has no start point, or a record before it.
     NoStart,
     TooLong,
@@ -90,7 +86,7 @@ pub enum Unsolved {
 
 /// Why a record makes no undercut.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum NoUndercut {
+pub(super) enum NoUndercut {
     /// It stands beside an arc.
     Place,
     /// No size has this index.
@@ -117,69 +113,9 @@ pub enum NoUndercut {
     Contradicts,
 }
 
-/// Where the blocks of a program and those of its records differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Difference {
-    Start,
-    /// The number of blocks.
-    Count,
-    /// End point of the block with this index.
-    End(usize),
-    /// Line or arc, centre, or sense.
-    Arc(usize),
-    /// Radius or chamfer at its end.
-    Corner(usize),
-}
-
-/// Compares what is written with what the records make, within `tol` mm.
-///
-/// # Errors
-/// The first difference, by the index into `made.blocks`.
-pub fn compare(start: Point2, written: &[Block], made: &Contour, tol: f64) -> Result<(), Difference> {
-    if distance(start, made.start) > tol {
-        return Err(Difference::Start);
-    }
-    for (i, (there, here)) in written.iter().zip(&made.blocks).enumerate() {
-        if distance(there.end, here.end) > tol {
-            return Err(Difference::End(i));
-        }
-        let from = i.checked_sub(1).and_then(|before| made.blocks.get(before)).map_or(made.start, |before| before.end);
-        if !same_arc(from, there, here, tol) {
-            return Err(Difference::Arc(i));
-        }
-        let same = match (there.corner, here.corner) {
-            (None, None) => true,
-            (Some(CornerWord::Radius(a)), Some(CornerWord::Radius(b)))
-            | (Some(CornerWord::Chamfer(a)), Some(CornerWord::Chamfer(b))) => (a - b).abs() <= tol,
-            _ => false,
-        };
-        if !same {
-            return Err(Difference::Corner(i));
-        }
-    }
-    if written.len() == made.blocks.len() { Ok(()) } else { Err(Difference::Count) }
-}
-
-/// A line, or an arc by the same centre, or by the same radius where that is what was written.
-fn same_arc(from: Point2, there: &Block, here: &Block, tol: f64) -> bool {
-    match (there.arc, there.radius, here.arc) {
-        (None, None, None) => true,
-        (Some((a, ccw)), None, Some((b, sense))) => ccw == sense && distance(a, b) <= tol,
-        (_, Some(radius), Some((center, sense))) => {
-            let ccw = there.arc.is_none_or(|(_, ccw)| ccw == sense);
-            let sweep = arc::sweep(from, here.end, center, sense).abs();
-            // Rounded points make a half circle a little shorter or longer.
-            let half = distance(from, here.end) >= 2.0 * (radius.abs() - tol);
-            let long = half || (sweep > core::f64::consts::PI) == (radius < 0.0);
-            ccw && long && (radius.abs() - distance(center, here.end)).abs() <= tol
-        }
-        _ => false,
-    }
-}
-
 impl Unsolved {
     /// Index of the record at fault.
-    pub fn record(&self) -> Option<usize> {
+    pub(super) fn record(&self) -> Option<usize> {
         match self {
             Unsolved::NoStart | Unsolved::TooLong => None,
             Unsolved::Unknown(at) | Unsolved::Open(at) | Unsolved::Contradiction(at) | Unsolved::Undercut(at, _) => {
@@ -193,7 +129,7 @@ impl Unsolved {
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn solve(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
+pub(super) fn solve(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
     make(records, written, tables, true)
 }
 
@@ -201,7 +137,7 @@ pub fn solve(records: &[Record], written: Written, tables: &Undercuts) -> Result
 ///
 /// # Errors
 /// See [`Unsolved`].
-pub fn outline(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
+pub(super) fn outline(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
     make(records, written, tables, false)
 }
 
@@ -237,6 +173,3 @@ impl Contour {
         self
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,5 +1,9 @@
-use super::*;
-use crate::parser::sinumerik::records::read;
+use super::compare::{Difference, compare};
+use super::made::*;
+use crate::geo::Point2;
+use crate::ir::undercut::Surface;
+use crate::machine::Undercuts;
+use crate::parser::sinumerik::records::{Record, read};
 
 const DIAMETERS: Written = Written { diameter: true, unit: 1.0 };
 

@@ -19,13 +19,13 @@ const PITCHES: [f64; 24] = [
 ];
 
 /// The pitch that belongs to a diameter as a rule, and its index in the cycle's list.
-pub fn proposed_index(tables: &Undercuts, surface: Surface, diameter: f64) -> Option<(f64, usize)> {
+pub(super) fn proposed_index(tables: &Undercuts, surface: Surface, diameter: f64) -> Option<(f64, usize)> {
     let pitch = usual_pitch(tables, surface, diameter)?;
     PITCHES.iter().position(|known| *known == pitch).map(|at| (pitch, at))
 }
 
 /// The size of DIN 509 that belongs to a diameter as a rule, and its index in the cycle's list.
-pub fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<(String, u32)> {
+pub(super) fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<(String, u32)> {
     let size = tables.size_for(diameter)?;
     let at = (0..PITCHES.len() as u32).find(|at| tables.cycle_size(*at).is_some_and(|(known, _)| known == size))?;
     Some((format!("{:?}x{:?}", size.radius, size.depth), at))
@@ -33,7 +33,7 @@ pub fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<(String, u32)>
 
 /// Arguments of CYCLE940; `None` for an empty one. `_PTAB`, `_PTABA` and `_DMODE` say nothing about the path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Cycle940 {
+pub(super) struct Cycle940 {
     /// Corner: diameter and Z.
     pub spd: Option<f64>,
     pub spl: Option<f64>,
@@ -60,7 +60,7 @@ pub struct Cycle940 {
 
 /// Arguments of CYCLE94 (finished diameter) and CYCLE96 (nominal thread diameter), with the state the old cycles take.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Classic {
+pub(super) struct Classic {
     pub diameter: f64,
     pub spl: f64,
     pub form: u8,
@@ -73,7 +73,7 @@ pub struct Classic {
 
 /// What the cycle rests on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Rests {
+pub(super) struct Rests {
     pub thread: Doubts,
     /// A size index other than 0.
     pub size_index: bool,
@@ -91,7 +91,7 @@ pub struct Rests {
 
 /// An argument that makes no undercut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CallFault {
+pub(super) enum CallFault {
     /// The argument with this name is missing.
     Missing(&'static str),
     /// The argument with this name is out of range.
@@ -116,7 +116,7 @@ pub enum CallFault {
 ///
 /// # Errors
 /// See [`CallFault`].
-pub fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutCycle, Rests), CallFault> {
+pub(super) fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutCycle, Rests), CallFault> {
     let need = |value: Option<f64>, name| value.ok_or(CallFault::Missing(name));
     let (spd, spl) = (need(call.spd, "_SPD")?, need(call.spl, "_SPL")?);
     let form = call.form.ok_or(CallFault::Missing("_FORM"))?.to_ascii_uppercase();
@@ -315,7 +315,7 @@ fn digits(value: f64) -> Option<[u8; 8]> {
 ///
 /// # Errors
 /// `Form`, `Position`, `Diameter`, `Size`.
-pub fn cycle94(call: &Classic, tables: &Undercuts) -> Result<(UndercutCycle, Rests), CallFault> {
+pub(super) fn cycle94(call: &Classic, tables: &Undercuts) -> Result<(UndercutCycle, Rests), CallFault> {
     let form = call.form.to_ascii_uppercase();
     if !matches!(form, b'E' | b'F') {
         return Err(CallFault::Form);
@@ -334,7 +334,7 @@ pub fn cycle94(call: &Classic, tables: &Undercuts) -> Result<(UndercutCycle, Res
 ///
 /// # Errors
 /// `Form`, `Position`, `Diameter`, `Size`.
-pub fn cycle96(call: &Classic, tables: &Undercuts) -> Result<(UndercutCycle, Rests), CallFault> {
+pub(super) fn cycle96(call: &Classic, tables: &Undercuts) -> Result<(UndercutCycle, Rests), CallFault> {
     let form = thread_form(call.form.to_ascii_uppercase())?;
     if !(3.0..=68.0).contains(&call.diameter) {
         return Err(CallFault::Diameter);
