@@ -4,13 +4,12 @@
 //! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Pos;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::text::decode::readable;
 
-use super::cycle_words::is_parameter_of;
+use super::cycles::find;
 use super::vars::{Slot, exists};
 use super::{Outcome, Run};
 
@@ -118,8 +117,7 @@ impl Run<'_> {
     /// The probe moved, and the datum may be another: the next block of each axis has to be absolute.
     fn forget_positions(&mut self, turns: bool) {
         let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
-        self.st.pos = Pos::UNKNOWN;
-        self.st.nominal = Pos::UNKNOWN;
+        self.st.position.clear();
         self.st.polar = None;
         self.st.last = None;
         if turns {
@@ -145,7 +143,7 @@ impl Run<'_> {
     pub(super) fn belongs_to_skipped(&mut self, block: &Block) -> bool {
         let Some(number) = self.skipped else { return false };
         let belongs = match block.stmt {
-            Stmt::Assign(q) => block.number.is_none() && is_parameter_of(number, q),
+            Stmt::Assign(q) => block.number.is_none() && find(number).takes(number, q),
             // Blank lines and comments may stand between.
             Stmt::Empty => return false,
             _ => false,

@@ -61,7 +61,7 @@ use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::Side;
 use crate::ir::contour::Sink;
 use crate::ir::function::Turn;
-use crate::machine::{Axis, Proposed};
+use crate::machine::{Axis, AxisSet, Proposed};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
@@ -93,7 +93,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
     run.levels.push(Level::main(unit));
-    run.out.begins_at(&run.st.start.position());
+    run.out.begins_at(&run.st.position.start());
     run.vars.enter();
     while !run.ended.get() {
         run.step();
@@ -447,7 +447,7 @@ impl<'a> Run<'a> {
                 if scan(text, &mut self.symbols).structure.is_some() {
                     self.stop_run();
                 }
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.pending = None;
                 self.lost();
                 return Err(Reported);
@@ -477,7 +477,7 @@ impl<'a> Run<'a> {
                 self.pending_must_be_done(block.span)?;
                 let result = self.call_form(form, block, text);
                 if result.is_err() {
-                    self.st.lose(Axis::ALL.into_iter().collect());
+                    self.st.position.lose(AxisSet::ALL);
                     self.lost();
                 }
                 result

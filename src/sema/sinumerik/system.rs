@@ -191,17 +191,20 @@ impl Run<'_> {
 
     /// Where an axis stands, as the program would write it.
     fn position_value(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(value) = self.st.pos.get(axis) else {
+        let Some(value) = self.st.position.get(axis) else {
             let message = format!("where {} stands was not programmed yet", axis.letter());
             return self.fail_help(
                 codes::S2042,
                 0,
                 span,
                 message,
-                &self.st.start.help(axis, "program the axis once in absolute coordinates before reading its position"),
+                &self
+                    .st
+                    .position
+                    .help(axis, "program the axis once in absolute coordinates before reading its position"),
             );
         };
         if axis.is_rotary() {
