@@ -10,6 +10,7 @@ use crate::ir::Function;
 use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
+use crate::sema::run::Site;
 use crate::text::{Loc, Span};
 
 use super::cycle_names::{Nature, name, nature};
@@ -17,7 +18,7 @@ use super::cycle_words::is_parameter_of;
 use super::holes::{self, Retract};
 use super::machining::{Machining, Part, What};
 use super::words::Admits;
-use super::{Outcome, Reported, Run, Site};
+use super::{Outcome, Reported, Run};
 
 /// What is known of cycles: the definition under way and the one that calls run.
 #[derive(Debug, Default)]
@@ -168,7 +169,7 @@ impl Run<'_> {
                 Some(open) if open.number == number && open.part.is_some_and(|last| last < part) => {
                     open.part = Some(part);
                     // The effect belongs to the last block of the definition.
-                    open.here = self.here;
+                    open.here = self.core.here;
                 }
                 _ => {
                     return self.fail_help(
@@ -291,7 +292,7 @@ impl Run<'_> {
             Nature::Preset => self.preset(open),
             Nature::Data => Ok(()),
             Nature::Machining => {
-                let mm = self.level().unit.mm();
+                let mm = self.level().frame.unit.mm();
                 let cycle = Machining::new(open, self.here.origin.loc, mm);
                 self.check_definition(&cycle)?;
                 self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
@@ -299,7 +300,7 @@ impl Run<'_> {
                 Ok(())
             }
             Nature::Pattern => {
-                let mm = self.level().unit.mm();
+                let mm = self.level().frame.unit.mm();
                 let pattern = Machining::new(open, self.here.origin.loc, mm);
                 let result = self.pattern_cycle(&pattern);
                 if result.is_err() {

@@ -166,7 +166,7 @@ impl Run<'_> {
         }
         let cycle = Cycle::Drilling(hole);
         let end = cycle.leaves(&self.st.pos);
-        self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
+        self.core.send_cycle(&cycle, &self.st.ctx);
         let axis = self.st.axis();
         self.st.pos = end;
         self.st.start.touch(AxisSet::of(axis));
@@ -497,7 +497,7 @@ impl Run<'_> {
     }
 
     pub(super) fn cycle_length(&mut self, cycle: &Machining, q: u32) -> Outcome<f64> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         Ok(self.cycle_number(cycle, q)? * mm)
     }
 

@@ -169,19 +169,6 @@ impl<L: Language> Core<'_, L> {
         read
     }
 
-    /// Does the control skip a block for its `/`? `level` is the number behind the mark, 0 for none, which is the mark
-    /// of the first level.
-    #[inline]
-    pub fn skips(&self, level: Option<u8>) -> bool {
-        match level {
-            None => false,
-            Some(level) => {
-                let on = &self.job.settings.control.skip_blocks;
-                on.iter().any(|on| *on == level || level == 0 && *on == 1)
-            }
-        }
-    }
-
     /// A comment of the program, where the output shows them.
     #[inline]
     pub fn comment_of(&self, text: &[u8]) -> Option<Function> {

@@ -72,13 +72,8 @@ impl<L: Language> Core<'_, L> {
     /// Goes on at `to` in `program`, until [`Core::leave`] comes back.
     pub fn enter(&mut self, program: usize, to: Place, frame: L::Frame) -> Outcome {
         let site = self.here.origin.loc;
-        // The place to come back to needs the caller in memory.
-        let sources = self.job.sources;
-        if let Err(error) = self.program().source.cursor.load(sources) {
-            return self.unreadable(&error);
-        }
         let back = self.program().source.cursor.place();
-        let call = self.job.trail.enter(self.level().call, site);
+        let call = self.job.trail.enter(self.here.origin.call, site);
         self.levels.push(Level { program, back, call, site, frame });
         self.budget.jump(site);
         self.seek(to)
@@ -86,8 +81,12 @@ impl<L: Language> Core<'_, L> {
 
     /// Goes back to where the level was called, and hands out what it held.
     pub fn leave(&mut self) -> Outcome<Option<L::Frame>> {
-        let Some(level) = self.levels.pop() else { return Ok(None) };
-        self.seek(level.back)?;
+        let called = self.levels.len() > 1;
+        let Some(level) = called.then(|| self.levels.pop()).flatten() else { return Ok(None) };
+        // A caller in a file of its own still stands there, and may be too large for the memory.
+        if self.program().source.cursor.place() != level.back {
+            self.seek(level.back)?;
+        }
         Ok(Some(level.frame))
     }
 
