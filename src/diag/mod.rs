@@ -3,6 +3,7 @@
 //! Stages push into [`Diags`]; none prints, none stops another. Renderers live in [`render`].
 
 pub mod codes;
+pub mod finding;
 pub mod render;
 pub mod trail;
 
@@ -14,6 +15,7 @@ use rustc_hash::FxHashMap;
 use crate::text::Loc;
 
 pub use codes::{Code, Raised};
+pub use finding::Finding;
 pub use trail::{CallPath, Trail};
 
 /// How bad it is.

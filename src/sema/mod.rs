@@ -3,11 +3,11 @@
 //! In: files and settings. Out: items for [`Sink`](crate::ir::contour::Sink), diagnostics. The only writer
 //! of modal state. One folder per dialect; what they share stands here.
 
+pub mod common;
 pub mod klartext;
 pub mod mtc200;
 pub mod run;
 pub mod sinumerik;
-pub mod start;
 pub mod turning;
 pub mod value;
 

@@ -255,8 +255,7 @@ impl Run<'_> {
         }));
         self.st.side = side;
         self.st.side_lost = false;
-        self.st.pos.update(&after);
-        self.st.start.touch(after.known());
+        self.st.position.move_to(&after);
         self.st.polar = None;
         self.st.last = None;
         Ok(())
@@ -436,8 +435,7 @@ impl Run<'_> {
             self.raw_move(up, Path::Line(feed), Side::None);
             after.set(third, depth);
         }
-        self.st.pos.update(&after);
-        self.st.start.touch(after.known());
+        self.st.position.move_to(&after);
         self.st.polar = None;
         self.st.last = None;
         self.st.last_rapid = false;

@@ -220,7 +220,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let settings = self.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);
         self.vars = vars;
-        self.core.begins_at(&self.st.start.position());
+        self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::main(settings.control.unit.unwrap_or_default(), locals))
     }
 

@@ -477,17 +477,17 @@ impl Run<'_> {
 
     /// Programmed position of an axis; an error where it is not known.
     pub(super) fn position_of(&mut self, axis: Axis, span: Span, what: &str) -> Outcome<f64> {
-        if let Some(value) = self.st.nominal.get(axis).or(self.st.pos.get(axis)) {
+        if let Some(value) = self.st.position.programmed(axis) {
             return Ok(value);
         }
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(super::Reported);
         }
         self.fail_help(
             codes::K2001,
             span,
             format!("{what} needs the position of {}, which is not known here", axis.letter()),
-            &self.st.start.help(axis, &format!("program an absolute position of {} first", axis.letter())),
+            &self.st.position.help(axis, &format!("program an absolute position of {} first", axis.letter())),
         )
     }
 }

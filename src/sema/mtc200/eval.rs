@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::lexer::formula::{Function, Operator};
-use crate::machine::mtc200::Reading;
+use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
 use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, Val, evaluate};
 use crate::text::Span;

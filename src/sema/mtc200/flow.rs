@@ -183,7 +183,7 @@ impl Run<'_> {
             return Ok(program);
         }
         // What the program would have done is unknown: nothing after it can be trusted.
-        self.st.lose(AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         self.lost();
         self.stop_run();
         Err(Reported)
@@ -218,15 +218,15 @@ impl Run<'_> {
         self.warn_open();
         let old = std::mem::replace(&mut self.st, State::new(self.core.job.settings));
         // The end of a program cancels the programmed offset: positions count from the work offset again.
-        self.st.pos = old.ctx.frame.apply(&old.pos);
-        self.st.lost = old.lost;
-        self.st.start = old.start;
+        self.st.position = old.position;
+        self.st.position.through_frame(&old.ctx.frame, &self.st.ctx.frame);
+        self.st.written = AxisSet::EMPTY;
         self.st.selected = old.selected;
         self.st.tool = old.tool;
         if old.offset != Offset::Start {
             // Which offset is in force now depends on the machine, and the output still has the old one.
             self.st.offset = Offset::Reset;
-            self.st.forget(self.st.pos.known());
+            self.st.forget(self.st.position.at().known());
         }
     }
 

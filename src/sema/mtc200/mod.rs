@@ -29,7 +29,7 @@ use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
-use crate::machine::mtc200::Reading;
+use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
 use crate::parser::mtc200::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
@@ -159,7 +159,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Mtc200;
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        self.core.begins_at(&self.st.start.position());
+        self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::default())
     }
 

@@ -1,7 +1,7 @@
 //! The call stack: which program runs, where its caller goes on.
 
 use crate::diag::{CallPath, codes};
-use crate::sema::Outcome;
+use crate::sema::{Job, Outcome};
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc};
 
@@ -15,6 +15,13 @@ use super::source::Source;
 pub struct Program<L: Language> {
     pub source: Source<L::Block>,
     pub known: L::Known,
+}
+
+impl<L: Language> Program<L> {
+    /// Opens a file; reports what is wrong with it.
+    pub fn open(job: &Job<'_>, file: FileId, from: Loc) -> Option<Program<L>> {
+        Some(Program { source: Source::open(job, file, L::SPLIT, from)?, known: L::Known::default() })
+    }
 }
 
 /// A level of the call stack.

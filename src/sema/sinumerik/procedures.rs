@@ -4,7 +4,7 @@
 
 use crate::diag::codes;
 use crate::ir::{Function, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
@@ -42,14 +42,14 @@ impl Run<'_> {
             return self.rest_of_block(w, block);
         }
         // A name in a definition file may be a macro.
-        if !self.definitions_known() && self.macros.contains_key(&call.name) {
+        if !self.definitions_known() && self.language.is_macro(call.name) {
             return self.again(block, text);
         }
         self.begins_executing();
         if let Meaning::Known(known) = call.meaning {
             let name = self.symbols.name(call.name).to_owned();
             if !self.own_program(&name) {
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 return self.not_compiled(call.name, known, call.span);
             }
@@ -68,7 +68,7 @@ impl Run<'_> {
         }
         let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
         if cycle && !self.own_program(&name) {
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
             let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
             let help = "replace it by plain moves, or put its program beside this one";
@@ -84,10 +84,9 @@ impl Run<'_> {
 
     /// A program of the user with the name of a cycle goes before it.
     pub(super) fn own_program(&mut self, name: &str) -> bool {
-        let file = self.programs.units[self.unit()].file;
-        let listed = self.programs.list(&self.job, file).is_ok();
-        if listed && (self.programs.find_in_file(file, name).is_some() || self.programs.find_in_file(0, name).is_some())
-        {
+        let file = self.units.list[self.unit()].file;
+        let listed = self.list_programs(file).is_ok();
+        if listed && (self.units.find_in_file(file, name).is_some() || self.units.find_in_file(0, name).is_some()) {
             return true;
         }
         let identity = self.job.sources.identity(self.here.file);
@@ -165,7 +164,7 @@ impl Run<'_> {
             Ok(unit) => unit,
             Err(reported) => {
                 // What it would have done is not known.
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 return Err(reported);
             }
@@ -210,7 +209,7 @@ impl Run<'_> {
                 let mut shown = String::new();
                 let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
                 if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
-                    self.ended.set(true);
+                    self.stop_run();
                     let message = format!("SETAL({number}) is no alarm of a program");
                     return self.fail_help(
                         codes::S2027,
@@ -226,7 +225,7 @@ impl Run<'_> {
                         shown = format!("{shown} {}", String::from_utf8_lossy(&text));
                     }
                 }
-                self.ended.set(true);
+                self.stop_run();
                 let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
                     Some((cause, help)) => (format!(": {cause}"), help),
                     None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),
@@ -293,7 +292,7 @@ impl Run<'_> {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
             Procedure::Refused(what) => {
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
                 self.fail_help(
@@ -338,7 +337,7 @@ impl Run<'_> {
             if self.number(*formula, block, text)? == 0.0 {
                 continue;
             }
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
             return self.fail_help(
                 codes::S9006,
@@ -349,7 +348,7 @@ impl Run<'_> {
             );
         }
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
-        if let Some(axis) = turned.into_iter().find(|axis| self.st.pos.get(*axis).is_some_and(|at| at != 0.0)) {
+        if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
             let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
             return self.fail_help(codes::S9006, 0, span, message, "program the rotary axis, and leave CYCLE800 out");
         }
@@ -371,7 +370,7 @@ impl Run<'_> {
         };
         let points = &self.job.settings.machine.swivel_retract;
         if steps.is_empty() || !steps.concat().iter().all(|axis| points.contains_key(axis)) {
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
             return self.fail_help(
                 codes::S9006,

@@ -191,17 +191,20 @@ impl Run<'_> {
 
     /// Where an axis stands, as the program would write it.
     fn position_value(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(value) = self.st.pos.get(axis) else {
+        let Some(value) = self.st.position.get(axis) else {
             let message = format!("where {} stands was not programmed yet", axis.letter());
             return self.fail_help(
                 codes::S2042,
                 0,
                 span,
                 message,
-                &self.st.start.help(axis, "program the axis once in absolute coordinates before reading its position"),
+                &self
+                    .st
+                    .position
+                    .help(axis, "program the axis once in absolute coordinates before reading its position"),
             );
         };
         if axis.is_rotary() {
@@ -421,8 +424,8 @@ impl Run<'_> {
             }
             return Ok(Val::Bool(self.is_variable(&wanted)));
         }
-        let file = self.programs.units[self.unit()].file;
-        if let Err(error) = self.programs.list(&self.job, 0).and_then(|()| self.programs.list(&self.job, file)) {
+        let file = self.units.list[self.unit()].file;
+        if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
             return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}"));
         }
         self.budget.search();
@@ -430,7 +433,7 @@ impl Run<'_> {
         let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
         let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
         let in_archive = without_extension(&bare);
-        let here = [0, file].into_iter().any(|file| self.programs.find_in_file(file, in_archive).is_some());
+        let here = [0, file].into_iter().any(|file| self.units.find_in_file(file, in_archive).is_some());
         Ok(Val::Bool(here || self.job.files.open(&request).is_ok()))
     }
 

@@ -157,7 +157,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Turning;
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        self.core.begins_at(&self.st.start.position());
+        self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::main())
     }
 

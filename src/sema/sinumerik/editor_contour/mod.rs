@@ -15,6 +15,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
+use crate::machine::AxisSet;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
 use crate::text::{Loc, Span};
 
@@ -94,7 +95,7 @@ impl Run<'_> {
                 // One more than can be solved is enough to know that there are too many.
                 if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
                     stored.records.push(record);
-                    stored.record_places.push(self.here.origin.loc);
+                    stored.record_places.push(self.core.here.origin.loc);
                 }
                 Ok(())
             }
@@ -117,7 +118,7 @@ impl Run<'_> {
             ));
             return Ok(());
         }
-        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         let message = format!("the contour has no blocks, and its records are not complete: {what}");
         self.report(
             Diagnostic::new(codes::S9019, stored.begin, message)
@@ -159,7 +160,7 @@ impl Run<'_> {
     /// Notes a move of a stored contour.
     pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
         let plane = self.st.plane();
-        let mut all = self.st.pos;
+        let mut all = *self.st.position.at();
         all.update(end);
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
@@ -189,7 +190,7 @@ impl Run<'_> {
             stored.rapid = Some(stored.blocks.len());
         }
         stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
-        stored.places.push(self.here.origin.loc);
+        stored.places.push(self.core.here.origin.loc);
     }
 
     /// Notes the corner at the end of the last block.
@@ -204,7 +205,7 @@ impl Run<'_> {
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
         // Blocks that were refused are not there to be compared.
-        if self.errors.get() > 0 {
+        if self.errors() > 0 {
             return Ok(());
         }
         let written = if stored.start.is_some() { stored.written } else { self.written_now() };
