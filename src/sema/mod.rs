@@ -4,6 +4,7 @@
 //! of modal state. One folder per dialect; what they share stands here.
 
 pub mod common;
+pub mod cycle_table;
 pub mod klartext;
 pub mod mtc200;
 pub mod run;

@@ -10,7 +10,7 @@ use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::text::Span;
 
-use super::cycle::{AxisValue, Open};
+use super::cycle_definition::{AxisValue, Open};
 use super::transform::Transformation;
 use super::{Outcome, Reported, Run};
 

@@ -14,7 +14,7 @@ use crate::sema::run::unexecuted::Blocks;
 use crate::text::{Loc, Span, decode::readable};
 
 use super::Klartext;
-use super::cycle_names::{Nature, nature};
+use super::cycles::{Nature, find};
 use super::labels::{Label, Labels};
 use super::path::{PATH, corner_words, path_words};
 use super::words::{Admits, same_matter};
@@ -149,7 +149,9 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         Stmt::FnOther { number: 26..=28, .. } => Some(codes::K9006),
         Stmt::FnOther { number: 17 | 25, .. } => Some(codes::K9014),
         Stmt::FnOther { number: 24, .. } => Some(codes::K9011),
-        Stmt::Cycle { number, part: None | Some(0) } if nature(number) == Nature::Unknown => Some(codes::K9001),
+        Stmt::Cycle { number, part: None | Some(0) } if matches!(find(number).nature, Nature::Unknown) => {
+            Some(codes::K9001)
+        }
         _ => None,
     };
     code.or_else(|| {

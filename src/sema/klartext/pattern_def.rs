@@ -12,7 +12,8 @@ use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
-use super::holes::Retract;
+use super::cycles::SURFACE;
+use super::drilling::Retract;
 use super::patterns::PLACES_A_STEP;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
@@ -290,7 +291,7 @@ impl Run<'_> {
         if cycle.number < 20 {
             return self.cycle_unbuilt(&cycle, "a pattern of an old cycle");
         }
-        let own = self.cycle_length(&cycle, 203)?;
+        let own = self.cycle_length(&cycle, SURFACE)?;
         if own != 0.0 && places.list.iter().any(|(_, surface)| *surface != 0.0) {
             self.report(
                 Diagnostic::new(

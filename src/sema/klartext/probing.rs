@@ -10,7 +10,7 @@ use crate::parser::klartext::ast::{Block, Stmt};
 use crate::text::decode::readable;
 
 use super::calls::innermost_locals;
-use super::cycle_words::is_parameter_of;
+use super::cycles::find;
 use super::vars::{Slot, exists};
 use super::{Outcome, Run};
 
@@ -144,7 +144,7 @@ impl Run<'_> {
     pub(super) fn belongs_to_skipped(&mut self, block: &Block) -> bool {
         let Some(number) = self.skipped else { return false };
         let belongs = match block.stmt {
-            Stmt::Assign(q) => block.number.is_none() && is_parameter_of(number, q),
+            Stmt::Assign(q) => block.number.is_none() && find(number).takes(number, q),
             // Blank lines and comments may stand between.
             Stmt::Empty => return false,
             _ => false,

@@ -4,13 +4,19 @@
 //! then. The values of the old dotted cycles are those of the definition.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::cycle::drilling::{Bore, Breaks, DeepHole, DrillingFault, Levels, Method, Tap};
+use crate::ir::cycle::drilling::{Bore, Breaks, DeepHole, Levels, Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::cycle_table::Name;
 
-use super::machining::Machining;
+use super::cycles::drilling::{
+    AHEAD_ABOVE, AHEAD_BELOW, ANGLE, BREAK_DEPTH, BREAK_WAY, BREAKS, BY_DIAMETER, DECREMENT, DEEPENED, DEPTH_REFERENCE,
+    DIRECTION, DWELL, DWELL_ABOVE, FEED, LEAST_PLUNGE, PITCH, PLUNGE, RETRACT_FEED, ROUGH_DIAMETER,
+};
+use super::cycles::{CLEARANCE, Cut, DEPTH, Q, SECOND_CLEARANCE, SURFACE};
+use super::defined_cycle::DefinedCycle;
 use super::{Outcome, Reported, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.
@@ -20,56 +26,10 @@ const SHALLOW: f64 = 30.0;
 const NEAR: f64 = 0.6;
 const SHARE: f64 = 50.0;
 const FURTHEST: f64 = 7.0;
+/// The feed of a hole whose pitch makes it.
+const NO_FEED: Feed = Feed::PerMinute(1.0);
 /// Longest dwell in seconds.
 const LONGEST: f64 = 3600.0;
-
-/// The Q parameters that a definition of this cycle has to set, if it is a drilling cycle that is compiled.
-pub(super) fn needed(number: u32) -> Option<&'static [u32]> {
-    Some(match number {
-        1 | 2 | 17 => &[],
-        200 => &[200, 201, 206, 202, 210, 203, 204],
-        201 => &[200, 201, 206, 211, 208, 203, 204],
-        202 => &[200, 201, 206, 211, 208, 203, 204, 214],
-        203 => &[200, 201, 206, 202, 210, 203, 204, 212, 213, 205, 211, 208],
-        205 => &[200, 201, 206, 202, 203, 204, 212, 205, 258, 259, 257, 256, 211],
-        206 => &[200, 201, 206, 211, 203, 204],
-        207 => &[200, 201, 239, 203, 204],
-        240 => &[200, 343, 201, 206, 211, 203, 204],
-        _ => return None,
-    })
-}
-
-/// The Q parameters of a drilling cycle: those that it needs, and those that newer software has besides.
-pub(super) fn parameters(number: u32) -> Option<(&'static [u32], &'static [u32])> {
-    let optional: &[u32] = match number {
-        200 => &[211, 395],
-        202 => &[336],
-        203 => &[256, 395],
-        205 => &[379, 253, 208, 395],
-        240 => &[344, 342, 253],
-        1 | 2 | 17 => return None,
-        _ => &[],
-    };
-    Some((needed(number)?, optional))
-}
-
-/// The part of an old cycle that holds its feed.
-pub(super) fn feed_part(number: u32) -> Option<u32> {
-    match number {
-        1 => Some(5),
-        2 => Some(4),
-        _ => None,
-    }
-}
-
-/// Parts of an old cycle, from 1 on.
-fn parts(number: u32) -> u32 {
-    match number {
-        1 => 5,
-        2 => 4,
-        _ => 3,
-    }
-}
 
 /// Where the tool goes behind a hole of a pattern.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,34 +60,36 @@ impl Heights {
 
 impl Run<'_> {
     /// Are all parameters of the definition there? Looked at when it is complete.
-    pub(super) fn check_definition(&mut self, cycle: &Machining) -> Outcome {
-        let Some(needed) = needed(cycle.number) else { return Ok(()) };
-        let missing: Vec<String> = needed.iter().filter(|q| !cycle.sets(**q)).map(|q| format!("Q{q}")).collect();
-        if !missing.is_empty() {
+    pub(super) fn check_definition(&mut self, cycle: &DefinedCycle) -> Outcome {
+        let row = cycle.row();
+        if row.nature.drilling().is_none() {
+            return Ok(());
+        }
+        if row.has_parts(cycle.number) {
+            let Some(missing) = row.needed().find(|name| !cycle.gives(*name)) else { return Ok(()) };
             return self.fail_help(
                 codes::K2402,
                 self.block_span(),
-                format!("cycle {} lacks {}", cycle.number, missing.join(", ")),
-                "program all parameters of the cycle",
+                format!("cycle {0} lacks the value of part {0}{missing}", cycle.number),
+                "program all parts of the cycle",
             );
         }
-        if cycle.number < 20 {
-            for part in 1..=parts(cycle.number) {
-                if !cycle.has_part(part) {
-                    return self.fail_help(
-                        codes::K2402,
-                        self.block_span(),
-                        format!("cycle {0} lacks the value of part {0}.{part}", cycle.number),
-                        "program all parts of the cycle",
-                    );
-                }
-            }
+        self.all_are_set(cycle, &format!("cycle {}", cycle.number))
+    }
+
+    /// Every Q parameter that the cycle needs.
+    pub(super) fn all_are_set(&self, cycle: &DefinedCycle, what: &str) -> Outcome {
+        let needed = cycle.row().needed();
+        let missing: Vec<String> = needed.filter(|name| !cycle.gives(*name)).map(|name| name.to_string()).collect();
+        if missing.is_empty() {
+            return Ok(());
         }
-        Ok(())
+        let message = format!("{what} lacks {}", missing.join(", "));
+        self.fail_help(codes::K2402, self.block_span(), message, "program all parameters of the cycle")
     }
 
     /// Drills where the tool stands. `shift` lifts the surface, in mm.
-    pub(super) fn drill(&mut self, cycle: &Machining, shift: f64, retract: Retract) -> Outcome {
+    pub(super) fn drill(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome {
         if self.st.side != Side::None {
             self.report(
                 Diagnostic::new(codes::K2407, self.here.origin.loc, "a cycle is called while RL or RR is active")
@@ -136,7 +98,9 @@ impl Run<'_> {
             return Err(Reported);
         }
         // The control itself starts the spindle for rigid tapping.
-        if self.st.spindle.is_none() && !matches!(cycle.number, 17 | 207) {
+        let drilling = cycle.row().nature.drilling();
+        let by_pitch = drilling.is_some_and(|drilling| drilling.feed.is_none());
+        if self.st.spindle.is_none() && !by_pitch {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")
@@ -162,7 +126,7 @@ impl Run<'_> {
         }
         let Some(hole) = self.hole(cycle, shift, retract)? else { return Ok(()) };
         if let Err(fault) = hole.check() {
-            return self.cycle_value(cycle, &fault_text(fault));
+            return self.cycle_value(cycle, &fault.to_string());
         }
         let cycle = Cycle::Drilling(hole);
         let end = cycle.leaves(self.st.position.at());
@@ -177,22 +141,34 @@ impl Run<'_> {
     }
 
     /// A scaling changes the depth of a thread, but no tap has another pitch.
-    fn check_pitch(&mut self, cycle: &Machining) -> Outcome {
+    fn check_pitch(&mut self, cycle: &DefinedCycle) -> Outcome {
         let t = &self.st.transform;
         let scaled = t.scale != 1.0 || t.axis_scale != [1.0; 3];
-        if scaled && matches!(cycle.number, 2 | 17 | 206 | 207) {
+        if scaled && cycle.row().nature.drilling().is_some_and(|drilling| drilling.taps) {
             return self.cycle_unbuilt(cycle, "tapping under a scaling, which would change the pitch of the thread,");
         }
         Ok(())
     }
 
-    fn hole(&mut self, cycle: &Machining, shift: f64, retract: Retract) -> Outcome<Option<Drilling>> {
+    fn hole(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome<Option<Drilling>> {
         let axis = self.st.axis();
         if !AxisSet::MAIN.contains(axis) {
             return self.cycle_value(cycle, &format!("the tool axis {} cannot drill", axis.letter()));
         }
-        if matches!(cycle.number, 1 | 2 | 17) {
-            return self.old_hole(cycle, axis).map(Some);
+        let row = cycle.row();
+        let Some(drilling) = row.nature.drilling() else { return Ok(None) };
+        if row.has_parts(cycle.number) {
+            let levels = self.old_levels(cycle, axis)?;
+            let dwell = match drilling.dwell {
+                Some(Name::Part(part)) => self.part_dwell(cycle, part)?,
+                _ => 0.0,
+            };
+            let feed = match drilling.feed {
+                Some(Name::Part(part)) => self.part_feed(cycle, part)?,
+                _ => NO_FEED,
+            };
+            let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
+            return Ok(Some(Drilling { axis, levels, feed, method }));
         }
         let heights = self.heights(cycle, shift)?;
         let deep = self.depth_of(cycle)?;
@@ -215,22 +191,26 @@ impl Run<'_> {
             clearance: heights.clearance,
             depth: heights.surface + deep,
         };
-        let feed = match cycle.number {
-            207 => Feed::PerMinute(1.0),
-            _ => self.cycle_feed(cycle, 206, None)?,
+        let feed = match drilling.feed {
+            Some(_) => self.cycle_feed(cycle, FEED, None)?,
+            None => NO_FEED,
         };
-        let method = self.method(cycle, feed)?;
+        if self.cycle_option(cycle, DEPTH_REFERENCE)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "a depth that counts from the full diameter (Q395=1)");
+        }
+        let dwell = if drilling.dwell.is_some() { self.cycle_dwell(cycle, DWELL)? } else { 0.0 };
+        let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
         Ok(Some(Drilling { axis, levels, feed, method }))
     }
 
     /// The heights that Q200, Q203 and Q204 give.
-    pub(super) fn heights(&mut self, cycle: &Machining, shift: f64) -> Outcome<Heights> {
-        let clearance = self.cycle_length(cycle, 200)?;
+    pub(super) fn heights(&mut self, cycle: &DefinedCycle, shift: f64) -> Outcome<Heights> {
+        let clearance = self.cycle_length(cycle, CLEARANCE)?;
         if clearance < 0.0 {
             return self.cycle_value(cycle, &format!("the set-up clearance Q200 is {clearance}"));
         }
-        let surface = self.cycle_length(cycle, 203)? + shift;
-        let second = self.cycle_length(cycle, 204)?;
+        let surface = self.cycle_length(cycle, SURFACE)? + shift;
+        let second = self.cycle_length(cycle, SECOND_CLEARANCE)?;
         if second < clearance && second != 0.0 {
             self.report(
                 Diagnostic::new(
@@ -248,97 +228,91 @@ impl Run<'_> {
     }
 
     /// Depth from the surface, negative or 0.
-    fn depth_of(&mut self, cycle: &Machining) -> Outcome<f64> {
-        if cycle.number == 240 && self.cycle_number(cycle, 343)? != 0.0 {
+    fn depth_of(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+        if self.cycle_option(cycle, BY_DIAMETER)? != 0.0 {
             return self.cycle_unbuilt(cycle, "centring by the diameter (Q343=1) needs the tip angle of the tool");
         }
-        let deep = self.cycle_length(cycle, 201)?;
+        let deep = self.cycle_length(cycle, DEPTH)?;
         if deep > 0.0 {
             return self.cycle_value(cycle, &format!("the depth Q201 = {deep} is positive"));
         }
         Ok(deep)
     }
 
-    fn method(&mut self, cycle: &Machining, feed: Feed) -> Outcome<Method> {
-        if self.cycle_option(cycle, 395)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "a depth that counts from the full diameter (Q395=1)");
+    /// Cycle 200: out of the hole after every step.
+    pub(super) fn drilling(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let ahead = self.cycle_length(cycle, CLEARANCE)?;
+        let first = self.infeed(cycle)?;
+        let dwell_out = self.cycle_dwell(cycle, DWELL_ABOVE)?;
+        Ok(Method::Deep(DeepHole {
+            first,
+            less: 0.0,
+            least: 0.0,
+            breaks: Breaks::Never,
+            way: 0.0,
+            ahead: [ahead; 2],
+            dwell_out,
+            dwell: cut.dwell,
+            back: None,
+        }))
+    }
+
+    /// Cycle 201.
+    pub(super) fn reaming(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        Ok(Method::Ream { dwell: cut.dwell, back: self.cycle_feed(cycle, RETRACT_FEED, Some(cut.feed))? })
+    }
+
+    /// Cycle 207.
+    pub(super) fn rigid_tapping(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let lead = self.cycle_length(cycle, PITCH)?;
+        self.tapping(cut, Some(lead))
+    }
+
+    /// Cycle 240.
+    pub(super) fn centering(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        if self.cycle_option(cycle, ROUGH_DIAMETER)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "centring of a hole that is drilled already (Q342)");
         }
-        let dwell = match cycle.number {
-            207 => 0.0,
-            _ => self.cycle_dwell(cycle, 211)?,
-        };
-        Ok(match cycle.number {
-            201 => Method::Ream { dwell, back: self.cycle_feed(cycle, 208, Some(feed))? },
-            202 => self.boring(cycle, dwell, feed)?,
-            203 => self.universal(cycle, dwell, feed)?,
-            205 => self.pecking(cycle, dwell)?,
-            206 => self.tapping(dwell, None)?,
-            207 => {
-                let lead = self.cycle_length(cycle, 239)?;
-                self.tapping(dwell, Some(lead))?
-            }
-            240 => {
-                if self.cycle_option(cycle, 342)? != 0.0 {
-                    return self.cycle_unbuilt(cycle, "centring of a hole that is drilled already (Q342)");
-                }
-                Method::Drill { dwell }
-            }
-            _ => {
-                let ahead = self.cycle_length(cycle, 200)?;
-                let first = self.infeed(cycle)?;
-                let dwell_out = self.cycle_dwell(cycle, 210)?;
-                Method::Deep(DeepHole {
-                    first,
-                    less: 0.0,
-                    least: 0.0,
-                    breaks: Breaks::Never,
-                    way: 0.0,
-                    ahead: [ahead; 2],
-                    dwell_out,
-                    dwell,
-                    back: None,
-                })
-            }
-        })
+        Ok(Method::Drill { dwell: cut.dwell })
     }
 
     /// Q202.
-    fn infeed(&mut self, cycle: &Machining) -> Outcome<f64> {
-        let step = self.cycle_length(cycle, 202)?;
+    fn infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+        let step = self.cycle_length(cycle, PLUNGE)?;
         if step <= 0.0 {
             return self.cycle_value(cycle, &format!("the plunging depth Q202 = {step} is not above zero"));
         }
         Ok(step)
     }
 
-    fn universal(&mut self, cycle: &Machining, dwell: f64, feed: Feed) -> Outcome<Method> {
+    pub(super) fn universal(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
         let first = self.infeed(cycle)?;
-        let ahead = self.cycle_length(cycle, 200)?;
-        let times = self.cycle_number(cycle, 213)?;
+        let ahead = self.cycle_length(cycle, CLEARANCE)?;
+        let times = self.cycle_number(cycle, BREAKS)?;
         if !(times >= 0.0 && times.fract() == 0.0 && times <= 99_999.0) {
             return self.cycle_value(cycle, &format!("the number of chip breaks Q213 = {times} is no whole number"));
         }
         // Older software lifts by this fixed way.
-        let way = if cycle.sets(256) { self.cycle_length(cycle, 256)? } else { LIFT };
+        let way = if cycle.sets(BREAK_WAY) { self.cycle_length(cycle, BREAK_WAY)? } else { LIFT };
         Ok(Method::Deep(DeepHole {
             first,
-            less: self.cycle_length(cycle, 212)?,
-            least: self.cycle_length(cycle, 205)?,
+            less: self.cycle_length(cycle, DECREMENT)?,
+            least: self.cycle_length(cycle, LEAST_PLUNGE)?,
             breaks: if times > 0.0 { Breaks::Times(times as u32) } else { Breaks::Never },
             way,
             ahead: [ahead; 2],
-            dwell_out: self.cycle_dwell(cycle, 210)?,
-            dwell,
-            back: self.retract_feed(cycle, 208, Some(feed))?,
+            dwell_out: self.cycle_dwell(cycle, DWELL_ABOVE)?,
+            dwell: cut.dwell,
+            back: self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?,
         }))
     }
 
-    fn pecking(&mut self, cycle: &Machining, dwell: f64) -> Outcome<Method> {
-        if self.cycle_option(cycle, 379)? != 0.0 {
+    pub(super) fn pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        if self.cycle_option(cycle, DEEPENED)? != 0.0 {
             return self.cycle_unbuilt(cycle, "a deepened start (Q379)");
         }
         let first = self.infeed(cycle)?;
-        let ahead = [self.cycle_length(cycle, 258)?, self.cycle_length(cycle, 259)?];
+        let ahead = [self.cycle_length(cycle, AHEAD_ABOVE)?, self.cycle_length(cycle, AHEAD_BELOW)?];
         if ahead[0] != ahead[1] {
             self.job.diags.push_once(Diagnostic::new(
                 codes::K2408,
@@ -346,23 +320,23 @@ impl Run<'_> {
                 "the advanced stop distance changes from Q258 to Q259 in even steps",
             ));
         }
-        let every = self.cycle_length(cycle, 257)?;
-        let back = if cycle.sets(208) { self.retract_feed(cycle, 208, None)? } else { None };
+        let every = self.cycle_length(cycle, BREAK_DEPTH)?;
+        let back = if cycle.sets(RETRACT_FEED) { self.retract_feed(cycle, RETRACT_FEED, None)? } else { None };
         Ok(Method::Deep(DeepHole {
             first,
-            less: self.cycle_length(cycle, 212)?,
-            least: self.cycle_length(cycle, 205)?,
+            less: self.cycle_length(cycle, DECREMENT)?,
+            least: self.cycle_length(cycle, LEAST_PLUNGE)?,
             breaks: if every > 0.0 { Breaks::Every(every) } else { Breaks::Never },
-            way: self.cycle_length(cycle, 256)?,
+            way: self.cycle_length(cycle, BREAK_WAY)?,
             ahead,
             dwell_out: 0.0,
-            dwell,
+            dwell: cut.dwell,
             back,
         }))
     }
 
-    fn boring(&mut self, cycle: &Machining, dwell: f64, feed: Feed) -> Outcome<Method> {
-        let lift = match self.cycle_number(cycle, 214)? {
+    pub(super) fn boring(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let lift = match self.cycle_number(cycle, DIRECTION)? {
             0.0 => [0.0; 3],
             1.0 => [-LIFT, 0.0, 0.0],
             2.0 => [0.0, -LIFT, 0.0],
@@ -372,9 +346,9 @@ impl Run<'_> {
                 return self.cycle_value(cycle, &format!("the disengaging direction Q214 = {other} is not 0 to 4"));
             }
         };
-        let back = self.retract_feed(cycle, 208, Some(feed))?;
+        let back = self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?;
         // Whole turns more or less are the same angle, and the target takes 0 to 360.
-        let angle = self.cycle_option(cycle, 336)?;
+        let angle = self.cycle_option(cycle, ANGLE)?;
         let orient = if (0.0..=360.0).contains(&angle) { angle } else { angle.rem_euclid(360.0) };
         if lift != [0.0; 3] {
             if *self.st.ctx.frame.linear() != nalgebra::Matrix3::identity() {
@@ -386,11 +360,11 @@ impl Run<'_> {
             }
         }
         let turn = self.st.spindle.unwrap_or(Turn::Clockwise);
-        Ok(Method::Bore(Bore { dwell, turn, orient, back, lift }))
+        Ok(Method::Bore(Bore { dwell: cut.dwell, turn, orient, back, lift }))
     }
 
     /// `lead` is positive for a right-hand thread; without one the feed of the hole holds both ways.
-    fn tapping(&mut self, dwell: f64, lead: Option<f64>) -> Outcome<Method> {
+    pub(super) fn tapping(&mut self, cut: Cut, lead: Option<f64>) -> Outcome<Method> {
         let here = self.here.origin.loc;
         self.job.diags.push_once(Diagnostic::new(
             codes::K2409,
@@ -405,7 +379,7 @@ impl Run<'_> {
         Ok(Method::Tap(Tap {
             lead: lead.map(f64::abs),
             turn,
-            dwell,
+            dwell: cut.dwell,
             dwell_reversed: true,
             speed_in: None,
             speed_out: None,
@@ -417,7 +391,7 @@ impl Run<'_> {
     }
 
     /// Cycles 1, 2 and 17: the tool stands at the set-up clearance and comes back to it.
-    fn old_hole(&mut self, cycle: &Machining, axis: Axis) -> Outcome<Drilling> {
+    fn old_levels(&mut self, cycle: &DefinedCycle, axis: Axis) -> Outcome<Levels> {
         let span = self.block_span();
         let start = self.position_of(axis, span, &format!("cycle {}", cycle.number))?;
         let mm = cycle.mm;
@@ -431,50 +405,46 @@ impl Run<'_> {
             return self.cycle_value(cycle, "the depth is 0");
         }
         let reference = start - clearance;
-        let levels = Levels { retract: start, reference, clearance, depth: reference + deep };
-        let (feed, method) = match cycle.number {
-            1 => {
-                let first = self.part(cycle, 3)?.abs() * mm;
-                let ahead = if -deep <= SHALLOW { NEAR } else { (-deep / SHARE).min(FURTHEST) };
-                let dwell = self.part_dwell(cycle, 4)?;
-                let deep = DeepHole {
-                    first,
-                    less: 0.0,
-                    least: 0.0,
-                    breaks: Breaks::Never,
-                    way: 0.0,
-                    ahead: [ahead; 2],
-                    dwell_out: 0.0,
-                    dwell,
-                    back: None,
-                };
-                (self.part_feed(cycle, 5)?, Method::Deep(deep))
-            }
-            2 => {
-                let dwell = self.part_dwell(cycle, 3)?;
-                (self.part_feed(cycle, 4)?, self.tapping(dwell, None)?)
-            }
-            _ => {
-                let lead = self.part(cycle, 3)? * mm;
-                (Feed::PerMinute(1.0), self.tapping(0.0, Some(lead))?)
-            }
-        };
-        Ok(Drilling { axis, levels, feed, method })
+        Ok(Levels { retract: start, reference, clearance, depth: reference + deep })
     }
 
-    fn part(&mut self, cycle: &Machining, part: u32) -> Outcome<f64> {
+    /// Cycle 1.
+    pub(super) fn old_pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let first = self.part(cycle, 3)?.abs() * cycle.mm;
+        let depth = self.part(cycle, 2)?.abs() * cycle.mm;
+        let ahead = if depth <= SHALLOW { NEAR } else { (depth / SHARE).min(FURTHEST) };
+        Ok(Method::Deep(DeepHole {
+            first,
+            less: 0.0,
+            least: 0.0,
+            breaks: Breaks::Never,
+            way: 0.0,
+            ahead: [ahead; 2],
+            dwell_out: 0.0,
+            dwell: cut.dwell,
+            back: None,
+        }))
+    }
+
+    /// Cycle 17.
+    pub(super) fn old_rigid_tapping(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let lead = self.part(cycle, 3)? * cycle.mm;
+        self.tapping(cut, Some(lead))
+    }
+
+    fn part(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<f64> {
         match cycle.part(part) {
             Some(value) => Ok(value),
             None => self.cycle_value(cycle, &format!("part {}.{part} has no value", cycle.number)),
         }
     }
 
-    fn part_dwell(&mut self, cycle: &Machining, part: u32) -> Outcome<f64> {
+    fn part_dwell(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<f64> {
         let seconds = self.part(cycle, part)?;
         self.check_dwell(cycle, seconds)
     }
 
-    fn part_feed(&mut self, cycle: &Machining, part: u32) -> Outcome<Feed> {
+    fn part_feed(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<Feed> {
         let value = self.part(cycle, part)?;
         self.check_feed(cycle, value)
     }
@@ -482,33 +452,33 @@ impl Run<'_> {
     // Values by their Q parameters.
 
     /// What the parameter holds now.
-    pub(super) fn cycle_number(&mut self, cycle: &Machining, q: u32) -> Outcome<f64> {
+    pub(super) fn cycle_number(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         if let Some(word) = cycle.word(q) {
-            return self.cycle_unbuilt(cycle, &format!("{word} as the value of Q{q}"));
+            return self.cycle_unbuilt(cycle, &format!("{word} as the value of {q}"));
         }
         if !cycle.sets(q) {
-            return self.cycle_value(cycle, &format!("Q{q} is missing"));
+            return self.cycle_value(cycle, &format!("{q} is missing"));
         }
         let span = self.block_span();
-        self.parameter(crate::lexer::klartext::QRef { kind: crate::lexer::klartext::QKind::Q, number: q }, span)
+        self.parameter(crate::lexer::klartext::QRef { kind: crate::lexer::klartext::QKind::Q, number: q.0 }, span)
     }
 
-    pub(super) fn cycle_length(&mut self, cycle: &Machining, q: u32) -> Outcome<f64> {
+    pub(super) fn cycle_length(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         let mm = self.level().frame.unit.mm();
         Ok(self.cycle_number(cycle, q)? * mm)
     }
 
     /// A parameter that newer software has: 0 where the definition does not set it.
-    pub(super) fn cycle_option(&mut self, cycle: &Machining, q: u32) -> Outcome<f64> {
+    pub(super) fn cycle_option(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         if cycle.sets(q) || cycle.word(q).is_some() { self.cycle_number(cycle, q) } else { Ok(0.0) }
     }
 
-    fn cycle_dwell(&mut self, cycle: &Machining, q: u32) -> Outcome<f64> {
+    fn cycle_dwell(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         let seconds = self.cycle_option(cycle, q)?;
         self.check_dwell(cycle, seconds)
     }
 
-    fn check_dwell(&mut self, cycle: &Machining, seconds: f64) -> Outcome<f64> {
+    fn check_dwell(&mut self, cycle: &DefinedCycle, seconds: f64) -> Outcome<f64> {
         if (0.0..=LONGEST).contains(&seconds) {
             return Ok(seconds);
         }
@@ -516,7 +486,7 @@ impl Run<'_> {
     }
 
     /// A feed; 0 stands for `instead` where that is given.
-    fn cycle_feed(&mut self, cycle: &Machining, q: u32, instead: Option<Feed>) -> Outcome<Feed> {
+    fn cycle_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Feed> {
         if cycle.word(q) == Some("FAUTO") {
             return self.tool_feed_of(cycle, q);
         }
@@ -528,16 +498,16 @@ impl Run<'_> {
     }
 
     /// FAUTO: the F of the last TOOL CALL.
-    fn tool_feed_of(&mut self, cycle: &Machining, q: u32) -> Outcome<Feed> {
+    fn tool_feed_of(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<Feed> {
         match self.st.tool_feed {
             Some((feed, _)) if matches!(feed, Feed::PerRevolution(_)) == self.st.per_revolution => Ok(feed),
-            Some(_) => self.cycle_unbuilt(cycle, &format!("Q{q}=FAUTO with a TOOL CALL that counts F in another way")),
+            Some(_) => self.cycle_unbuilt(cycle, &format!("{q}=FAUTO with a TOOL CALL that counts F in another way")),
             None => {
                 self.report(
                     Diagnostic::new(
                         codes::K2003,
                         self.here.origin.loc,
-                        format!("the last TOOL CALL has no F, so Q{q}=FAUTO has no value"),
+                        format!("the last TOOL CALL has no F, so {q}=FAUTO has no value"),
                     )
                     .also(cycle.loc, "the cycle is defined here")
                     .help("put F into the TOOL CALL, or a number behind the parameter"),
@@ -548,11 +518,11 @@ impl Run<'_> {
     }
 
     /// A retract: FMAX is rapid traverse.
-    fn retract_feed(&mut self, cycle: &Machining, q: u32, instead: Option<Feed>) -> Outcome<Option<Feed>> {
+    fn retract_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Option<Feed>> {
         if cycle.word(q) == Some("FMAX") { Ok(None) } else { self.cycle_feed(cycle, q, instead).map(Some) }
     }
 
-    fn check_feed(&mut self, cycle: &Machining, value: f64) -> Outcome<Feed> {
+    fn check_feed(&mut self, cycle: &DefinedCycle, value: f64) -> Outcome<Feed> {
         if value > 0.0 {
             self.large_per_revolution(cycle.loc, value);
             return Ok(self.feed_of(value));
@@ -561,7 +531,7 @@ impl Run<'_> {
     }
 
     /// Refuses a value of the cycle.
-    pub(super) fn cycle_value<T>(&self, cycle: &Machining, what: &str) -> Outcome<T> {
+    pub(super) fn cycle_value<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
         self.report(
             Diagnostic::new(codes::K2403, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
                 .also(cycle.loc, "the cycle is defined here")
@@ -571,7 +541,7 @@ impl Run<'_> {
     }
 
     /// Refuses a variant that is not built.
-    pub(super) fn cycle_unbuilt<T>(&self, cycle: &Machining, what: &str) -> Outcome<T> {
+    pub(super) fn cycle_unbuilt<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
         self.report(
             Diagnostic::new(
                 codes::K9001,
@@ -583,8 +553,4 @@ impl Run<'_> {
         );
         Err(Reported)
     }
-}
-
-fn fault_text(fault: DrillingFault) -> String {
-    fault.to_string()
 }

@@ -1,26 +1,14 @@
 //! A machining cycle as its definition left it.
 
+use crate::sema::cycle_table::Name;
 use crate::text::Loc;
 
-use super::cycle::Open;
-
-/// A value in a part of an old machining cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Part {
-    pub part: u32,
-    pub what: What,
-    pub value: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum What {
-    Value,
-    Feed,
-}
+use super::cycle_definition::{Open, Part, What};
+use super::cycles::{self, Q, Row};
 
 /// A machining cycle as it was defined.
 #[derive(Debug)]
-pub(super) struct Machining {
+pub(super) struct DefinedCycle {
     pub number: u32,
     /// Where.
     pub loc: Loc,
@@ -31,9 +19,9 @@ pub(super) struct Machining {
     parts: Vec<Part>,
 }
 
-impl Machining {
-    pub fn new(open: &Open, loc: Loc, mm: f64) -> Machining {
-        Machining {
+impl DefinedCycle {
+    pub fn new(open: &Open, loc: Loc, mm: f64) -> DefinedCycle {
+        DefinedCycle {
             number: open.number,
             loc,
             mm,
@@ -44,22 +32,31 @@ impl Machining {
     }
 
     /// Does the definition set this Q parameter?
-    pub fn sets(&self, q: u32) -> bool {
-        self.parameters.contains(&q) || self.word(q).is_some()
+    pub fn sets(&self, q: Q) -> bool {
+        self.parameters.contains(&q.0) || self.word(q).is_some()
     }
 
     /// The word that the definition sets it to.
-    pub fn word(&self, q: u32) -> Option<&'static str> {
-        self.words.iter().rev().find(|(number, _)| *number == q).map(|(_, word)| *word)
+    pub fn word(&self, q: Q) -> Option<&'static str> {
+        self.words.iter().rev().find(|(number, _)| *number == q.0).map(|(_, word)| *word)
+    }
+
+    pub fn row(&self) -> &'static Row {
+        cycles::find(self.number)
+    }
+
+    /// Does the definition give this parameter?
+    pub fn gives(&self, name: Name) -> bool {
+        match name {
+            Name::Q(number) => self.sets(Q(number)),
+            Name::Part(part) => self.part(part).is_some(),
+            Name::Word(_) => false,
+        }
     }
 
     /// The value in a part of an old cycle: its number, or the feed where it has no number.
     pub fn part(&self, part: u32) -> Option<f64> {
         let of = |what: What| self.parts.iter().find(|p| p.part == part && p.what == what).map(|p| p.value);
         of(What::Value).or_else(|| of(What::Feed))
-    }
-
-    pub fn has_part(&self, part: u32) -> bool {
-        self.part(part).is_some()
     }
 }
