@@ -111,45 +111,72 @@ fn is_empty(b: u8) -> bool {
     b.is_ascii_whitespace() || b == 0x0b || is_padding(b)
 }
 
-/// Looks for NUL and Ctrl-Z with a program before and after them: there something is lost. In front of the program,
-/// behind it, and between the programs of an archive they are padding.
+/// NUL or Ctrl-Z with a program before and after.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Hole {
+    pub place: Place,
+    /// Text of one line stands before and after it.
+    pub inside: bool,
+}
+
+/// Looks for holes: in front of the program, behind it, and between the programs of an archive the same bytes are padding.
 #[derive(Debug, Clone, Copy)]
 struct Holes {
-    /// Text was seen.
+    /// Text was seen, and text of this line.
     begun: bool,
-    /// First byte of padding that may be a hole.
-    open: Option<u64>,
-    /// Offset of the first hole; beyond every file if there is none.
-    found: u64,
-    said: bool,
+    in_line: bool,
+    /// First byte of padding that may be a hole, and whether it may be one inside a line.
+    open: Option<(u64, bool)>,
+    /// Offset of the first hole of each kind, in lines and between them; beyond every file if there is none.
+    found: [u64; 2],
+    said: [bool; 2],
 }
 
 impl Holes {
-    const NONE: Holes = Holes { begun: false, open: None, found: u64::MAX, said: false };
+    const NONE: Holes = Holes { begun: false, in_line: false, open: None, found: [u64::MAX; 2], said: [false; 2] };
 
     /// Looks through the next `bytes` of the file, which begin at `base`.
     fn look(&mut self, bytes: &[u8], base: u64) {
-        if self.said || self.begun && self.open.is_none() && memchr2(0, 0x1a, bytes).is_none() {
+        let clean = self.begun && self.open.is_none() && memchr2(0, 0x1a, bytes).is_none();
+        if clean {
+            self.in_line = ends_in_line(bytes).unwrap_or(self.in_line);
             return;
         }
         let mut at = 0;
-        while at < bytes.len() && self.found == u64::MAX {
-            if let Some(hole) = self.open {
-                let Some(next) = bytes[at..].iter().position(|b| !is_empty(*b)) else { return };
-                at += next;
-                self.open = None;
-                if self.begun && bytes[at] != b'%' {
-                    self.found = hole;
+        while at < bytes.len() {
+            if let Some((hole, inside)) = &mut self.open {
+                let next = bytes[at..].iter().position(|b| !is_empty(*b)).map_or(bytes.len(), |next| at + next);
+                *inside &= !bytes[at..next].iter().any(is_line_end);
+                if next == bytes.len() {
+                    return;
                 }
+                let found = &mut self.found[usize::from(!*inside)];
+                if self.begun && bytes[next] != b'%' && *found == u64::MAX {
+                    *found = *hole;
+                }
+                self.open = None;
+                at = next;
             }
             let next = memchr2(0, 0x1a, &bytes[at..]).map_or(bytes.len(), |next| at + next);
             self.begun |= bytes[at..next].iter().any(|b| !is_empty(*b));
+            self.in_line = ends_in_line(&bytes[at..next]).unwrap_or(self.in_line);
             if next < bytes.len() {
-                self.open = Some(base + next as u64);
+                self.open = Some((base + next as u64, self.in_line));
             }
             at = next;
         }
     }
+}
+
+fn is_line_end(b: &u8) -> bool {
+    matches!(b, b'\n' | b'\r')
+}
+
+/// Does text stand in the line in which `bytes` end? Unknown where they are blanks.
+fn ends_in_line(bytes: &[u8]) -> Option<bool> {
+    let line = bytes.iter().rposition(is_line_end);
+    let tail = &bytes[line.map_or(0, |at| at + 1)..];
+    if tail.iter().any(|b| !is_empty(*b)) { Some(true) } else { line.map(|_| false) }
 }
 
 /// Two bytes a character without a byte order mark: one of each pair is zero in most of them.
@@ -228,21 +255,31 @@ impl Cursor {
         self.whole
     }
 
-    /// Where a hole was read over, which is NUL or Ctrl-Z inside the program; said once. `block` was read last.
+    /// The first hole of each kind that was read over; said once. `block` was read last.
     #[inline]
-    pub fn passed_hole(&mut self, block: Place) -> Option<Place> {
-        if self.holes.found < self.base + self.pos as u64 { Some(self.hole(block)) } else { None }
+    pub fn passed_hole(&mut self, block: Place) -> Option<Hole> {
+        let [inside, between] = self.holes.found;
+        if inside.min(between) < self.base + self.pos as u64 { self.hole(block) } else { None }
     }
 
     #[cold]
-    fn hole(&mut self, block: Place) -> Place {
-        let at = self.holes.found;
-        self.holes = Holes { found: u64::MAX, said: true, ..self.holes };
+    fn hole(&mut self, block: Place) -> Option<Hole> {
+        let at = self.holes.found.into_iter().min()?;
+        let kind = usize::from(self.holes.found[0] != at);
+        // Beyond every place of a file, and found already.
+        self.holes.found[kind] = u64::MAX - 1;
+        if std::mem::replace(&mut self.holes.said[kind], true) {
+            return None;
+        }
         let window = at.checked_sub(self.base).and_then(|from| self.window.get(from as usize..self.pos));
         // What was read of it is gone where the hole is larger than what is read at a time.
-        let Some(since) = window else { return block };
-        let lines = since.iter().filter(|b| **b == self.line_end).count() as u32;
-        Place { at: at as u32, line: self.line.saturating_sub(lines).max(1) }
+        let place = window.map_or(block, |since| {
+            // The last line may lack its end, and is counted all the same.
+            let unended = since.last() != Some(&self.line_end);
+            let lines = since.iter().filter(|b| **b == self.line_end).count() as u32 + u32::from(unended);
+            Place { at: at as u32, line: self.line.saturating_sub(lines).max(1) }
+        });
+        Some(Hole { place, inside: kind == 0 })
     }
 
     /// Reads the next logical block.
@@ -475,7 +512,7 @@ mod tests {
             loop {
                 let place = cursor.place();
                 let end = matches!(cursor.next(&sources).unwrap(), Next::End);
-                found.extend(cursor.passed_hole(place).map(|hole| (hole.at, hole.line)));
+                found.extend(cursor.passed_hole(place).map(|hole| (hole.place.at, hole.place.line, hole.inside)));
                 if end {
                     return found;
                 }
@@ -484,9 +521,10 @@ mod tests {
         for whole in ["A\nB\n", "\0\0A\nB", "A\nB\0\0", "A\nB\n\x1a", "A\n\x1a\r\n\0 \n", "A\n\0\0%B\nC\n\x1a"] {
             assert_eq!(hole(whole.as_bytes()), [], "{whole:?}");
         }
-        assert_eq!(hole(b"A\nB\0C\nD\0E"), [(3, 2)]);
-        assert_eq!(hole(b"A\n\x1a\nC"), [(2, 2)]);
-        assert_eq!(hole(b"A\0\nC"), [(1, 1)]);
+        assert_eq!(hole(b"A\nB\0C\nD\0E"), [(3, 2, true)]);
+        assert_eq!(hole(b"A\n\x1a\nC"), [(2, 2, false)]);
+        assert_eq!(hole(b"A\0\nC"), [(1, 1, false)]);
+        assert_eq!(hole(b"A\n\0C\nD \0E"), [(2, 2, false), (7, 3, true)]);
         // The padding is longer than what is read at a time.
         let wide = |tail: &str| [b"A\n".to_vec(), vec![0; CHUNK + 10], tail.as_bytes().to_vec()].concat();
         assert_eq!(hole(&wide("\n")), []);

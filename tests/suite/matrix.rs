@@ -304,24 +304,29 @@ fn a_byte_order_mark_stands_at_the_start_only() {
 }
 
 #[test]
-fn nul_and_ctrl_z_inside_the_program_are_refused() {
+fn nul_and_ctrl_z_are_padding_outside_the_program_only() {
     row(|column| {
         let [seven, nine] = column.moves();
         let whole = column.run(&[&seven, &nine]);
         for hole in ["\0", "\x1a", "\0\0\0\0\0\0"] {
-            let mut bodies = vec![
-                ("behind a block", vec![format!("{seven}{hole}"), nine.clone()]),
-                ("in a block", vec![format!("{hole}{seven}"), nine.clone()]),
-                ("in a line of its own", vec![seven.clone(), hole.to_owned(), nine.clone()]),
-            ];
+            let mut inside = vec![seven.replace(' ', &format!(" {hole}"))];
             for (open, close) in column.comments {
-                let comment = format!("{seven} {open}text{hole}more{close}");
-                bodies.push(("in a comment", vec![comment, nine.clone()]));
+                inside.push(format!("{seven} {open}text{hole}more{close}"));
+                inside.push(format!("{seven} {hole} {open}text{close}"));
             }
-            for (place, body) in bodies {
-                let body: Vec<&str> = body.iter().map(String::as_str).collect();
-                let found = column.run(&body);
-                hold(errors(&found).contains(&"P0005"), || format!("{hole:?} {place}: {:?}", found.rendered))?;
+            for block in inside.iter().filter(|block| block.contains(hole)) {
+                let found = column.run(&[block, &nine]);
+                hold(errors(&found).contains(&"P0005"), || format!("{block:?}: {:?}", found.rendered))?;
+            }
+            for body in [
+                [format!("{seven}{hole}"), nine.clone()],
+                [format!("{hole}{seven}"), nine.clone()],
+                [format!("{seven}\n{hole}\r"), nine.clone()],
+            ] {
+                let compiled = column.run(&[&body[0], &body[1]]);
+                let warned = compiled.codes().contains(&"P0006");
+                hold(warned, || format!("no warning of {body:?}: {:?}", compiled.rendered))?;
+                same(&compiled, &whole, &format!("{body:?}"))?;
             }
             let text = column.text(&[&seven, &nine]);
             for padded in [

@@ -2,7 +2,7 @@
 
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::sema::Job;
-use crate::text::blocks::{OpenError, Place};
+use crate::text::blocks::{Hole, OpenError, Place};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
 use crate::text::{Cursor, FileError, FileId, Loc, Request, Span, SplitRules};
 
@@ -28,10 +28,14 @@ pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) ->
 /// Reports what is lost in a file; `block` was read last.
 #[inline]
 pub fn report_hole(job: &Job<'_>, file: FileId, cursor: &mut Cursor, block: Place, call: CallPath) {
-    if let Some(Place { at, line }) = cursor.passed_hole(block) {
-        let loc = Loc { file, line, span: Span::at(at, 1) };
-        let found = Diagnostic::new(codes::P0005, loc, "NUL or Ctrl-Z bytes stand inside the program");
-        job.diags.push(found.help("get the program anew: what stood here is lost").called(call));
+    if let Some(Hole { place, inside }) = cursor.passed_hole(block) {
+        let loc = Loc { file, line: place.line, span: Span::at(place.at, 1) };
+        let found = if inside {
+            Diagnostic::new(codes::P0005, loc, "NUL or Ctrl-Z stands inside a block")
+        } else {
+            Diagnostic::new(codes::P0006, loc, "NUL or Ctrl-Z stands between the blocks of the program")
+        };
+        job.diags.push(found.help("something may be lost here: get the program anew").called(call));
     }
 }
 

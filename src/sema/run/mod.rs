@@ -21,7 +21,7 @@ use crate::text::{Span, SplitRules};
 
 pub use self::budget::Budget;
 pub use self::core::Core;
-pub use self::files::{open_cursor, open_program, refused, report_hole};
+pub use self::files::{open_cursor, open_program, refused};
 pub use self::level::{Level, Program};
 pub use self::report::Where;
 pub use self::site::Site;
@@ -108,7 +108,7 @@ pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
 
 /// Executes one block.
 #[inline]
-fn step<'a, I: Interpreter<'a>>(run: &mut I) {
+pub fn step<'a, I: Interpreter<'a>>(run: &mut I) {
     if !run.has_steps() || run.level_ends() {
         return;
     }
