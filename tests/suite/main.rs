@@ -27,6 +27,7 @@ mod klartext_bounds;
 mod klartext_words;
 mod layering;
 mod line_ends;
+mod long_blocks;
 mod meant;
 mod mtc200;
 mod mtc200_words;
