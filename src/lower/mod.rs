@@ -18,12 +18,13 @@ use crate::diag::{Code, Diagnostic, Diags};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos, motion};
+use crate::ir::{Function, Origin, Pos, motion, verify};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, Last};
 use capture::{Before, Recording};
 use corner::{Corners, Event};
+use step::Checked;
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.
 const ARC: u64 = 3;
@@ -41,6 +42,8 @@ pub struct Lower<'a> {
     last: Last,
     adjusted: Adjusted,
     corners: Corners,
+    /// What the steps behind the corners led to, for their check.
+    chain: Checked,
     /// A contour that is described now.
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
@@ -68,6 +71,7 @@ impl<'a> Lower<'a> {
             last: Last::default(),
             adjusted: Adjusted::default(),
             corners: Corners::default(),
+            chain: Checked::default(),
             recording: None,
             start: Pos::UNKNOWN,
             moves: 0,
@@ -94,7 +98,8 @@ impl<'a> Lower<'a> {
 
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
         let recording = self.recording.as_deref_mut();
-        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out, recording })
+        let chain = &mut self.chain;
+        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out, chain, recording })
     }
 
     /// The frame changed: the tool stays, its programmed position does not.
@@ -178,6 +183,7 @@ impl<'a> Lower<'a> {
 
     /// The moves do not say any more where the tool is.
     fn position_lost(&mut self, origin: &Origin) {
+        self.chain.lost();
         match &mut self.recording {
             Some(recording) => recording.reported(),
             None => self.out.lost(origin),
@@ -204,8 +210,18 @@ impl<'a> Lower<'a> {
 
     #[inline]
     fn push(&mut self) {
+        if cfg!(debug_assertions) {
+            self.corners.slot().check();
+        }
         let (corners, mut finish) = self.split();
         corners.push(finish.diags, &mut |event| finish.event(event));
+    }
+
+    fn expand(&mut self, cycle: &Cycle, start: &Pos, ctx: &CtxRef, origin: &Origin) -> Result<(), Box<Diagnostic>> {
+        if cfg!(debug_assertions) {
+            return cycles::expand(cycle, start, ctx, origin, &mut verify::Contour::standing(self, start, ctx));
+        }
+        cycles::expand(cycle, start, ctx, origin, self)
     }
 
     #[inline]
@@ -253,7 +269,7 @@ impl Sink for Lower<'_> {
         let known = modal && self.refused.as_deref() == Some(cycle);
         let found = match known {
             true => None,
-            false => match cycles::expand(cycle, &start, ctx, origin, self) {
+            false => match self.expand(cycle, &start, ctx, origin) {
                 Ok(()) => return,
                 Err(found) => Some(found),
             },
@@ -295,6 +311,7 @@ impl Sink for Lower<'_> {
             ctx: Rc::clone(&self.ctx),
             last: std::mem::take(&mut self.last),
             corners: std::mem::take(&mut self.corners),
+            chain: std::mem::take(&mut self.chain),
         };
         self.recording = Some(Box::new(Recording::new(limit, self.diags.errors(), before)));
     }
@@ -304,6 +321,7 @@ impl Sink for Lower<'_> {
         let Some(recording) = self.recording.take() else { return Err(Unfit::NoStart(*origin)) };
         let (before, made) = recording.finish(self.diags.errors(), origin);
         (self.at, self.ctx, self.last, self.corners) = (before.at, before.ctx, before.last, before.corners);
+        self.chain = before.chain;
         made
     }
 }
@@ -313,12 +331,16 @@ struct Finish<'a> {
     diags: &'a Diags,
     machine: &'a Machine,
     out: &'a mut dyn motion::Sink,
+    chain: &'a mut Checked,
     recording: Option<&'a mut Recording>,
 }
 
 impl Finish<'_> {
     #[inline]
     fn event(&mut self, event: Event<'_>) {
+        if cfg!(debug_assertions) {
+            self.chain.event(&event);
+        }
         if self.recording.is_some() {
             return self.record(event);
         }
