@@ -3,6 +3,8 @@
 //! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
 //! look-ahead), [`frames`] map to workpiece coordinates, [`limits`] are checked.
 
+#![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
+
 pub mod arcs;
 pub mod capture;
 pub mod corner;
@@ -192,19 +194,15 @@ impl<'a> Lower<'a> {
 
     /// Some functions change where the tool tip is in workpiece coordinates.
     fn displace(&mut self, function: &Function) {
-        match function {
-            Function::WorkOffset(_) => {
-                self.at = self.ctx.frame.unapply(&self.start);
-                self.last.forget();
-            }
+        if let Function::WorkOffset(_) = function {
+            self.at = self.ctx.frame.unapply(&self.start);
+            self.last.forget();
+        } else if let Function::ToolChange { .. } = function {
             // A tool of another length.
-            Function::ToolChange { .. } => {
-                let (_, _, third) = self.ctx.plane.axes();
-                self.at.forget(Axis::ALL[third]);
-                self.start.forget(Axis::ALL[third]);
-                self.last.forget();
-            }
-            _ => {}
+            let (_, _, third) = self.ctx.plane.axes();
+            self.at.forget(Axis::ALL[third]);
+            self.start.forget(Axis::ALL[third]);
+            self.last.forget();
         }
     }
 
