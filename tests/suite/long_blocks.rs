@@ -31,7 +31,7 @@ const PROGRAMS: &[(&str, &str, &str, &str)] = &[
         "mtc200",
         "A.mtc",
         "N1 G90 G71 G94 G01 X0 Y0 F100\nN2 X10LONG\nN3 G02 X20 Y0 R6\nN4 G02 X30 Y0 R1\nN5 M30\n",
-        "N1 G90 G71 G94 G01 X0 Y0 F100\nN2 BSR .UP\nN3 RET\n.UP X10LONG\nRTS\n",
+        "N1 G90 G71 G94 G01 X0 Y0 F100\nN2 BSR .UP\nN3 RET\n.UP G90\nX10LONG\nRTS\n",
     ),
 ];
 

@@ -55,7 +55,11 @@ impl Run<'_> {
             Some(value) => match value.number().and_then(whole).and_then(|n| u32::try_from(n).ok()) {
                 Some(number) => number,
                 None => {
-                    return self.fail(codes::S2043.alarm(17190), span, format!("argument {place} of {name} is no tool"));
+                    return self.fail(
+                        codes::S2043.alarm(17190),
+                        span,
+                        format!("argument {place} of {name} is no tool"),
+                    );
                 }
             },
             None => {

@@ -7,7 +7,7 @@ use crate::ir::Feed;
 use crate::ir::cycle::Drilling;
 use crate::ir::cycle::drilling::{Bore, Chip, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
 use crate::ir::function::{Spindle, Turn};
-use crate::machine::undercut::coarse_pitch;
+use crate::standard::din13::coarse_pitch;
 
 use super::super::value::whole;
 use super::super::{Outcome, Run};
