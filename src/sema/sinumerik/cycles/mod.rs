@@ -290,9 +290,7 @@ impl Run<'_> {
         self.thread_chain = None;
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         self.st.position.move_to(&end);
-        if let Cycle::Drilling(hole) = &cycle
-            && let Some(after) = hole.spindle_after()
-        {
+        if let Some(after) = cycle.spindle_after() {
             self.st.turn = match after {
                 Spindle::Start(turn) => Some(turn),
                 _ => None,
