@@ -49,6 +49,7 @@ use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::text::{FileId, Loc, Next, Span};
 
+pub use cycles::signatures as cycle_signatures;
 pub use idle::check_idle;
 
 use super::run::{Budget, Parsed, Read, Site, Source, open_cursor};

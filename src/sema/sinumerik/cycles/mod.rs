@@ -34,6 +34,7 @@ use crate::sema::run::Site;
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
+pub use table::signatures;
 pub(super) use table::{find, rows};
 
 use arguments::{Arguments, DMODE, Key};
