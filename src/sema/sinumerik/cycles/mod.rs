@@ -289,7 +289,7 @@ impl Run<'_> {
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.thread_chain = None;
-        self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
+        self.core.send_cycle(&cycle, &self.st.ctx);
         self.st.position.move_to(&end);
         if let Some(after) = cycle.spindle_after() {
             self.st.turn = match after {
