@@ -23,7 +23,7 @@ const UPDATE: &str = "PARTC_UPDATE_DOCS";
 const INTRODUCTION: &str = "\
 # Cycles and their parameters
 
-Written of the tables by which partc reads the arguments; a test compares (`PARTC_UPDATE_DOCS=1 cargo test cycle_parameters`
+Written from the tables by which partc reads the arguments; a test compares (`PARTC_UPDATE_DOCS=1 cargo test cycle_parameters`
 writes it anew). \"Left out\" is what holds where a call does not give the parameter; without a word it is 0.
 ";
 
