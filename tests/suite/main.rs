@@ -55,5 +55,6 @@ mod turning_parameters;
 mod turning_words;
 mod undercut;
 mod undercut_conditions;
+mod undercut_tables;
 mod vocabulary;
 mod worked_examples;

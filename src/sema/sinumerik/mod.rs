@@ -46,6 +46,7 @@ mod tangent;
 mod technology;
 mod threads;
 mod tools;
+mod undercut_sizes;
 mod value;
 mod vars;
 mod vocabulary;

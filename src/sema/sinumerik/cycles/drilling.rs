@@ -9,7 +9,7 @@ use crate::ir::cycle::drilling::{
 };
 use crate::ir::cycle::{Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
-use crate::machine::undercut::coarse_pitch;
+use crate::standard::din13::coarse_pitch;
 
 use super::super::value::whole;
 use super::super::{Outcome, Run};

@@ -7,7 +7,7 @@ use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
-use crate::machine::undercut::proposed_pitch;
+use crate::standard::din13::proposed_pitch;
 
 use super::super::{Outcome, Run};
 use super::arguments::{
