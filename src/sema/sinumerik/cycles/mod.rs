@@ -27,7 +27,7 @@ use super::g_groups::Group;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
 use super::value::Val;
-use super::vocabulary::{Meaning, Procedure};
+use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
 use crate::sema::run::Site;
@@ -205,7 +205,7 @@ impl Run<'_> {
             return Some(result);
         }
         match self.vocabulary.get(name) {
-            Some(Meaning::Procedure(Procedure::Refused(what))) => Some(self.fail_help(
+            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(self.fail_help(
                 codes::S9005,
                 0,
                 block.span,
