@@ -47,9 +47,11 @@ impl Code {
         Some(found.split_once("\n=== ").map_or(found, |(own, _)| own).trim_end())
     }
 
-    /// The code together with the alarm that the control itself shows.
-    pub const fn alarm(&'static self, number: u32) -> Raised {
-        Raised { code: self, alarm: Some(number) }
+    /// The code together with the alarm that the control itself shows, where it shows one.
+    pub fn alarm(&'static self, number: impl Into<Option<u32>>) -> Raised {
+        let alarm = number.into();
+        debug_assert!(alarm != Some(0), "no alarm is none");
+        Raised { code: self, alarm }
     }
 }
 
