@@ -198,6 +198,7 @@ fn open_end(
     };
     match next.arc {
         None => end_on_line(e, next, ccw, at, center, radius, rules),
+        Some(_) if rules.leaves_along => Err(NOT_FIXED),
         Some(sense) => end_on_arc(e, next, ccw == sense, center, radius, rules),
     }
 }

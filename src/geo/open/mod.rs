@@ -95,7 +95,7 @@ pub struct Rules {
     /// One coordinate of a centre beside a radius is enough, and so is one of a line in front of a circle or along an
     /// axis: the program says which of two solutions it means.
     pub one_coordinate: bool,
-    /// An arc whose end is open goes over into a line of known direction without a corner.
+    /// An arc whose end is open goes over into a line of known direction without a corner, and into nothing else.
     pub leaves_along: bool,
 }
 
