@@ -5,11 +5,11 @@
 
 use std::fmt::Write as _;
 
-use partc::driver::Session;
-use partc::geo::Plane;
-use partc::ir::{Function, Origin, motion};
-use partc::machine::Axis;
-use partc::text::{Memory, Opened};
+use partc::internals::driver::Session;
+use partc::internals::geo::Plane;
+use partc::internals::ir::{Function, Origin, motion};
+use partc::internals::machine::Axis;
+use partc::internals::text::{Memory, Opened};
 
 use super::book;
 
@@ -246,7 +246,7 @@ fn moves(case: &str) -> Vec<motion::Move> {
     let case = book::find(&format!("sinumerik/{case}")).unwrap_or_else(|| panic!("{case}"));
     let text = Box::new(Memory::new(case.program.clone()));
     let session = Session::new(Opened { name: case.file.clone(), identity: case.file.clone(), text });
-    let dialect = partc::dialect::find("sinumerik").expect("a dialect");
+    let dialect = partc::internals::dialect::find("sinumerik").expect("a dialect");
     let mut out = Moves::default();
     session.lower(dialect, &case.settings(), case, &mut out);
     assert!(!session.diags.has_errors(), "{} is refused", case.name);
@@ -382,7 +382,7 @@ fn refusals_in_the_heads_of_cases_are_met() {
         let Some((code, part)) = refused(&text) else { continue };
         count += 1;
         let compiled = case.compile();
-        let said = |found: &partc::diag::Diagnostic| {
+        let said = |found: &partc::internals::diag::Diagnostic| {
             found.code.id == code && (found.text().contains(part) || found.help.iter().any(|help| help.contains(part)))
         };
         if !compiled.findings.iter().any(said) {
