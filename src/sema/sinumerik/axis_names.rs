@@ -160,7 +160,7 @@ impl Run<'_> {
     /// A cycle or program that runs behind each position, and a position of an axis that is left out.
     pub(super) fn left_out_under_modal_call(&self, w: &Words) -> Outcome {
         let Some((named, span)) = w.left_out.first() else { return Ok(()) };
-        if self.modal.is_none() && self.modal_cycle.is_none() {
+        if !self.st.modal_call.is_on() {
             return Ok(());
         }
         let message = format!("{} takes the modal call to another place, and is left out", named.text());

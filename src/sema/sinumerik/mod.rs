@@ -39,6 +39,7 @@ mod report;
 mod rotary;
 mod special;
 mod spindle;
+mod spindles;
 mod stand_in;
 mod state;
 mod system;
@@ -52,16 +53,13 @@ mod vocabulary;
 mod words;
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::{CallPath, Diagnostic, codes};
-use crate::ir::Side;
 use crate::ir::contour::Sink;
-use crate::ir::function::Turn;
-use crate::machine::{Axis, AxisSet, Proposed};
+use crate::machine::{AxisSet, Proposed};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
@@ -72,12 +70,10 @@ use crate::text::{Loc, Next, Span};
 
 use super::run::{Budget, Site, open_cursor};
 use super::{Job, Outcome, Reported};
-use calls::{Level, Modal};
-use contour::Pending;
+use calls::Level;
 use g_groups::GCodes;
 use programs::{Programs, UnitKind};
 use state::State;
-use value::Val;
 use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
@@ -150,8 +146,6 @@ struct Run<'a> {
     budget: Budget,
     /// Numbers proposed for tools without one.
     proposed: Proposed,
-    /// System variables that the program wrote.
-    system: BTreeMap<String, Val>,
     macros: FxHashMap<Symbol, Box<[u8]>>,
     definitions_read: bool,
     /// Programs by the name they were called by.
@@ -159,39 +153,10 @@ struct Run<'a> {
     warned_r: FxHashSet<u32>,
     warned_global: FxHashSet<Symbol>,
     externs: Vec<externs::Extern>,
-    modal: Option<Modal>,
-    /// Where the modal call stands.
-    modal_site: Loc,
-    /// The last modal call was refused.
-    modal_lost: bool,
-    modal_cycle: Option<Box<cycles::ModalCycle>>,
-    pending: Option<Box<Pending>>,
-    /// The first line of a pair was refused.
-    pair_lost: bool,
     /// Contours that CYCLE62 called.
     contours: cycles::Contours,
     /// The contour that is described now.
     capture: Option<Box<capture::Capture>>,
-    /// The contour of the contour editor that runs.
-    stored: Option<Box<editor_contour::Stored>>,
-    /// Lead of the last thread and the axis along which it counts.
-    lead: Option<(Axis, f64)>,
-    /// The same of the last tap, with its sign.
-    tap_lead: Option<(Axis, f64)>,
-    /// The spindle turns for a tap, in this sense.
-    tapping: Option<Turn>,
-    thread_chain: Option<threads::ThreadChain>,
-    axis_feed: BTreeMap<Axis, f64>,
-    compensation_starts: bool,
-    /// The side that G40 ended, and whether its offset still waits for a move in the plane.
-    leaving: Side,
-    leaving_open: bool,
-    /// G41 or G42 of the block, until its D is known.
-    cutter_open: Option<Span>,
-    /// A corner that waits for its second line, and the blocks since.
-    corner_open: Option<(Loc, u32)>,
-    /// G96 waits for its S.
-    cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
     machine: eval::Machine,
@@ -229,33 +194,14 @@ impl<'a> Run<'a> {
             levels: Vec::new(),
             budget: Budget::new(job.settings.limits.steps),
             proposed: Proposed::default(),
-            system: BTreeMap::new(),
             macros: FxHashMap::default(),
             definitions_read: false,
             found: FxHashMap::default(),
             warned_r: FxHashSet::default(),
             warned_global: FxHashSet::default(),
             externs: Vec::new(),
-            modal: None,
-            modal_site: Loc::default(),
-            modal_lost: false,
-            modal_cycle: None,
-            pending: None,
-            pair_lost: false,
             contours: cycles::Contours::default(),
             capture: None,
-            stored: None,
-            lead: None,
-            tap_lead: None,
-            tapping: None,
-            thread_chain: None,
-            axis_feed: BTreeMap::new(),
-            compensation_starts: false,
-            leaving: Side::None,
-            leaving_open: false,
-            cutter_open: None,
-            corner_open: None,
-            cut_speed_open: None,
             depth: 0,
             machine: eval::Machine::new(eval::RULES),
             words: None,
@@ -406,7 +352,7 @@ impl<'a> Run<'a> {
             if self.job.settings.output.comments {
                 self.comment(comment);
             }
-            if block.stmt == Stmt::Empty && (self.stored.is_some() || comment.starts_with(b"#")) {
+            if block.stmt == Stmt::Empty && (self.st.stored.is_some() || comment.starts_with(b"#")) {
                 if let Some(span) = block.comment {
                     self.here.origin.loc.span = span.shifted(self.here.at);
                 }
@@ -416,7 +362,7 @@ impl<'a> Run<'a> {
         if block.stmt == Stmt::Empty || self.iso && !self.iso_ends(block) {
             return;
         }
-        if self.stored.is_some() {
+        if self.st.stored.is_some() {
             self.note_stored_block();
         }
         // What went wrong was reported; the next block may show more.
@@ -448,7 +394,7 @@ impl<'a> Run<'a> {
                     self.stop_run();
                 }
                 self.st.position.lose(AxisSet::ALL);
-                self.pending = None;
+                self.st.pair.drop_first();
                 self.lost();
                 return Err(Reported);
             }

@@ -19,14 +19,14 @@ impl Run<'_> {
     /// Sends a move to the named axes of `end`.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
-        if self.st.in_machine() {
+        if self.st.offsets.in_machine() {
             return self.send_in_machine(end, path);
         }
         self.note_outer();
         if self.st.plane() != Plane::Xy {
             self.length_acts_along_z();
         }
-        if self.stored.is_some() {
+        if self.st.stored.is_some() {
             self.note_stored(end, &path);
         }
         self.note_heading(end, &path);
@@ -37,7 +37,7 @@ impl Run<'_> {
 
     /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
     pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path) {
-        if self.st.outer == Outer::Unrelated {
+        if self.st.offsets.outer() == Outer::Unrelated {
             let _: Outcome = self.unrelated(Span::default(), "G500 stands beside");
             self.st.position.lose(end.known());
             return;
@@ -56,7 +56,7 @@ impl Run<'_> {
             return;
         }
         // What is printed with G53 and what the program writes itself count from different places.
-        self.st.offsets_printed = true;
+        self.st.offsets.prints_offset();
         let mut machine = self.st.ctx.frame.apply(end);
         for axis in machine.known().iter() {
             let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Span::default()) else { return };
@@ -122,7 +122,7 @@ impl Run<'_> {
             }
             end.set(axis, value);
         }
-        self.st.machine_moved = true;
+        self.st.offsets.moves_in_machine();
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
@@ -167,7 +167,7 @@ impl Run<'_> {
                 );
             }
             let value = self.target(axis, positioning.given)?;
-            let Some(feed) = self.axis_feed.get(&axis).copied() else {
+            let Some(feed) = self.st.feed.of_axis(axis) else {
                 return self.fail_help(
                     codes::S2040,
                     10860,

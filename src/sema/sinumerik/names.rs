@@ -93,7 +93,7 @@ impl Run<'_> {
                 }
                 self.control_words_are_left_out(word.span);
                 // It ends the look-ahead.
-                if self.pending.is_some() && self.symbols.name(name) == "STOPRE" {
+                if self.st.pair.is_open() && self.symbols.name(name) == "STOPRE" {
                     self.pending_must_be_done(word.span)?;
                 }
             }
@@ -144,7 +144,7 @@ impl Run<'_> {
             Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
             Meaning::Address(Address::Lims | Address::Spos | Address::Sposa) => {
                 let spindle = self.spindle_index(args, block, text)?;
-                if spindle == self.st.master
+                if spindle == self.st.spindles.master()
                     && let Meaning::Address(address) = self.meaning(name)
                 {
                     let given = self.given(word, block, text)?;

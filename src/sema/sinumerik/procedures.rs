@@ -421,11 +421,13 @@ impl Run<'_> {
                 );
             }
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
-            let same =
-                match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {
-                    (Some(known), Val::Axis(named)) => named.axis == Some(known),
-                    _ => false,
-                };
+            let same = match (
+                place.and_then(|at| self.st.channel.geometry_axes.get(at)).copied(),
+                self.eval(*axis, block, text)?,
+            ) {
+                (Some(known), Val::Axis(named)) => named.axis == Some(known),
+                _ => false,
+            };
             if !same {
                 return self.fail_help(
                     codes::S9001,

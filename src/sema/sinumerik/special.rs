@@ -25,7 +25,7 @@ impl Run<'_> {
             return self.not_alone(suppressed);
         }
         if code != Code::G4 {
-            self.thread_chain = None;
+            self.st.threads.end_chain();
         }
         match code {
             Code::G4 => {
@@ -108,10 +108,7 @@ impl Run<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
-                let turns = match s.spindle {
-                    Some(n) if n != self.st.master => self.st.spindles.get(&n).and_then(|spindle| spindle.speed),
-                    _ => self.st.turns.or(self.st.speed).filter(|_| !self.st.constant_cut),
-                };
+                let turns = self.st.spindles.fixed_turns(s.spindle);
                 let speed = turns.filter(|speed| *speed > 0.0);
                 match speed {
                     Some(speed) => s.value * 60.0 / speed,
@@ -264,7 +261,8 @@ impl Run<'_> {
                     values.push((axis, given.value * unit));
                 }
                 if adds {
-                    self.st.programmable = self.st.programmable.translated(&values);
+                    let frame = self.st.frames.programmable().translated(&values);
+                    self.st.frames.set_programmable(frame);
                     self.refresh_frame();
                     return Ok(());
                 }
@@ -305,13 +303,14 @@ impl Run<'_> {
                 return self.fail_help(codes::S9001, 0, span, message, "use ROT with angles about the axes");
             }
         };
-        self.st.programmable = match (adds, bare) {
+        let frame = match (adds, bare) {
             (true, true) => return Ok(()),
-            (true, false) => self.st.programmable.chain(&frame),
+            (true, false) => self.st.frames.programmable().chain(&frame),
             // Without axes the whole programmable frame goes.
             (false, true) => FrameValue::default(),
             (false, false) => frame,
         };
+        self.st.frames.set_programmable(frame);
         self.refresh_frame();
         Ok(())
     }
@@ -362,8 +361,11 @@ impl Run<'_> {
             let Some(given) = w.axis(axis) else { continue };
             self.parameter_of_frame(given)?;
             let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
-            let place =
-                if code == Code::G58 { &mut self.st.programmable.shift } else { &mut self.st.programmable.fine };
+            let place = if code == Code::G58 {
+                &mut self.st.frames.programmable_mut().shift
+            } else {
+                &mut self.st.frames.programmable_mut().fine
+            };
             if let Some(place) = place.get_mut(axis.index()) {
                 *place = given.value * unit;
             }

@@ -63,7 +63,7 @@ impl Run<'_> {
         let to = self.end_in(&end, plane, start);
         end.set_in_plane(plane, to);
         let tangential = Arc { plane, shape: ArcShape::Tangent, turns };
-        if self.pending.is_some() || self.st.in_machine() {
+        if self.st.pair.is_open() || self.st.offsets.in_machine() {
             return self.send_arc(&end, tangential, feed, Span::default());
         }
         let known = self.tangential_arc(plane, start, to, turns)?;

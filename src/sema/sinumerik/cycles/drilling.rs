@@ -219,7 +219,7 @@ impl Run<'_> {
 
     /// Under G96 the speed is none in turns, and it changes on the way.
     fn tapping_speed_is_fixed(&self, args: &Arguments) -> Outcome {
-        if !self.st.constant_cut {
+        if !self.st.spindles.is_cutting() {
             return Ok(());
         }
         let help = "program G97 with S in turns per minute in front of the cycle";
@@ -256,7 +256,7 @@ impl Run<'_> {
             );
         }
         let speed = |key: Key| args.number(key).filter(|speed| *speed > 0.0);
-        let speed_in = speed(SST).or(self.st.speed);
+        let speed_in = speed(SST).or(self.st.spindles.speed());
         if speed_in.is_none() {
             return self.cycle_fault(
                 args,
@@ -284,7 +284,7 @@ impl Run<'_> {
             orient: args.number(POSS).map(whole_turn),
             step,
             after,
-            speed_after: self.st.speed,
+            speed_after: self.st.spindles.speed(),
         }))
     }
 
@@ -341,8 +341,8 @@ impl Run<'_> {
 
     fn feed_of_pitch(&mut self, args: &Arguments) -> Outcome<Feed> {
         let pitch = self.pitch(args, LARGEST, self.pitch_unit(args)?)?.abs();
-        match self.st.speed.filter(|speed| *speed > 0.0) {
-            Some(_) if self.st.per_revolution() => Ok(Feed::PerRevolution(pitch)),
+        match self.st.spindles.speed().filter(|speed| *speed > 0.0) {
+            Some(_) if self.st.codes.per_revolution() => Ok(Feed::PerRevolution(pitch)),
             Some(speed) => Ok(Feed::PerMinute(speed * pitch)),
             None => {
                 let help = "program S in front of the cycle";
@@ -369,7 +369,7 @@ impl Run<'_> {
                 let help = "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
                 return self.cycle_fault(args, args.span_of(SDR), 61102, "SDR is 0, 3 or 4", help);
             }
-            _ => match self.st.turn {
+            _ => match self.st.spindles.turn() {
                 Some(turn) => turn,
                 None => {
                     return self.cycle_fault(

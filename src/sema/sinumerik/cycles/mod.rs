@@ -60,6 +60,13 @@ pub(super) struct ModalCycle {
 /// the tool and its edge, whose tip a depth may count for.
 type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
 
+impl ModalCycle {
+    /// Why it cannot be drilled was reported.
+    pub fn refuse(&mut self) {
+        self.refused = true;
+    }
+}
+
 impl Run<'_> {
     /// Runs a machining cycle; `None` for a name that is none, or that is not built.
     pub(super) fn machining_cycle(
@@ -153,7 +160,7 @@ impl Run<'_> {
                 "program G40 before the cycle",
             );
         }
-        match self.st.outer {
+        match self.st.offsets.outer() {
             Outer::Machine => {
                 return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
             }
@@ -163,7 +170,7 @@ impl Run<'_> {
         self.no_cycle_by_time(args.span)?;
         if !args.cycle.work.is_read_only() {
             self.speed_is_known()?;
-            if self.st.per_revolution() {
+            if self.st.codes.per_revolution() {
                 self.master_is_main(args.span, "a feed per revolution")?;
             }
         }
@@ -190,15 +197,14 @@ impl Run<'_> {
             && let Work::Hole(drilling) = &cycle.work
         {
             let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
-                self.modal_cycle = None;
-                self.modal = None;
+                self.st.modal_call.end();
                 let hole = self.hole(&args, drilling)?;
                 let feed_of_block = drilling.modal_feed;
                 let under = (self.st.plane(), self.st.length_unit());
                 let (here, spindle) = (self.here, self.spindle_state());
                 let refused = false;
-                self.modal_cycle =
-                    Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under, refused }));
+                let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
+                self.st.modal_call.set_cycle(Box::new(made));
                 Ok(())
             });
             return Some(result);
@@ -218,11 +224,10 @@ impl Run<'_> {
     /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
     /// the other places of a pattern are worth no other finding.
     pub(super) fn drill_modal(&mut self) -> Outcome {
-        let Some(modal) = self.modal_cycle.clone().filter(|modal| !modal.refused) else { return Ok(()) };
-        if self.drill_here(modal).is_err()
-            && let Some(modal) = &mut self.modal_cycle
-        {
-            modal.refused = true;
+        let Some(modal) = self.st.modal_call.cycle().filter(|modal| !modal.refused) else { return Ok(()) };
+        let modal = Box::new(modal.clone());
+        if self.drill_here(modal).is_err() {
+            self.st.modal_call.refuse_cycle();
         }
         Ok(())
     }
@@ -237,7 +242,7 @@ impl Run<'_> {
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
         self.no_cycle_by_time(Span::default())?;
         self.speed_is_known()?;
-        if self.st.per_revolution() {
+        if self.st.codes.per_revolution() {
             self.master_is_main(Span::default(), "a feed per revolution")?;
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
@@ -252,15 +257,16 @@ impl Run<'_> {
         let feed_of_block = modal.feed_of_block;
         self.no_diameters(modal.args.name(), modal.hole.axis, Span::default())?;
         let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
-        if feed_of_block && let Some(feed) = self.st.feed {
+        if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
         }
         self.drill(&hole)
     }
 
     fn spindle_state(&self) -> SpindleState {
-        let State { speed, turn, constant_cut, ref tool, .. } = self.st;
-        (speed, turn, constant_cut, self.st.per_revolution(), tool.active, tool.edge)
+        let State { spindles, tool, .. } = &self.st;
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
     }
 
     /// The hole of the modal call under the spindle of now.
@@ -274,7 +280,7 @@ impl Run<'_> {
         let hole = made?;
         modal.hole = hole.clone();
         modal.spindle = self.spindle_state();
-        self.modal_cycle = Some(modal);
+        self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }
 
@@ -287,32 +293,32 @@ impl Run<'_> {
         self.length_acts_along_z();
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
-        self.thread_chain = None;
+        self.st.threads.end_chain();
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         self.st.position.move_to(&end);
         if let Cycle::Drilling(hole) = &cycle
             && let Some(after) = hole.spindle_after()
         {
-            self.st.turn = match after {
+            self.st.spindles.set_turn(match after {
                 Spindle::Start(turn) => Some(turn),
                 _ => None,
-            };
+            });
         }
     }
 
     /// The feed in force, for a cycle.
     fn cycle_feed(&mut self, args: &Arguments) -> Outcome<Feed> {
         self.speed_is_known()?;
-        if self.st.feed_lost {
+        if self.st.feed.is_lost() {
             return Err(Reported);
         }
-        match self.st.feed {
+        match self.st.feed.word() {
             Some(feed) => {
                 self.feed_kind_is_said();
                 Ok(feed)
             }
             None => {
-                self.st.feed_lost = true;
+                self.st.feed.lose();
                 self.fail_help(codes::S2040, 10860, args.span, "the cycle has no feed", "program F before the cycle")
             }
         }
@@ -410,7 +416,7 @@ impl Run<'_> {
         if turns == 0.0 {
             return Ok(0.0);
         }
-        match self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut) {
+        match self.st.spindles.speed().filter(|speed| *speed > 0.0 && !self.st.spindles.is_cutting()) {
             Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
                 args,

@@ -36,7 +36,7 @@ impl Run<'_> {
         };
         if let Some(place) = place {
             // Axes of the plane, or of the machine: which is counted is not documented.
-            let counted: [Axis; 2] = [self.st.roles()[place], self.st.geometry_axes[place]];
+            let counted: [Axis; 2] = [self.st.roles()[place], self.st.channel.geometry_axes[place]];
             if counted[0] != counted[1] {
                 return self.not_built(
                     args,
@@ -50,7 +50,7 @@ impl Run<'_> {
             axis = self.axis_of_named_plane(args)?;
         }
         self.digits_are_known(args)?;
-        if axis == Axis::Y && self.st.lathe && self.st.position.get(axis).is_none() {
+        if axis == Axis::Y && self.st.channel.lathe && self.st.position.get(axis).is_none() {
             let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
             let help =
                 "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";

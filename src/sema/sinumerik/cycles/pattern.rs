@@ -96,10 +96,10 @@ impl Run<'_> {
 
     /// A pattern needs a cycle that it runs.
     fn begin_pattern(&self, args: &Arguments) -> Outcome {
-        if self.modal_lost {
+        if self.st.modal_call.is_lost() {
             return Err(Reported);
         }
-        if self.modal_cycle.is_none() && self.modal.is_none() {
+        if !self.st.modal_call.is_on() {
             return self.cycle_fault(
                 args,
                 args.span,
@@ -131,7 +131,7 @@ impl Run<'_> {
                 return self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes");
             }
         };
-        if self.modal_cycle.is_none() {
+        if self.st.modal_call.cycle().is_none() {
             return self.not_built(args, first, "a pattern with a modal program of one's own");
         }
         // Computing them is work, too.

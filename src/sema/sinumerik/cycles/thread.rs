@@ -140,7 +140,7 @@ impl Run<'_> {
 
     /// A thread waits for ever for a spindle that stands.
     fn spindle_turns(&self, args: &Arguments) -> Outcome {
-        if self.st.turn.is_some() {
+        if self.st.spindles.turn().is_some() {
             return Ok(());
         }
         let help = "program M3 or M4 with a speed in front of the cycle";
