@@ -34,6 +34,18 @@ pub struct Job<'a> {
     pub main: FileId,
 }
 
+impl Job<'_> {
+    /// Does the control skip a block for its `/`? `mark` is the number behind it, 0 for none, which is the mark of the
+    /// first level.
+    #[inline]
+    pub fn skips(&self, mark: Option<u8>) -> bool {
+        match mark {
+            None => false,
+            Some(mark) => self.settings.control.skip_blocks.iter().any(|on| *on == mark || mark == 0 && *on == 1),
+        }
+    }
+}
+
 impl std::fmt::Debug for Job<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Job").field("main", &self.main).finish_non_exhaustive()

@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod book;
 mod boundaries;
 mod captured;
 mod cli;
@@ -27,6 +28,7 @@ mod klartext_bounds;
 mod klartext_words;
 mod layering;
 mod line_ends;
+mod listing;
 mod meant;
 mod mtc200;
 mod mtc200_words;

@@ -111,7 +111,7 @@ impl Run<'_> {
                 Some(open) if open.number == number && open.part.is_some_and(|last| last < part) => {
                     open.part = Some(part);
                     // The effect belongs to the last block of the definition.
-                    open.here = self.here;
+                    open.here = self.core.here;
                 }
                 _ => {
                     return self.fail_help(
@@ -229,7 +229,7 @@ impl Run<'_> {
             Nature::Preset => self.preset(open),
             Nature::Data => Ok(()),
             Nature::Drilling(_) | Nature::Machining => {
-                let mm = self.level().unit.mm();
+                let mm = self.level().frame.unit.mm();
                 let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
                 self.check_definition(&cycle)?;
                 self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
@@ -237,7 +237,7 @@ impl Run<'_> {
                 Ok(())
             }
             Nature::Pattern(places) => {
-                let mm = self.level().unit.mm();
+                let mm = self.level().frame.unit.mm();
                 let pattern = DefinedCycle::new(open, self.here.origin.loc, mm);
                 let result = self.pattern_cycle(&pattern, places);
                 if result.is_err() {

@@ -3,7 +3,7 @@
 use crate::machine::Axis;
 use crate::text::Loc;
 
-use super::Site;
+use crate::sema::run::Site;
 
 /// A definition that is being read.
 #[derive(Debug)]

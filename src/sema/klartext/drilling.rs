@@ -130,7 +130,7 @@ impl Run<'_> {
         }
         let cycle = Cycle::Drilling(hole);
         let end = cycle.leaves(self.st.position.at());
-        self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
+        self.core.send_cycle(&cycle, &self.st.ctx);
         let axis = self.st.axis();
         self.st.position.cycle_leaves(&end, AxisSet::of(axis));
         self.st.moved = true;
@@ -464,7 +464,7 @@ impl Run<'_> {
     }
 
     pub(super) fn cycle_length(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         Ok(self.cycle_number(cycle, q)? * mm)
     }
 

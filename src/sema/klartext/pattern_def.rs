@@ -175,7 +175,7 @@ impl Run<'_> {
 
     /// The places of one element.
     fn add_places(&mut self, name: &str, words: &Words, span: Span, list: &mut Vec<(Point2, f64)>) -> Outcome {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let (first, second, third) = self.st.plane().axes();
         let letter = |axis: usize| crate::machine::Axis::ALL[axis].letter().to_string();
         let (u, v, w) = (letter(first), letter(second), letter(third));

@@ -93,17 +93,17 @@ impl Run<'_> {
         labels: (&str, &str),
         key: Key,
     ) -> Outcome<ContourCall> {
-        let skeleton = match self.programs.skeleton(&self.job, unit, &mut self.symbols) {
+        let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
             Err(error) => return self.fail(codes::P0105, 0, args.span, format!("the file cannot be read: {error}")),
         };
         let mut find = |label: &str, from: u32| {
-            let name = self.symbols.intern(label.as_bytes());
+            let name = self.core.symbols.intern(label.as_bytes());
             skeleton
                 .label(name, from, Search::Forward)
                 .or_else(|| skeleton.label(name, from, Search::Backward).filter(|mark| mark.place.at >= from))
         };
-        let start_of_program = self.programs.units[unit].start.at;
+        let start_of_program = self.units.list[unit].start.at;
         let start = find(labels.0, start_of_program);
         let end = start.and_then(|start| find(labels.1, start.place.at));
         if let (Some(start), Some(end)) = (start, end) {
@@ -111,7 +111,7 @@ impl Run<'_> {
             return Ok(ContourCall { unit, part, name: name.to_owned(), loc: self.loc(args.span) });
         }
         let missing = if start.is_none() { labels.0 } else { labels.1 };
-        let program = self.programs.units[unit].name.clone();
+        let program = self.units.list[unit].name.clone();
         let known: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
         let like = crate::machine::tree::did_you_mean(missing, known);
         let help = match like {
@@ -186,7 +186,7 @@ impl Run<'_> {
             match result {
                 Ok(contour) => made.push((call, contour)),
                 // The next one may show more.
-                Err(Reported) if !self.ended.get() => failed = true,
+                Err(Reported) if !self.has_ended() => failed = true,
                 Err(reported) => return Err(reported),
             }
         }

@@ -294,7 +294,7 @@ impl Run<'_> {
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();
-        self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
+        self.core.send_cycle(&cycle, &self.st.ctx);
         self.st.position.move_to(&end);
         if let Cycle::Drilling(hole) = &cycle
             && let Some(after) = hole.spindle_after()
