@@ -158,12 +158,17 @@ impl Run<'_> {
 
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
         let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
-        if side == self.st.side {
-            self.st.side_lost &= side != Side::None;
+        if side == self.st.compensation.side() {
+            if side == Side::None {
+                self.st.compensation.found();
+            }
             return Ok(());
         }
         let switched = self.switch_side_to(w, side, arc);
-        self.st.side_lost = switched.is_err();
+        match switched {
+            Ok(()) => self.st.compensation.found(),
+            Err(Reported) => self.st.compensation.lose(),
+        }
         switched
     }
 
@@ -177,7 +182,7 @@ impl Run<'_> {
             );
         }
         if side != Side::None {
-            if self.st.side != Side::None {
+            if self.st.compensation.is_on() {
                 return self.fail_help(
                     codes::K2602,
                     w.comp_span,
@@ -195,7 +200,7 @@ impl Run<'_> {
             }
             self.check_cutter(w.comp_span)?;
         }
-        self.st.side = side;
+        self.st.compensation.select(side);
         Ok(())
     }
 
@@ -205,11 +210,11 @@ impl Run<'_> {
         if self.approach.is_some() {
             self.send_approach(end, &path);
         }
-        self.movement(&Move { end: *end, path, side: self.st.side, coords: Coords::Frame });
-        if self.st.side != Side::None {
+        self.movement(&Move { end: *end, path, side: self.st.compensation.side(), coords: Coords::Frame });
+        if self.st.compensation.is_on() {
             self.keep_direction(end, path);
         }
-        self.st.last_rapid = path.is_rapid();
+        self.st.feed.last_rapid = path.is_rapid();
         self.st.position.move_to(end);
         self.st.moved = true;
     }
@@ -239,11 +244,7 @@ impl Run<'_> {
         let end = self.check_axes(w, end, feed.is_some())?;
         let feed = self.rotary_only_feed(feed, &end);
         let feed = self.plunge_feed(w, feed, &end, None);
-        if let Some(last) = self.st.polar
-            && !end.known().common(plane_axes(last.plane)).is_empty()
-        {
-            self.st.polar = None;
-        }
+        self.st.polar.forget_last_of(end.known());
         self.send(&end, Path::straight(feed));
         Ok(())
     }
@@ -264,12 +265,12 @@ impl Run<'_> {
         self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;
-            self.st.rotary_moved.insert(axis);
+            self.st.rotary.moves(axis);
         }
         let (path, coords) = (Path::straight(feed), Coords::Machine);
-        self.movement(&Move { end, path, side: self.st.side, coords });
+        self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
         self.st.moved_by_machine(end.known());
-        self.st.last_rapid = feed.is_none();
+        self.st.feed.last_rapid = feed.is_none();
         Ok(())
     }
 
@@ -299,7 +300,7 @@ impl Run<'_> {
             ));
             end.set(axis, top);
             let coords = Coords::Machine;
-            self.movement(&Move { end, path, side: self.st.side, coords });
+            self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
             self.st.moved_by_machine(end.known());
             return Ok(());
         }
@@ -347,7 +348,7 @@ impl Run<'_> {
             return self.fail_help(codes::K1006, block.span, what, help);
         };
         let feed = match w.feed {
-            FeedWord::None => match self.st.feed {
+            FeedWord::None => match self.st.feed.word() {
                 Some(feed) => feed,
                 None => return self.feed_missing(),
             },
@@ -368,12 +369,12 @@ impl Run<'_> {
             }
         };
         if rounding {
-            self.check_edge_feed(self.st.side)?;
+            self.check_edge_feed(self.st.compensation.side())?;
         }
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         // What stands behind a corner begins at its cut.
         self.st.last = None;
-        self.st.corner = Some(CornerMade { rounding, side: self.st.side, loc: self.here.origin.loc });
+        self.st.corner = Some(CornerMade { rounding, side: self.st.compensation.side(), loc: self.here.origin.loc });
         self.core.send_corner(
             &Corner {
                 shape,
@@ -443,7 +444,7 @@ impl Run<'_> {
     /// R+ makes the way longer by the tool radius, R- shorter.
     fn lengthened(&mut self, w: &Words, longer: bool) -> Outcome {
         let mut axes = w.axes.known().iter();
-        let axis = match (axes.next(), axes.next(), self.st.side) {
+        let axis = match (axes.next(), axes.next(), self.st.compensation.side()) {
             (Some(axis), None, Side::None) if axis.is_main() => axis,
             _ => {
                 return self.fail_help(
