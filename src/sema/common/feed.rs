@@ -75,7 +75,7 @@ impl ModalFeed {
         self.kind = Some(kind);
     }
 
-    /// A refused block would have said the kind.
+    /// F counts `kind`, which the feed that follows says, or a refused block would have said.
     pub fn assume(&mut self, kind: FeedKind) {
         self.kind = Some(kind);
     }
