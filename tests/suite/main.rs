@@ -30,6 +30,7 @@ mod layering;
 mod line_ends;
 mod listing;
 mod meant;
+mod modal;
 mod mtc200;
 mod mtc200_words;
 mod oracle;
