@@ -20,4 +20,5 @@ pub mod lower;
 pub mod machine;
 pub mod parser;
 pub mod sema;
+pub mod standard;
 pub mod text;

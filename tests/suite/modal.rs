@@ -6,7 +6,8 @@ use partc::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{Compiled, compile_bytes, settings};
 
-const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\naxes = \"XYZC\"\n[output]\ncompensation = \"control\"\n";
+const LATHE: &str =
+    "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\naxes = \"XYZC\"\n[output]\ncompensation = \"control\"\n";
 
 /// A turning cycle with a contour that holds `inside` in its first block, and `after` it.
 fn around_contour(inside: &str, after: &str) -> Compiled {

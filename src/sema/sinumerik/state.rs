@@ -9,6 +9,7 @@ use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
+use crate::sema::run::Where;
 
 use super::Run;
 use super::calls::ModalCall;
@@ -189,8 +190,7 @@ impl Run<'_> {
         self.set_plane(plane);
         if !self.st.is(offset) {
             // The work offset of the call comes back, whatever MD 10617 says.
-            let _: super::Outcome =
-                self.work_offset(self.st.codes.of(Group::WorkOffset).index, crate::text::Span::default());
+            let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
         } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
             self.restore_offset_frame(saved.frames.settable);
         }
@@ -239,8 +239,7 @@ impl Run<'_> {
             self.st.frames.set_programmable(FrameValue::default());
             let _: super::Outcome = self.fail(
                 codes::S2034,
-                0,
-                crate::text::Span::default(),
+                Where::Block,
                 "the frame cannot be used: a factor or a shift is zero or out of all range",
             );
             return;
