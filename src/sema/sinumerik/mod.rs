@@ -136,6 +136,13 @@ impl Language for Sinumerik {
     }
 }
 
+/// Variables that were read before the program gave them a value, which was said.
+#[derive(Debug, Default)]
+struct Warned {
+    r: FxHashSet<u32>,
+    globals: FxHashSet<Symbol>,
+}
+
 /// A run of a program.
 struct Run<'a> {
     core: Core<'a, Sinumerik>,
@@ -151,8 +158,7 @@ struct Run<'a> {
     definitions_read: bool,
     /// Programs by the name they were called by.
     found: FxHashMap<String, usize>,
-    warned_r: FxHashSet<u32>,
-    warned_global: FxHashSet<Symbol>,
+    warned: Warned,
     externs: Vec<externs::Extern>,
     /// Contours that CYCLE62 called.
     contours: cycles::Contours,
@@ -185,8 +191,7 @@ impl<'a> Run<'a> {
             proposed: Proposed::default(),
             definitions_read: false,
             found: FxHashMap::default(),
-            warned_r: FxHashSet::default(),
-            warned_global: FxHashSet::default(),
+            warned: Warned::default(),
             externs: Vec::new(),
             contours: cycles::Contours::default(),
             capture: None,

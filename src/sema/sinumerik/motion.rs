@@ -38,7 +38,7 @@ impl Run<'_> {
             if words.is_empty() {
                 return Ok(());
             }
-            if words.call.is_some() || words.l.is_some() {
+            if words.calls.word.is_some() || words.calls.number.is_some() {
                 return self.call_block(&mut words, block, text);
             }
             self.begins_executing();
@@ -125,10 +125,10 @@ impl Run<'_> {
             let alarm = if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 };
             return self.does_not_fit_code(left.span, alarm);
         }
-        if let Some(axis) = w.machine_axes.first() {
+        if let Some(axis) = w.beside.machine.first() {
             return self.unnamed_axis(*axis);
         }
-        if let Some(passes) = w.passes {
+        if let Some(passes) = w.calls.passes {
             return self.does_not_fit(passes.span);
         }
         self.left_out_under_modal_call(w)?;
@@ -175,7 +175,7 @@ impl Run<'_> {
         let round = matches!(interpolation, Code::G2 | Code::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
         let moves = !w.axes.is_empty() || polar || arc || w.get(Address::Ang).is_some();
-        if !w.positioning.is_empty() {
+        if !w.beside.positioning.is_empty() {
             self.st.threads.end_chain();
             self.positioning(w)?;
         }
@@ -197,7 +197,7 @@ impl Run<'_> {
             if self.has_corner_words(w) {
                 return self.no_corner(block.span);
             }
-            if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.positioning.is_empty()) {
+            if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
                 self.control_words_are_left_out(span);
             }
             return Ok(false);

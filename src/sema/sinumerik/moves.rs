@@ -131,7 +131,7 @@ impl Run<'_> {
     /// `POS[X]=10 FA[X]=500`
     pub(super) fn positioning(&mut self, w: &mut Words) -> Outcome {
         if !w.axes.is_empty() || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
-            let span = w.positioning[0].given.span;
+            let span = w.beside.positioning[0].given.span;
             return self.fail_help(
                 codes::S9008,
                 span,
@@ -139,7 +139,7 @@ impl Run<'_> {
                 "give POS a block of its own",
             );
         }
-        if let Some(first) = w.positioning.first() {
+        if let Some(first) = w.beside.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
@@ -150,8 +150,8 @@ impl Run<'_> {
                 "program the axis by G0 or G1 in this block",
             );
         }
-        for at in 0..w.positioning.len() {
-            let positioning = w.positioning[at];
+        for at in 0..w.beside.positioning.len() {
+            let positioning = w.beside.positioning[at];
             let axis = positioning.axis;
             if axis.is_main() && !self.st.ctx.frame.is_shift() {
                 return self.fail_help(

@@ -35,7 +35,7 @@ impl Run<'_> {
             self.st.feed.program(self.feed_of(f.value));
         }
         // Feeds of positioning axes hold on.
-        self.st.feed.program_axes(&w.axis_feeds);
+        self.st.feed.program_axes(&w.beside.feeds);
         if let Some(t) = w.take(Address::T) {
             self.tool_word_given(t, w)?;
         }
