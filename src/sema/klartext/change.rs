@@ -59,6 +59,44 @@ impl State {
     }
 }
 
+impl State {
+    /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
+    pub(super) fn call_again(&mut self) {
+        match self.tool.change {
+            Change::Called { .. } | Change::Missed => {}
+            Change::Announced => self.tool.change = Change::None,
+            Change::None | Change::InSpindle | Change::Printed { .. } => self.tool.change = Change::InSpindle,
+        }
+    }
+
+    /// The block under way ends with M6.
+    pub(super) fn m6_at_end(&mut self) {
+        if let Change::Called { at_end, .. } = &mut self.tool.change {
+            *at_end = true;
+        }
+    }
+
+    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
+    fn cuts(&self, mv: &Move) -> bool {
+        let (axis, plane) = (self.axis(), plane_axes(self.plane()));
+        if mv.path.is_rapid() || mv.coords == Coords::Machine {
+            return false;
+        }
+        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.position.at(), &mv.end, axis)) {
+            return true;
+        }
+        let height = match self.tool.change {
+            Change::Called { height, .. } => height,
+            _ => None,
+        };
+        match (mv.end.get(axis), self.position.get(axis), height) {
+            (Some(to), Some(from), _) => to < from,
+            (Some(to), None, Some(height)) => to <= height,
+            _ => false,
+        }
+    }
+}
+
 impl Run<'_> {
     /// TOOL CALL of another tool: changes it, or makes it ready for the M6.
     pub(super) fn call_for_change(&mut self, number: u32) {
@@ -79,15 +117,6 @@ impl Run<'_> {
         }
         self.print_change(number);
         self.st.tool.change = if announced { Change::None } else { Change::Printed { moved: false } };
-    }
-
-    /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
-    pub(super) fn call_again(&mut self) {
-        match self.st.tool.change {
-            Change::Called { .. } | Change::Missed => {}
-            Change::Announced => self.st.tool.change = Change::None,
-            Change::None | Change::InSpindle | Change::Printed { .. } => self.st.tool.change = Change::InSpindle,
-        }
     }
 
     fn print_change(&mut self, number: u32) {
@@ -133,18 +162,11 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The block under way ends with M6.
-    pub(super) fn m6_at_end(&mut self) {
-        if let Change::Called { at_end, .. } = &mut self.st.tool.change {
-            *at_end = true;
-        }
-    }
-
     /// A move while a change is under way, before its end is taken over.
     #[cold]
     pub(super) fn watch_move(&mut self, mv: &Move) {
         let axis = self.st.axis();
-        let cuts = self.cuts(mv);
+        let cuts = self.st.cuts(mv);
         match &mut self.st.tool.change {
             Change::None | Change::InSpindle | Change::Missed => {}
             Change::Printed { moved } => *moved = true,
@@ -188,26 +210,6 @@ impl Run<'_> {
             ),
         );
         Err(Reported)
-    }
-
-    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
-    fn cuts(&self, mv: &Move) -> bool {
-        let (axis, plane) = (self.st.axis(), plane_axes(self.st.plane()));
-        if mv.path.is_rapid() || mv.coords == Coords::Machine {
-            return false;
-        }
-        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.st.position.at(), &mv.end, axis)) {
-            return true;
-        }
-        let height = match self.st.tool.change {
-            Change::Called { height, .. } => height,
-            _ => None,
-        };
-        match (mv.end.get(axis), self.st.position.get(axis), height) {
-            (Some(to), Some(from), _) => to < from,
-            (Some(to), None, Some(height)) => to <= height,
-            _ => false,
-        }
     }
 
     /// TOOL CALL of another tool while one waits for its M6: after a move it was not only the tool to make ready.

@@ -259,7 +259,7 @@ impl Run<'_> {
         for m in w.m() {
             match entry(m.number) {
                 Some((act, When::Start)) => self.act(act, m)?,
-                Some((Act::ToolChange, When::End)) => self.m6_at_end(),
+                Some((Act::ToolChange, When::End)) => self.st.m6_at_end(),
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
@@ -340,7 +340,7 @@ impl Run<'_> {
             }
             Act::FollowTip(on) => return self.follow_tip(on, m.span),
             Act::ModuloRotary => {
-                if !self.reduce_rotary(m.args.axes) {
+                if !self.st.reduce_rotary(m.args.axes) {
                     self.note_m(m);
                 }
             }

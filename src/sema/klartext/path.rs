@@ -12,6 +12,7 @@ use crate::text::Loc;
 
 use super::approach::Last;
 use super::m_functions::Args;
+use super::state::State;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
 
@@ -24,6 +25,23 @@ pub(super) struct CornerMade {
     /// Of the element before.
     side: Side,
     loc: Loc,
+}
+
+impl State {
+    /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
+    fn keep_direction(&mut self, after: &Pos, path: Path) {
+        let plane = self.plane();
+        let mut end = *self.position.at();
+        end.update(after);
+        let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) else {
+            self.last = None;
+            return;
+        };
+        let arc = matches!(path, Path::Arc(..));
+        if arc || from != to {
+            self.last = Some(Last::new(from, to, path));
+        }
+    }
 }
 
 impl Run<'_> {
@@ -212,26 +230,11 @@ impl Run<'_> {
         }
         self.movement(&Move { end: *end, path, side: self.st.compensation.side(), coords: Coords::Frame });
         if self.st.compensation.is_on() {
-            self.keep_direction(end, path);
+            self.st.keep_direction(end, path);
         }
         self.st.feed.last_rapid = path.is_rapid();
         self.st.position.move_to(end);
         self.st.moved = true;
-    }
-
-    /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
-    fn keep_direction(&mut self, after: &Pos, path: Path) {
-        let plane = self.st.plane();
-        let mut end = *self.st.position.at();
-        end.update(after);
-        let (Some(from), Some(to)) = (self.st.position.in_plane(plane), end.in_plane(plane)) else {
-            self.st.last = None;
-            return;
-        };
-        let arc = matches!(path, Path::Arc(..));
-        if arc || from != to {
-            self.st.last = Some(Last::new(from, to, path));
-        }
     }
 
     pub(super) fn line(&mut self, w: &Words) -> Outcome {

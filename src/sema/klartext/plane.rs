@@ -13,6 +13,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
 use super::cycle_definition::Open;
+use super::state::State;
 use super::vars::Slot;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -157,6 +158,17 @@ pub(super) fn tilts(code: &[u8]) -> bool {
     !matches!(plane.effect(), Effect::Turned(_) | Effect::TurnedBy(_))
 }
 
+impl State {
+    /// Does every rotary axis that the program moved stand at zero?
+    fn stands_upright(&self) -> bool {
+        let at = self.ctx.frame.apply(self.position.at());
+        [Axis::A, Axis::B, Axis::C]
+            .into_iter()
+            .filter(|axis| self.rotary.has_moved(*axis))
+            .all(|axis| at.get(axis).is_some_and(|angle| (angle - self.rotary.turns_of(axis)) % 360.0 == 0.0))
+    }
+}
+
 impl Run<'_> {
     /// A PLANE block. Nothing that tilts was active before.
     pub(super) fn plane_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
@@ -253,7 +265,7 @@ impl Run<'_> {
         let angle = if Deg(angle).normal().0 == 0.0 { 0.0 } else { angle };
         let before = self.st.frames.transform().turn.0;
         if moves || angle != 0.0 {
-            if !self.stands_upright() {
+            if !self.st.stands_upright() {
                 let message = format!("{name} moves the rotary axes, and the program has turned them");
                 return self.refuse_motion(codes::K9004, self.block_span(), &message);
             }
@@ -328,18 +340,9 @@ impl Run<'_> {
         )
     }
 
-    /// Does every rotary axis that the program moved stand at zero?
-    fn stands_upright(&self) -> bool {
-        let at = self.st.ctx.frame.apply(self.st.position.at());
-        [Axis::A, Axis::B, Axis::C]
-            .into_iter()
-            .filter(|axis| self.st.rotary.has_moved(*axis))
-            .all(|axis| at.get(axis).is_some_and(|angle| (angle - self.st.rotary.turns_of(axis)) % 360.0 == 0.0))
-    }
-
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
-        if on && !self.stands_upright() {
+        if on && !self.st.stands_upright() {
             return self.fail_help(
                 codes::K9008,
                 span,

@@ -8,6 +8,7 @@ use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
+use super::state::State;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -50,6 +51,25 @@ impl RotaryState {
     pub fn turned_by_machine(&mut self, axes: AxisSet) {
         self.moved = self.moved.union(axes);
         self.forget_turns(axes);
+    }
+}
+
+impl State {
+    /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move. False if none was beyond.
+    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) -> bool {
+        let mut reduced = false;
+        for axis in [Axis::A, Axis::B, Axis::C] {
+            if !axes.is_empty() && !axes.contains(axis) {
+                continue;
+            }
+            if let Some(at) = self.position.get(axis) {
+                let offset = &mut self.rotary.offset[axis.index() - Axis::A.index()];
+                let shown = at - *offset;
+                *offset = at - shown % 360.0;
+                reduced |= shown % 360.0 != shown;
+            }
+        }
+        reduced
     }
 }
 
@@ -132,22 +152,5 @@ impl Run<'_> {
             return from + step;
         }
         target + *offset
-    }
-
-    /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move. False if none was beyond.
-    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) -> bool {
-        let mut reduced = false;
-        for axis in [Axis::A, Axis::B, Axis::C] {
-            if !axes.is_empty() && !axes.contains(axis) {
-                continue;
-            }
-            if let Some(at) = self.st.position.get(axis) {
-                let offset = &mut self.st.rotary.offset[axis.index() - Axis::A.index()];
-                let shown = at - *offset;
-                *offset = at - shown % 360.0;
-                reduced |= shown % 360.0 != shown;
-            }
-        }
-        reduced
     }
 }

@@ -294,7 +294,7 @@ impl Run<'_> {
                 && (active.length, active.radius) == (length, radius)
         });
         if stays {
-            self.call_again();
+            self.st.call_again();
             self.change_deltas(call);
             return Ok(());
         }

@@ -121,7 +121,7 @@ impl Run<'_> {
             }
             (None, None, Some(center)) => {
                 end.set_in_plane(plane, to);
-                self.note_stored_centre(center);
+                self.st.note_stored_centre(center);
                 let center = self.checked_center(start, to, center, ccw, span)?;
                 let radius = crate::geo::distance(start, center);
                 ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }

@@ -350,7 +350,7 @@ impl Run<'_> {
             if frcm.value < 0.0 {
                 return self.fail(codes::S2041.alarm(14800), frcm.span, "the feed FRCM= is negative");
             }
-            self.st.corners.feed = (frcm.value > 0.0).then(|| self.feed_of(frcm.value));
+            self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
         }
         Ok(())
     }
@@ -397,7 +397,7 @@ impl Run<'_> {
             (None, None, None) => CornerShape::Rounding { radius: self.st.corners.rounding },
         };
         let feed = match frc {
-            Some(frc) if frc.value > 0.0 => Some(self.feed_of(frc.value)),
+            Some(frc) if frc.value > 0.0 => Some(self.st.feed_of(frc.value)),
             Some(frc) => return self.fail(codes::S2041.alarm(14800), frc.span, "the feed FRC= is not above 0"),
             None => self.modal_corner_feed()?,
         };
@@ -446,7 +446,7 @@ impl Run<'_> {
             return;
         }
         if self.st.stored.is_some() {
-            self.note_stored_corner(&corner);
+            self.st.note_stored_corner(&corner);
         }
         self.core.send_corner(&corner, &self.st.ctx);
         if !corner.modal {

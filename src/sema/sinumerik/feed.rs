@@ -11,6 +11,7 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
 use super::{Outcome, Reported, Run};
@@ -82,16 +83,26 @@ impl FeedState {
     }
 }
 
-impl Run<'_> {
+impl State {
     /// A programmed feed with the kind that is in force.
     pub(super) fn feed_of(&self, value: f64) -> Feed {
-        if self.st.is(Code::G93) {
+        if self.is(Code::G93) {
             return Feed::InverseTime(value);
         }
-        let value = value * self.st.feed_unit();
-        if self.st.codes.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
+        let value = value * self.feed_unit();
+        if self.codes.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
     }
 
+    /// F means something else now.
+    pub(super) fn feed_mode_changed(&mut self) {
+        let fits = self.feed.word().is_none_or(|feed| self.counts_as(feed));
+        if !fits {
+            self.feed.end();
+        }
+    }
+}
+
+impl Run<'_> {
     /// Says once that F counts per minute because no block says otherwise.
     pub(super) fn feed_kind_is_said(&mut self) {
         if !self.st.feed.take_kind_open() {
@@ -139,7 +150,7 @@ impl Run<'_> {
             if self.st.codes.per_revolution() {
                 self.master_is_main(fb.span, "a feed per revolution")?;
             }
-            return Ok(self.feed_of(fb.value));
+            return Ok(self.st.feed_of(fb.value));
         }
         if !self.is_capturing() {
             self.speed_is_known()?;
@@ -240,16 +251,8 @@ impl Run<'_> {
         self.st.codes.activate(code);
         self.st.feed.kind_is_said();
         if old != code {
-            self.feed_mode_changed();
+            self.st.feed_mode_changed();
         }
         Ok(())
-    }
-
-    /// F means something else now.
-    pub(super) fn feed_mode_changed(&mut self) {
-        let fits = self.st.feed.word().is_none_or(|feed| self.st.counts_as(feed));
-        if !fits {
-            self.st.feed.end();
-        }
     }
 }

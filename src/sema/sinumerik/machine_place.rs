@@ -8,6 +8,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::state::State;
 use super::system::system_number;
 use super::words::Words;
 use super::{Outcome, Run};
@@ -21,18 +22,20 @@ enum ToolLength {
     Unknown,
 }
 
-impl Run<'_> {
+impl State {
     /// Axes in which the length of a tool counts.
     fn tool_axes(&self) -> AxisSet {
-        let [_, _, third] = self.st.roles();
+        let [_, _, third] = self.roles();
         let mut axes = AxisSet::of(third);
-        if self.st.channel.lathe {
+        if self.channel.lathe {
             axes.insert(Axis::X);
             axes.insert(Axis::Z);
         }
         axes
     }
+}
 
+impl Run<'_> {
     /// The tool in use as the control counts it: length, wear and base length of the edge.
     fn active_length(&self) -> ToolLength {
         let tool = &self.st.tool;
@@ -60,7 +63,7 @@ impl Run<'_> {
     /// Where the spindle stands when the control has an axis at the machine coordinate `value`.
     pub(super) fn machine_place(&mut self, axis: Axis, value: f64, place: impl Into<Where>) -> Outcome<f64> {
         let place = place.into();
-        if !self.tool_axes().contains(axis) {
+        if !self.st.tool_axes().contains(axis) {
             return Ok(value);
         }
         let length = self.active_length();
@@ -132,7 +135,7 @@ impl Run<'_> {
     /// SUPD: the tool offsets do not count in this block.
     pub(super) fn suppressed_tool(&mut self, w: &Words, span: Span) -> Outcome {
         // On a lathe each end point, also a polar one, lies in the axes of the lengths.
-        let moves = self.st.channel.lathe || w.axes.iter().any(|axis| self.tool_axes().contains(axis));
+        let moves = self.st.channel.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
         let radius = self.st.side() != crate::ir::Side::None;
         if radius || moves && self.active_length() != ToolLength::Off {
             return self.fail_help(

@@ -86,7 +86,7 @@ pub use vocabulary::all_words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    run.set_plane(run.st.codes.of(g_groups::Group::Plane));
+    run.st.set_plane(run.st.codes.of(g_groups::Group::Plane));
     if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 

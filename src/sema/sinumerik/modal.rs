@@ -85,7 +85,7 @@ impl Run<'_> {
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
         }
-        self.set_plane(code);
+        self.st.set_plane(code);
         let plane = self.st.plane();
         self.function(crate::ir::Function::Plane(plane));
         Ok(())

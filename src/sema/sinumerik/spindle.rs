@@ -10,12 +10,20 @@ use crate::text::Span;
 
 use super::g_groups::{Code, Group};
 use super::spindles::MAIN_SPINDLE;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words};
 use super::{Outcome, Run};
 
 /// Highest spindle number that is a spindle.
 const MOST_SPINDLES: u8 = 20;
+
+impl State {
+    /// The limit of a programmed speed: G26, and LIMS under G97.
+    fn limit_of_turns(&self) -> Option<f64> {
+        self.spindles.limit_of_turns(self.codes.of(Group::FeedType).ends_cutting_speed())
+    }
+}
 
 impl Run<'_> {
     /// A word for spindle `n`. The target knows the first one without a number.
@@ -134,17 +142,12 @@ impl Run<'_> {
                 self.send_cutting_speed();
             }
             _ => {
-                let limited = self.limited(s.value, self.limit_of_turns(), s.span);
+                let limited = self.limited(s.value, self.st.limit_of_turns(), s.span);
                 self.st.spindles.set_turns(s.value, limited);
                 self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
             }
         }
         Ok(())
-    }
-
-    /// The limit of a programmed speed: G26, and LIMS under G97.
-    fn limit_of_turns(&self) -> Option<f64> {
-        self.st.spindles.limit_of_turns(self.st.codes.of(Group::FeedType).ends_cutting_speed())
     }
 
     /// A speed as the spindle turns it.
@@ -169,7 +172,7 @@ impl Run<'_> {
         let (Some(before), Some(speed), false) = (spindles.turns(), spindles.speed(), spindles.is_cutting()) else {
             return;
         };
-        if self.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
+        if self.st.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
             return;
         }
         self.limit_changed(span);
@@ -214,7 +217,7 @@ impl Run<'_> {
             return self.send_cutting_speed();
         }
         let Some(speed) = self.st.spindles.speed() else { return };
-        let limited = self.limited(speed, self.limit_of_turns(), span);
+        let limited = self.limited(speed, self.st.limit_of_turns(), span);
         if self.st.spindles.turns().is_some_and(|turns| turns != limited) {
             self.st.spindles.print_turns(limited);
             self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));

@@ -177,17 +177,38 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl State {
     pub(super) fn save(&self) -> Saved {
-        Saved { codes: self.st.codes, frames: self.st.frames.saved() }
+        Saved { codes: self.codes, frames: self.frames.saved() }
     }
 
+    /// The context with the plane of group 6.
+    pub(super) fn set_plane(&mut self, code: Code) {
+        let (i, j) = match code {
+            Code::G18 => (2, 0),
+            Code::G19 => (1, 2),
+            _ => (0, 1),
+        };
+        let axes = self.channel.geometry_axes;
+        let fits = |plane: &Plane| {
+            let (first, second, _) = plane.axes();
+            (Axis::ALL[first], Axis::ALL[second]) == (axes[i], axes[j])
+        };
+        let plane = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(fits).unwrap_or(self.ctx.plane);
+        if plane != self.ctx.plane {
+            self.ctx = Rc::new(Ctx { plane, frame: self.ctx.frame.clone() });
+            self.polar.plane_changed();
+        }
+    }
+}
+
+impl Run<'_> {
     pub(super) fn restore(&mut self, saved: Saved) {
         let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
         let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
         self.st.codes = saved.codes;
         self.st.frames.set_programmable(saved.frames.programmable);
-        self.set_plane(plane);
+        self.st.set_plane(plane);
         if !self.st.is(offset) {
             // The work offset of the call comes back, whatever MD 10617 says.
             let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
@@ -196,7 +217,7 @@ impl Run<'_> {
         }
         self.refresh_frame();
         if changed {
-            self.feed_mode_changed();
+            self.st.feed_mode_changed();
         }
     }
 
@@ -213,25 +234,6 @@ impl Run<'_> {
         }
     }
 
-    /// The context with the plane of group 6.
-    pub(super) fn set_plane(&mut self, code: Code) {
-        let (i, j) = match code {
-            Code::G18 => (2, 0),
-            Code::G19 => (1, 2),
-            _ => (0, 1),
-        };
-        let axes = self.st.channel.geometry_axes;
-        let fits = |plane: &Plane| {
-            let (first, second, _) = plane.axes();
-            (Axis::ALL[first], Axis::ALL[second]) == (axes[i], axes[j])
-        };
-        let plane = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(fits).unwrap_or(self.st.ctx.plane);
-        if plane != self.st.ctx.plane {
-            self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
-            self.st.polar.plane_changed();
-        }
-    }
-
     /// Makes the context fit the frames; the tool stays where it is.
     pub(super) fn refresh_frame(&mut self) {
         let Some(frame) = self.st.frames.total().map() else {
@@ -245,7 +247,7 @@ impl Run<'_> {
             return;
         };
         if frame != self.st.ctx.frame {
-            self.st.heading = self.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
+            self.st.heading = self.st.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
             self.st.position.keep_programmed();
             self.st.position.through_frame(&self.st.ctx.frame, &frame);
             self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });

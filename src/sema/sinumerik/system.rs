@@ -12,8 +12,29 @@ use crate::text::Span;
 
 use super::frames::{Component, FrameValue};
 use super::programs::without_extension;
+use super::state::State;
 use super::value::{Val, whole};
 use super::{Outcome, Reported, Run};
+
+impl State {
+    /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
+    fn tool_data_unit(&self, word: &str) -> f64 {
+        match word {
+            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14" | "$TC_DP15" => {
+                self.feed_unit()
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// Millimetres in the unit of a component of a frame.
+    pub(super) fn component_unit(&self, axis: Axis, component: Component) -> f64 {
+        match component {
+            Component::Shift | Component::Fine if !axis.is_rotary() => self.feed_unit(),
+            _ => 1.0,
+        }
+    }
+}
 
 impl Run<'_> {
     /// Reads `$NAME[args]`.
@@ -24,7 +45,7 @@ impl Run<'_> {
         }
         let key = system_key(&word, args);
         if let Some(value) = self.vars.system.get(&key) {
-            let unit = self.tool_data_unit(&word);
+            let unit = self.st.tool_data_unit(&word);
             return Ok(match value.number() {
                 Some(number) if unit != 1.0 => Val::Real(number / unit),
                 _ => value.clone(),
@@ -257,7 +278,7 @@ impl Run<'_> {
                 || word.starts_with("$AC_PARAM")
                 || word.starts_with("$P_AD") =>
             {
-                let unit = self.tool_data_unit(&word);
+                let unit = self.st.tool_data_unit(&word);
                 let value = match value.number() {
                     Some(number) if unit != 1.0 => Val::Real(number * unit),
                     _ => value,
@@ -317,16 +338,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
-    fn tool_data_unit(&self, word: &str) -> f64 {
-        match word {
-            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14" | "$TC_DP15" => {
-                self.st.feed_unit()
-            }
-            _ => 1.0,
-        }
-    }
-
     /// Tool data besides the radius stay in the program.
     fn note_tool_data(&self, word: &str, span: Span) {
         if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {
@@ -336,14 +347,6 @@ impl Run<'_> {
         let found = crate::diag::Diagnostic::new(codes::S8010, self.loc(span), message);
         if !self.job.diags.knows(&found) {
             self.report(found);
-        }
-    }
-
-    /// Millimetres in the unit of a component of a frame.
-    pub(super) fn component_unit(&self, axis: Axis, component: Component) -> f64 {
-        match component {
-            Component::Shift | Component::Fine if !axis.is_rotary() => self.st.feed_unit(),
-            _ => 1.0,
         }
     }
 

@@ -32,7 +32,7 @@ impl Run<'_> {
                 );
             }
             w.feed_given = true;
-            self.st.feed.program(self.feed_of(f.value));
+            self.st.feed.program(self.st.feed_of(f.value));
         }
         // Feeds of positioning axes hold on.
         self.st.feed.program_axes(&w.beside.feeds);

@@ -10,6 +10,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
 use super::g_groups::{Code, Group};
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
 use super::{Outcome, Reported, Run};
@@ -64,11 +65,19 @@ const AUXILIARY: u32 = 10600;
 const STANDSTILL: u32 = 10601;
 
 /// Rigid tapping: in, or out again.
+impl State {
+    fn goes_on_tapping(&self, w: &Words) -> bool {
+        let code = w.code_of(Group::Motion).map_or(self.codes.of(Group::Motion), |(code, _)| code);
+        let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
+        code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
+    }
+}
+
 impl Run<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
-        if self.st.threads.tapping.is_some() && !self.goes_on_tapping(w) {
+        if self.st.threads.tapping.is_some() && !self.st.goes_on_tapping(w) {
             self.tapping_ends();
         }
         if self.st.threads.chain.is_some() {
@@ -77,12 +86,6 @@ impl Run<'_> {
                 chain.broken = chain.broken.or(broken);
             }
         }
-    }
-
-    fn goes_on_tapping(&self, w: &Words) -> bool {
-        let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
-        let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
-        code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
     }
 
     /// The spindle stands while no block taps.

@@ -10,6 +10,7 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
+use super::state::State;
 use super::words::{Given, Words};
 use super::{Outcome, Run};
 
@@ -102,6 +103,14 @@ impl CompensationState {
     #[inline]
     pub fn is_leaving(&self) -> bool {
         self.leaving_open
+    }
+}
+
+impl State {
+    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
+    #[inline]
+    pub(super) fn side_of_move(&self) -> Side {
+        if self.compensation.leaving_open { self.compensation.leaving } else { self.side() }
     }
 }
 
@@ -352,12 +361,6 @@ impl Run<'_> {
         let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
         let help = "program G41, G42 or G40 with G0 or G1 and an axis of the plane";
         self.fail_help(codes::S2080.alarm(alarm), span, message, help)
-    }
-
-    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
-    #[inline]
-    pub(super) fn side_of_move(&self) -> Side {
-        if self.st.compensation.leaving_open { self.st.compensation.leaving } else { self.st.side() }
     }
 
     /// What ends the compensation on the target while the tool still stands beside the contour: its next move would go

@@ -77,12 +77,14 @@ impl Run<'_> {
         if value <= 0.0 {
             return self.cycle_fault(args, args.span_of(key), 61003, "the feed is not above 0", "give a feed above 0");
         }
-        Ok(self.feed_of(value))
+        Ok(self.st.feed_of(value))
     }
 
     /// The relative first depth counts where both are given; an absolute one of 0 is taken as none then.
     fn two_first_depths(&self, args: &Arguments, levels: &Levels) {
-        let (Some(absolute), Some(relative)) = (self.length_of(args, FDEP), self.length_of(args, FDPR)) else { return };
+        let (Some(absolute), Some(relative)) = (self.st.length_of(args, FDEP), self.st.length_of(args, FDPR)) else {
+            return;
+        };
         let way = (levels.reference - absolute) * levels.outward();
         if relative != 0.0 && absolute != 0.0 && (way - relative.abs()).abs() > 1e-9 {
             let message = format!("{}: FDEP and FDPR give different first depths; FDPR counts", args.name());
@@ -100,7 +102,7 @@ impl Run<'_> {
                 "the first depth counts for the tip of the drill, the last one for its full diameter",
             );
         }
-        let Some(first) = Peck::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
+        let Some(first) = Peck::first_step(levels, self.st.length_of(args, FDEP), self.st.length_of(args, FDPR)) else {
             return self.cycle_fault(
                 args,
                 args.span_of(FDEP),
@@ -114,7 +116,7 @@ impl Run<'_> {
         let degression = match args.or_zero(DAM) {
             percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
                 self.reading(args, AMODE, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
-                let least = self.length_of(args, MDEP).unwrap_or(0.0).abs();
+                let least = self.st.length_of(args, MDEP).unwrap_or(0.0).abs();
                 Degression::Factor { factor: percentage / 100.0, least }
             }
             _ if percent => {
@@ -130,7 +132,7 @@ impl Run<'_> {
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
             factor if factor >= -1.0 => {
-                Degression::Factor { factor: -factor, least: self.length_of(args, MDEP).unwrap_or(0.0).abs() }
+                Degression::Factor { factor: -factor, least: self.st.length_of(args, MDEP).unwrap_or(0.0).abs() }
             }
             _ => {
                 let help = "DAM above 0 is an amount, below 0 a factor down to -1";
@@ -152,10 +154,10 @@ impl Run<'_> {
         };
         let first_feed = if factor <= 0.0 { 0.001 } else { factor.min(1.0) };
         let removal = match args.or_zero(VARI) {
-            0.0 => Removal::Break { way: self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK) },
+            0.0 => Removal::Break { way: self.st.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK) },
             1.0 => Removal::Clear {
                 dwell: self.dwell_of(args, DTS)?,
-                ahead: self.length_of(args, DIS1).filter(|way| *way > 0.0),
+                ahead: self.st.length_of(args, DIS1).filter(|way| *way > 0.0),
             },
             _ => {
                 return self.cycle_fault(
@@ -239,7 +241,7 @@ impl Run<'_> {
         let step = match args.or_zero(VARI) {
             0.0 => None,
             variant @ (1.0 | 2.0) => {
-                let back = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                let back = self.st.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
                 let chip = if variant == 1.0 { Chip::Break { back } } else { Chip::Remove { ahead: back } };
                 Some(TapStep { way: self.tap_step(args, levels)?, chip })
             }
@@ -429,7 +431,7 @@ impl Run<'_> {
         let mut lift = [0.0; 3];
         if self.lifts_off(args)? {
             for ((key, axis), way) in [RPA, RPO, RPAP].into_iter().zip(self.st.roles()).zip(lift.iter_mut()) {
-                *way = self.length_of(args, key).unwrap_or(0.0);
+                *way = self.st.length_of(args, key).unwrap_or(0.0);
                 if *way != 0.0 {
                     self.no_diameters(args.name(), axis, args.span_of(key))?;
                 }

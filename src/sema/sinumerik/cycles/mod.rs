@@ -67,6 +67,30 @@ impl ModalCycle {
     }
 }
 
+impl State {
+    fn spindle_state(&self) -> SpindleState {
+        let State { spindles, tool, .. } = self;
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
+    }
+
+    /// Does `_DMODE` name another plane than the active one?
+    fn names_other_plane(&self, args: &Arguments) -> bool {
+        let plane = args.digit(DMODE, 0);
+        plane != 0 && plane != i32::from(self.codes.of(Group::Plane).index)
+    }
+
+    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
+        args.number(key).map(|value| value * self.length_unit())
+    }
+
+    fn moved_in_plane(&mut self, point: Point2) -> Pos {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.plane(), point);
+        end
+    }
+}
+
 impl Run<'_> {
     /// Runs a machining cycle; `None` for a name that is none, or that is not built.
     pub(super) fn machining_cycle(
@@ -211,7 +235,7 @@ impl Run<'_> {
                 let hole = self.hole(&args, drilling)?;
                 let feed_of_block = drilling.modal_feed;
                 let under = (self.st.plane(), self.st.length_unit());
-                let (here, spindle) = (self.here, self.spindle_state());
+                let (here, spindle) = (self.here, self.st.spindle_state());
                 let refused = false;
                 let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
                 self.st.modal_call.set_cycle(Box::new(made));
@@ -264,17 +288,11 @@ impl Run<'_> {
         }
         let feed_of_block = modal.feed_of_block;
         self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
-        let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        let mut hole = if modal.spindle == self.st.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
         }
         self.drill(&hole)
-    }
-
-    fn spindle_state(&self) -> SpindleState {
-        let State { spindles, tool, .. } = &self.st;
-        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
-        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
     }
 
     /// The hole of the modal call under the spindle of now.
@@ -287,7 +305,7 @@ impl Run<'_> {
         self.here = here;
         let hole = made?;
         modal.hole = hole.clone();
-        modal.spindle = self.spindle_state();
+        modal.spindle = self.st.spindle_state();
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }
@@ -364,12 +382,6 @@ impl Run<'_> {
         )
     }
 
-    /// Does `_DMODE` name another plane than the active one?
-    fn names_other_plane(&self, args: &Arguments) -> bool {
-        let plane = args.digit(DMODE, 0);
-        plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index)
-    }
-
     /// A variant that is known, but not built.
     fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
         self.fail_help(
@@ -419,10 +431,6 @@ impl Run<'_> {
         Ok(self.needed(args, key, name)? * self.st.length_unit())
     }
 
-    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
-        args.number(key).map(|value| value * self.st.length_unit())
-    }
-
     /// Seconds from a dwell that is negative for turns of the spindle.
     fn dwell_of(&self, args: &Arguments, key: Key) -> Outcome<f64> {
         let value = args.or_zero(key);
@@ -464,12 +472,6 @@ impl Run<'_> {
             return Ok(());
         }
         self.cycle_fault(args, args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
-    }
-
-    fn moved_in_plane(&mut self, point: Point2) -> Pos {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), point);
-        end
     }
 }
 

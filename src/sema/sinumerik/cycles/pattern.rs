@@ -138,7 +138,7 @@ impl Run<'_> {
         self.budget.take(positions.len() as u64 / 16);
         for position in positions {
             self.goes_on()?;
-            let end = self.moved_in_plane(position);
+            let end = self.st.moved_in_plane(position);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
@@ -160,7 +160,7 @@ impl Run<'_> {
         if args.or_zero(NSP) != 0.0 {
             return self.not_built(args, NSP, "another first position (`_NSP`)");
         }
-        if self.names_other_plane(args) {
+        if self.st.names_other_plane(args) {
             return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(())

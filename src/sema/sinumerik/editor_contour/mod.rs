@@ -22,6 +22,7 @@ use crate::text::Loc;
 use crate::sema::run::Where;
 
 use super::state::Diameter;
+use super::state::State;
 use super::tangent::Heading;
 use super::{Outcome, Reported, Run};
 use compare::compare;
@@ -58,6 +59,25 @@ pub(super) struct Stored {
 impl Stored {
     fn has_elements(&self) -> bool {
         self.records.iter().any(|record| matches!(record, Record::Line(..) | Record::Arc { .. } | Record::Unknown(_)))
+    }
+}
+
+impl State {
+    /// Notes the centre of an arc that follows.
+    pub(super) fn note_stored_centre(&mut self, center: crate::geo::Point2) {
+        if let Some(stored) = self.stored.as_mut() {
+            stored.centre = Some(center);
+        }
+    }
+
+    /// Notes the corner at the end of the last block.
+    pub(super) fn note_stored_corner(&mut self, corner: &Corner) {
+        let Some(last) = self.stored.as_mut().and_then(|stored| stored.blocks.last_mut()) else { return };
+        last.corner = match corner.shape {
+            CornerShape::Rounding { radius } => Some(CornerWord::Radius(radius)),
+            CornerShape::Chamfer { side } => Some(CornerWord::Chamfer(side)),
+            _ => None,
+        };
     }
 }
 
@@ -152,13 +172,6 @@ impl Run<'_> {
         Written { diameter, unit: self.st.length_unit() }
     }
 
-    /// Notes the centre of an arc that follows.
-    pub(super) fn note_stored_centre(&mut self, center: crate::geo::Point2) {
-        if let Some(stored) = self.st.stored.as_mut() {
-            stored.centre = Some(center);
-        }
-    }
-
     /// Notes a move of a stored contour.
     pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
         let plane = self.st.plane();
@@ -167,7 +180,7 @@ impl Run<'_> {
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
         let (arc, radius) = match path {
-            Path::Arc(arc, _) => match (self.heading_of(arc, &all), arc.shape) {
+            Path::Arc(arc, _) => match (self.st.heading_of(arc, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))
@@ -193,16 +206,6 @@ impl Run<'_> {
         }
         stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.core.here.origin.loc);
-    }
-
-    /// Notes the corner at the end of the last block.
-    pub(super) fn note_stored_corner(&mut self, corner: &Corner) {
-        let Some(last) = self.st.stored.as_mut().and_then(|stored| stored.blocks.last_mut()) else { return };
-        last.corner = match corner.shape {
-            CornerShape::Rounding { radius } => Some(CornerWord::Radius(radius)),
-            CornerShape::Chamfer { side } => Some(CornerWord::Chamfer(side)),
-            _ => None,
-        };
     }
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
