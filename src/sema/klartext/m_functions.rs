@@ -235,7 +235,7 @@ impl Run<'_> {
                         codes::K2701,
                         m.span,
                         format!("M{} is a function of the machine builder", m.number),
-                        &format!("if the target machine understands it, add `[output] pass_m = [{}]`", m.number),
+                        format!("if the target machine understands it, add `[output] pass_m = [{}]`", m.number),
                     );
                 }
             }
@@ -250,7 +250,7 @@ impl Run<'_> {
             codes::K1005,
             m.span,
             format!("M{} has no place in a {head} block", m.number),
-            &format!("write M{} into the positioning block it belongs to", m.number),
+            format!("write M{} into the positioning block it belongs to", m.number),
         )
     }
 
