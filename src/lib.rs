@@ -19,4 +19,5 @@ pub mod lower;
 pub mod machine;
 pub mod parser;
 pub mod sema;
+pub mod target;
 pub mod text;

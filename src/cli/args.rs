@@ -130,7 +130,7 @@ pub(super) struct Common {
     #[arg(long, default_value = "auto", value_parser = dialects())]
     pub dialect: String,
     /// Control that shall run the output
-    #[arg(long, value_name = "TARGET", value_parser = ["linuxcnc"])]
+    #[arg(long, value_name = "TARGET", value_parser = crate::target::NAMES)]
     pub target: Option<String>,
     /// Configuration file, instead of the nearest partc.toml
     #[arg(long, value_name = "FILE", conflicts_with = "isolated")]

@@ -45,11 +45,11 @@ impl Text {
 
     /// Appends text as it is, with a blank in front unless the line is empty.
     #[inline]
-    pub fn word(&mut self, word: &[u8]) -> &mut Text {
+    pub fn word(&mut self, word: &str) -> &mut Text {
         if self.bytes.len() > self.line {
             self.bytes.push(b' ');
         }
-        self.bytes.extend_from_slice(word);
+        self.bytes.extend_from_slice(word.as_bytes());
         self
     }
 
@@ -66,7 +66,10 @@ impl Text {
 
     /// Appends an address with a whole number.
     pub fn whole(&mut self, address: u8, number: u64) -> &mut Text {
-        self.word(&[address]);
+        if self.bytes.len() > self.line {
+            self.bytes.push(b' ');
+        }
+        self.bytes.push(address);
         write_whole(number, &mut self.bytes);
         self
     }

@@ -1,5 +1,7 @@
 //! Turns the tree of a `partc.toml` into [`Settings`]. Every key is in [`SECTIONS`]; others are errors.
 
+use crate::target;
+
 use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
 use super::mtc200::{Centres, G52, InchSpeed, Reading, ShiftedIncrement};
 use super::settings::*;
@@ -390,7 +392,9 @@ impl Reader {
     fn set_output(&mut self, name: &str, node: &Node) -> Result<(), ConfigError> {
         let output = &mut self.settings.output;
         match name {
-            "target" => output.target = text(node).to_owned(),
+            "target" => {
+                output.target = target::find(text(node)).ok_or_else(|| node.fail("no such target"))?;
+            }
             "decimals" => {
                 output.decimals = u8::try_from(whole(node))
                     .ok()

@@ -1,5 +1,7 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
+use crate::target;
+
 use super::tree::Node;
 
 /// What may stand behind a key.
@@ -464,7 +466,7 @@ pub const SECTIONS: &[Section] = &[
         doc: "what is printed",
         entry: &[],
         keys: &[
-            key("target", Kind::Choice(&["linuxcnc"]), "control that runs the output").or(r#""linuxcnc""#),
+            key("target", Kind::Choice(&target::NAMES), "control that runs the output").or(r#""linuxcnc""#),
             key("decimals", Kind::Whole, "decimal places of lengths, 3 to 6").or("4"),
             key("compensation", Kind::Choice(&["resolve", "control"]), "tool-centre path, or contour with G41/G42")
                 .or(r#""resolve""#),

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use crate::target::{self, Target};
+
 use super::axis::{Axis, AxisSet};
 use super::mtc200::Mtc200;
 use super::tools::Tools;
@@ -408,7 +410,7 @@ pub enum Compensation {
 /// `[output]`
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputSettings {
-    pub target: String,
+    pub target: &'static Target,
     pub decimals: u8,
     pub compensation: Compensation,
     pub diameter: bool,
@@ -422,7 +424,7 @@ pub struct OutputSettings {
 impl Default for OutputSettings {
     fn default() -> OutputSettings {
         OutputSettings {
-            target: "linuxcnc".to_owned(),
+            target: target::ALL[0],
             decimals: 4,
             compensation: Compensation::Resolve,
             diameter: false,

@@ -35,6 +35,7 @@ mod peer;
 mod pictures;
 mod props;
 mod reader;
+mod receivers;
 mod rs274;
 mod sinumerik;
 mod sinumerik_alarms;
