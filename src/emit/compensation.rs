@@ -117,7 +117,7 @@ impl Compensation {
         let resolve = "end the compensation before this block, or set `[output] compensation = \"resolve\"`";
         if mv.side == Side::None {
             let arc = self.leaving || on;
-            return (arc && matches!(mv.path, Path::Arc(_))).then_some((
+            return (arc && matches!(mv.path, Path::Arc(..))).then_some((
                 "the target needs a straight move to end its radius compensation, and this block is an arc",
                 "put a straight block without compensation in front of the arc",
             ));
@@ -143,7 +143,7 @@ impl Compensation {
         if on && mv.plane != selected {
             return Some(("the working plane changes under radius compensation", resolve));
         }
-        if !on && matches!(mv.path, Path::Arc(_)) {
+        if !on && matches!(mv.path, Path::Arc(..)) {
             return Some((
                 "radius compensation cannot start in an arc",
                 "put a straight block with compensation in front of the arc",
@@ -154,7 +154,7 @@ impl Compensation {
         }
         match &mv.path {
             Path::Thread { .. } => Some(("a thread cannot be cut under the target's radius compensation", resolve)),
-            Path::Arc(arc) if arc.plane != mv.plane => {
+            Path::Arc(arc, _) if arc.plane != mv.plane => {
                 Some(("an arc outside the working plane cannot run under the target's radius compensation", resolve))
             }
             _ => None,

@@ -140,16 +140,16 @@ impl<'a> Printer<'a> {
         }
         match &mv.path {
             Path::Rapid => self.straight(self.target.motion.rapid, mv, None, origin),
-            Path::Line => self.straight(self.target.motion.line, mv, None, origin),
+            Path::Line(_) => self.straight(self.target.motion.line, mv, None, origin),
             Path::Thread { lead } => self.thread(*lead, mv, origin),
-            Path::Arc(arc) => self.arc(arc, mv, origin),
+            Path::Arc(arc, feed) => self.arc(arc, *feed, mv, origin),
         }
     }
 
     /// Does an axis of the working plane get another number?
     fn changes_plane(&self, mv: &Move) -> bool {
         let (first, second, _) = mv.plane.axes();
-        matches!(mv.path, Path::Arc(_))
+        matches!(mv.path, Path::Arc(..))
             || [first, second].iter().map(|i| Axis::ALL[*i]).filter(|axis| mv.axes.contains(*axis)).any(|axis| {
                 let units = mv.end.get(axis).and_then(|value| self.places.units(value));
                 let place = self.modal.place(axis);

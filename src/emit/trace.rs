@@ -46,15 +46,15 @@ impl<'a> Trace<'a> {
         let mut line = Map::new();
         let kind = match &mv.path {
             Path::Rapid => "rapid",
-            Path::Line => "line",
-            Path::Arc(_) => "arc",
+            Path::Line(_) => "line",
+            Path::Arc(..) => "arc",
             Path::Thread { .. } => "thread",
         };
         line.insert("kind".to_owned(), json!(kind));
         line.insert("start".to_owned(), position(&self.at));
         self.at.update(&mv.end);
         line.insert("end".to_owned(), position(if mv.machine { &mv.end } else { &self.at }));
-        if let Path::Arc(arc) = &mv.path {
+        if let Path::Arc(arc, _) = &mv.path {
             line.insert("center".to_owned(), center(arc.plane, arc.center));
             line.insert("plane".to_owned(), json!(plane_name(arc.plane)));
             line.insert("sweep_deg".to_owned(), json!(arc.sweep.to_degrees()));
@@ -62,7 +62,7 @@ impl<'a> Trace<'a> {
         if let Path::Thread { lead } = &mv.path {
             line.insert("lead".to_owned(), json!(lead));
         }
-        match mv.feed {
+        match mv.path.feed() {
             Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(f)),
             Some(Feed::PerRevolution(f)) => line.insert("feed_per_rev".to_owned(), json!(f)),
             Some(Feed::InverseTime(f)) => line.insert("feed_inverse_time".to_owned(), json!(f)),

@@ -25,10 +25,8 @@ pub type CtxRef = Rc<Ctx>;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Move {
     /// Programmed axes only; the others stay.
-    pub end: EndPoint,
+    pub end: Pos,
     pub path: Path,
-    /// `None` for rapid traverse.
-    pub feed: Option<Feed>,
     pub side: Side,
     pub coords: Coords,
 }
@@ -43,29 +41,26 @@ pub enum Coords {
     Machine,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum EndPoint {
-    Cartesian(Pos),
-    Polar(Polar),
-}
-
-/// End point by pole, radius and angle, plus further axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Polar {
-    pub pole: Point2,
-    pub plane: Plane,
-    pub radius: f64,
-    /// From the first axis of `plane`, counter-clockwise.
-    pub angle: Deg,
-    pub rest: Pos,
-}
-
+/// How a move gets to its end, with the feed where it cuts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path {
     Rapid,
-    Line,
-    Arc(Arc),
+    Line(Feed),
+    Arc(Arc, Feed),
     Thread(Thread),
+}
+
+impl Path {
+    /// A straight line at `feed`, or at rapid traverse without one.
+    #[inline]
+    pub fn straight(feed: Option<Feed>) -> Path {
+        feed.map_or(Path::Rapid, Path::Line)
+    }
+
+    #[inline]
+    pub fn is_rapid(&self) -> bool {
+        matches!(self, Path::Rapid)
+    }
 }
 
 /// A line cut in step with the spindle.

@@ -13,8 +13,6 @@ pub struct Move {
     /// Axes this move is about: programmed ones, and those a frame turned with them.
     pub axes: AxisSet,
     pub path: Path,
-    /// `None` for rapid traverse.
-    pub feed: Option<Feed>,
     pub side: Side,
     /// Working plane, which compensation refers to.
     pub plane: Plane,
@@ -24,14 +22,31 @@ pub struct Move {
 
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Path {
-    Rapid,
     #[default]
-    Line,
-    Arc(Arc),
+    Rapid,
+    Line(Feed),
+    Arc(Arc, Feed),
     /// A line in step with the spindle: mm along the path per turn.
     Thread {
         lead: f64,
     },
+}
+
+impl Path {
+    /// A straight line at `feed`, or at rapid traverse without one.
+    #[inline]
+    pub fn straight(feed: Option<Feed>) -> Path {
+        feed.map_or(Path::Rapid, Path::Line)
+    }
+
+    /// The feed where one counts: a thread goes with the spindle.
+    #[inline]
+    pub fn feed(&self) -> Option<Feed> {
+        match self {
+            Path::Rapid | Path::Thread { .. } => None,
+            Path::Line(feed) | Path::Arc(_, feed) => Some(*feed),
+        }
+    }
 }
 
 /// Arc or helix. `sweep` in rad, counter-clockwise positive seen against the plane normal; it may exceed

@@ -31,7 +31,7 @@ impl<'a> Verify<'a> {
 impl Sink for Verify<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
         assert!(mv.end.iter().all(|(_, v)| v.is_finite()), "{mv:?}");
-        if let Path::Arc(arc) = &mv.path {
+        if let Path::Arc(arc, _) = &mv.path {
             let to = mv.end.in_plane(arc.plane).expect("an arc has an end in its plane");
             let radius = distance(arc.from, arc.center);
             let tol = TOLERANCE * (1.0 + radius);

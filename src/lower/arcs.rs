@@ -1,4 +1,4 @@
-//! Pass 2: every arc gets its centre and sweep.
+//! Pass 1: every arc gets its centre and sweep.
 //!
 //! A full circle is decided here, on the exact numbers (see [`arc::ONE_POINT`]); nobody derives it from
 //! rounded ones later.
@@ -8,9 +8,9 @@ use core::f64::consts::TAU;
 use crate::diag::{Diagnostic, Diags, codes};
 use crate::geo::arc::{self, Closing, TangentArc};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
-use crate::ir::Origin;
 use crate::ir::contour::{self, ArcShape};
 use crate::ir::motion::{Arc, Path};
+use crate::ir::{Feed, Origin};
 use crate::machine::AxisSet;
 
 use super::at;
@@ -137,9 +137,9 @@ pub enum Extra {
 pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
     match path {
         contour::Path::Rapid => step.mv.path = Path::Rapid,
-        contour::Path::Line => step.mv.path = Path::Line,
-        contour::Path::Arc(arc) => {
-            let extra = resolve_arc(arc, step, last, adjusted)?;
+        contour::Path::Line(feed) => step.mv.path = Path::Line(*feed),
+        contour::Path::Arc(arc, feed) => {
+            let extra = resolve_arc(arc, *feed, step, last, adjusted)?;
             if arc.turns > 0 {
                 add_turns(step, arc.turns);
             }
@@ -150,18 +150,45 @@ pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mu
     Ok(Extra::None)
 }
 
-fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
+/// The ends of an arc and how fast it is travelled.
+#[derive(Debug, Clone, Copy)]
+struct Ends {
+    plane: Plane,
+    from: Point2,
+    to: Point2,
+    feed: Feed,
+}
+
+impl Ends {
+    fn arc(&self, center: Point2, sweep: f64) -> Path {
+        Path::Arc(Arc { plane: self.plane, from: self.from, center, sweep }, self.feed)
+    }
+
+    /// Around `center` from end to end.
+    fn about(&self, center: Point2, ccw: bool) -> Path {
+        self.arc(center, arc::sweep(self.from, self.to, center, ccw))
+    }
+}
+
+fn resolve_arc(
+    shape: &contour::Arc,
+    feed: Feed,
+    step: &mut Step,
+    last: &Last,
+    adjusted: &mut Adjusted,
+) -> Result<Extra, Refused> {
     let plane = shape.plane;
     let (Some(from), Some(to)) = (step.start.in_plane(plane), step.mv.end.in_plane(plane)) else { return Err(None) };
+    let ends = Ends { plane, from, to, feed };
     step.mv.axes = step.mv.axes.union(plane_axes(plane));
     let refuse = |step: &Step, code, message: String| Err(Some(Box::new(at(code, step.origin, message))));
     match shape.shape {
-        ArcShape::Center { center, ccw, tol } => return by_center(step, plane, from, to, center, ccw, tol, adjusted),
+        ArcShape::Center { center, ccw, tol } => return by_center(step, &ends, (center, ccw), tol, adjusted),
         ArcShape::Sweep { center, sweep } => {
             if distance(from, center) <= SAME_POINT {
                 return refuse(step, codes::G3014, "the arc starts in its centre".to_owned());
             }
-            step.mv.path = Path::Arc(Arc { plane, from, center, sweep: sweep.radians() });
+            step.mv.path = ends.arc(center, sweep.radians());
         }
         ArcShape::Radius { radius, ccw, tol } => {
             let d = distance(from, to);
@@ -179,7 +206,7 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
                 return Err(Some(Box::new(at(codes::G3002, step.origin, message).help(help))));
             };
             adjusted.note((d / 2.0 - radius.abs()).max(0.0), tol, step.origin);
-            step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
+            step.mv.path = ends.about(center, ccw);
         }
         ArcShape::Opening { sweep } => {
             let sweep = sweep.radians();
@@ -187,11 +214,11 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
                 let message = "start and end of the arc are the same point, or its angle is no part of a turn";
                 return refuse(step, codes::G3003, message.to_owned());
             };
-            step.mv.path = Path::Arc(Arc { plane, from, center, sweep });
+            step.mv.path = ends.arc(center, sweep);
         }
         ArcShape::Via { point } => match arc::through(from, point, to, SAME_POINT) {
             Some((center, ccw)) => {
-                step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
+                step.mv.path = ends.about(center, ccw);
             }
             None => {
                 let message = "start, intermediate point and end lie on one line or are the same";
@@ -209,11 +236,11 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
             };
             match arc::tangent_arc(from, tangent, to, SAME_POINT, STRAIGHT) {
                 TangentArc::Arc { center, ccw } => {
-                    step.mv.path = Path::Arc(Arc { plane, from, center, sweep: arc::sweep(from, to, center, ccw) });
+                    step.mv.path = ends.about(center, ccw);
                 }
-                TangentArc::Nothing => step.mv.path = Path::Line,
+                TangentArc::Nothing => step.mv.path = Path::Line(feed),
                 TangentArc::Line => {
-                    step.mv.path = Path::Line;
+                    step.mv.path = Path::Line(feed);
                     let word = at(codes::G3006, step.origin, "the end lies straight ahead, so the arc is a line");
                     return Ok(Extra::Word(Box::new(word)));
                 }
@@ -227,7 +254,7 @@ fn resolve_arc(shape: &contour::Arc, step: &mut Step, last: &Last, adjusted: &mu
 }
 
 fn add_turns(step: &mut Step, turns: u32) {
-    if let Path::Arc(arc) = &mut step.mv.path {
+    if let Path::Arc(arc, _) = &mut step.mv.path {
         let more = TAU * f64::from(turns);
         arc.sweep += if arc.sweep > 0.0 { more } else { -more };
     }
@@ -246,17 +273,15 @@ fn thread_path(thread: &contour::Thread, step: &Step) -> Result<Path, Refused> {
     Ok(Path::Thread { lead: thread.lead * length / along.abs() })
 }
 
-#[allow(clippy::too_many_arguments)]
+/// An arc about a centre from which its ends may lie `tol` mm differently far.
 fn by_center(
     step: &mut Step,
-    plane: Plane,
-    from: Point2,
-    to: Point2,
-    center: Point2,
-    ccw: bool,
+    ends: &Ends,
+    (center, ccw): (Point2, bool),
     tol: f64,
     adjusted: &mut Adjusted,
 ) -> Result<Extra, Refused> {
+    let Ends { plane, from, to, feed } = *ends;
     let (r1, r2) = (distance(from, center), distance(to, center));
     if r1 <= SAME_POINT || r2 <= SAME_POINT {
         let which = if r1 <= SAME_POINT { "the arc starts in its centre" } else { "the arc ends in its centre" };
@@ -265,7 +290,7 @@ fn by_center(
     match arc::closing(to - from) {
         Closing::Closed => {
             step.mv.end.set_in_plane(plane, from);
-            step.mv.path = Path::Arc(Arc { plane, from, center, sweep: if ccw { TAU } else { -TAU } });
+            step.mv.path = ends.arc(center, if ccw { TAU } else { -TAU });
             return Ok(Extra::None);
         }
         Closing::Unclear => {
@@ -291,7 +316,7 @@ fn by_center(
     let same_size = (distance(from, moved) - r1).abs() <= tol && distance(moved, center) <= MOST_TURN * r1;
     if same_size && deviation(from, moved, sweep, center, r1, r2) <= tol {
         adjusted.note(distance(moved, center), tol, step.origin);
-        step.mv.path = Path::Arc(Arc { plane, from, center: moved, sweep });
+        step.mv.path = ends.arc(moved, sweep);
         return Ok(Extra::None);
     }
     // Nearly a full circle that does not close: no single arc fits. The arc about the programmed centre is
@@ -301,9 +326,9 @@ fn by_center(
     let foot = center + (to - center) * (r1 / r2);
     let mut rest = step.clone();
     step.mv.end.set_in_plane(plane, foot);
-    step.mv.path = Path::Arc(Arc { plane, from, center, sweep });
+    step.mv.path = ends.arc(center, sweep);
     rest.start = step.mv.end;
-    rest.mv.path = Path::Line;
+    rest.mv.path = Path::Line(feed);
     rest.mv.axes = plane_axes(plane);
     Ok(Extra::Second(Box::new(rest)))
 }

@@ -71,7 +71,7 @@ impl Recording {
         let Some(element) = step.element(plane) else { return Err(Unfit::Leaves(origin)) };
         let kind = match step.mv.path {
             Path::Rapid => PieceKind::Rapid,
-            Path::Line | Path::Arc(_) => PieceKind::Cut,
+            Path::Line(_) | Path::Arc(..) => PieceKind::Cut,
             Path::Thread { .. } => PieceKind::Thread,
         };
         if element.length() > crate::geo::SAME_POINT {

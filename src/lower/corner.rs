@@ -1,4 +1,4 @@
-//! Pass 3: chamfers and roundings between two elements. Holds back one element.
+//! Pass 2: chamfers and roundings between two elements. Holds back one element.
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
@@ -345,11 +345,11 @@ fn cut(
             return refuse(codes::G3009, format!("there is no corner to put a {name} in"));
         }
     };
-    let rapid = corner.feed.or(after.mv.feed).or(before.mv.feed).is_none();
-    if rapid && made.arc.is_some() {
+    let feed = corner.feed.or(after.mv.path.feed()).or(before.mv.path.feed());
+    if feed.is_none() && made.arc.is_some() {
         return refuse(codes::G3024, format!("the {name} lies between two blocks at rapid traverse and has no feed"));
     }
-    Ok(pieces(before, after, corner, origin, &made))
+    Ok(pieces(before, after, feed, origin, &made))
 }
 
 fn make(before: &Element, after: &Element, shape: CornerShape, at_arc: ArcChamfer) -> Result<Cut, NoCut> {
@@ -427,14 +427,14 @@ fn length(mm: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &Cut) -> (Step, Option<Step>, Step) {
+fn pieces(before: &Step, after: &Step, feed: Option<Feed>, origin: Origin, made: &Cut) -> (Step, Option<Step>, Step) {
     let plane = after.ctx.plane;
     let trim = |step: &Step, element: Element| {
         let mut step = step.clone();
         step.start.set_in_plane(plane, element.from());
         step.mv.end.set_in_plane(plane, element.to());
         step.mv.axes = step.mv.axes.union(plane_axes(plane));
-        if let (Path::Arc(arc), Element::Arc { from, sweep, .. }) = (&mut step.mv.path, element) {
+        if let (Path::Arc(arc, _), Element::Arc { from, sweep, .. }) = (&mut step.mv.path, element) {
             arc.from = from;
             arc.sweep = sweep;
         }
@@ -450,15 +450,14 @@ fn pieces(before: &Step, after: &Step, corner: &Corner, origin: Origin, made: &C
     inserted.start = first.mv.end;
     inserted.mv.end.set_in_plane(plane, made.join);
     inserted.mv.axes = plane_axes(plane);
-    inserted.mv.feed = corner.feed.or(after.mv.feed).or(before.mv.feed);
     inserted.origin = origin;
-    inserted.mv.path = match made.arc {
-        Some((center, ccw)) => {
+    inserted.mv.path = match (made.arc, feed) {
+        (Some((center, ccw)), Some(feed)) => {
             let sweep = arc::sweep(made.leave, made.join, center, ccw);
-            Path::Arc(Arc { plane, from: made.leave, center, sweep })
+            Path::Arc(Arc { plane, from: made.leave, center, sweep }, feed)
         }
-        None if inserted.mv.feed.is_none() => Path::Rapid,
-        None => Path::Line,
+        // An arc without a feed was refused before.
+        (_, feed) => Path::straight(feed),
     };
     let any = distance(made.leave, made.join) > SAME_POINT;
     (first, any.then_some(inserted), rest)

@@ -1,4 +1,4 @@
-//! Pass 4: from programmed to workpiece coordinates. A mirror turns arcs and compensation around.
+//! Pass 3: from programmed to workpiece coordinates. A mirror turns arcs and compensation around.
 
 use std::borrow::Cow;
 
@@ -34,7 +34,7 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
         return Err(position_missing(mv, frame, axes));
     }
     let path = match &mv.path {
-        Path::Arc(arc) => Path::Arc(map_arc(arc, frame)?),
+        Path::Arc(arc, feed) => Path::Arc(map_arc(arc, frame)?, *feed),
         Path::Thread { lead } => match frame.uniform_scale() {
             Some(scale) => Path::Thread { lead: lead * scale },
             None => {
@@ -43,7 +43,7 @@ fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
                 return Err((codes::G3022, what.to_owned(), help.to_owned()));
             }
         },
-        straight => *straight,
+        straight @ (Path::Rapid | Path::Line(_)) => *straight,
     };
     // Tilted working planes never get here with compensation on.
     let (plane, flips) = match frame.plane_map(mv.plane) {

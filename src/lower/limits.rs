@@ -1,4 +1,4 @@
-//! Pass 5: travel limits, including the bulge of arcs.
+//! Pass 4: travel limits, including the bulge of arcs.
 
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ pub fn check(mv: &Move, limits: &BTreeMap<Axis, (f64, f64)>, origin: Origin, dia
 /// Least and greatest coordinate on the way.
 fn extent(mv: &Move, axis: Axis) -> (f64, f64) {
     let end = mv.end.get(axis).unwrap_or(0.0);
-    let Path::Arc(arc) = &mv.path else { return (end, end) };
+    let Path::Arc(arc, _) = &mv.path else { return (end, end) };
     let (first, second, _) = arc.plane.axes();
     let along = match axis.index() {
         i if i == first => 0.0,

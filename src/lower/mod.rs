@@ -1,7 +1,6 @@
 //! Geometry: from what was programmed to what the machine shall do.
 //!
-//! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`polar`]
-//! end points become Cartesian, [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
+//! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
 //! look-ahead), [`frames`] map to workpiece coordinates, [`limits`] are checked.
 
 pub mod arcs;
@@ -10,7 +9,6 @@ pub mod corner;
 pub mod cycles;
 pub mod frames;
 pub mod limits;
-pub mod polar;
 pub mod step;
 pub mod undercut;
 
@@ -18,7 +16,7 @@ use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags};
 use crate::ir::captured::{Captured, Unfit};
-use crate::ir::contour::{self, Coords, Corner, CtxRef, EndPoint, Load, Sink};
+use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, motion};
 use crate::machine::{Axis, Machine};
@@ -118,24 +116,20 @@ impl<'a> Lower<'a> {
         }
         step.start = self.at;
         step.origin = *origin;
-        step.mv.feed = mv.feed;
         step.mv.side = mv.side;
         step.mv.plane = self.ctx.plane;
         step.mv.machine = mv.coords == Coords::Machine;
-        let polar;
-        let programmed = match &mv.end {
-            EndPoint::Cartesian(pos) => pos,
-            EndPoint::Polar(end) => {
-                polar = polar::cartesian(end);
-                &polar
-            }
-        };
+        let programmed = &mv.end;
         step.mv.axes = programmed.known();
         if !self.start.known().is_empty() {
             step.mv.axes.iter().for_each(|axis| self.start.forget(axis));
         }
         if step.mv.machine {
-            step.mv.path = if mv.path == contour::Path::Rapid { motion::Path::Rapid } else { motion::Path::Line };
+            step.mv.path = match mv.path {
+                contour::Path::Rapid => motion::Path::Rapid,
+                contour::Path::Line(feed) | contour::Path::Arc(_, feed) => motion::Path::Line(feed),
+                contour::Path::Thread(thread) => motion::Path::Thread { lead: thread.lead },
+            };
             step.mv.end = *programmed;
             // Every programmed coordinate that depends on the axes that moved is unknown now.
             let mut workpiece = self.ctx.frame.apply(&self.at);
@@ -225,7 +219,7 @@ impl<'a> Lower<'a> {
 impl Sink for Lower<'_> {
     fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
-        self.moves += if matches!(mv.path, contour::Path::Arc(_)) { ARC } else { 1 };
+        self.moves += if matches!(mv.path, contour::Path::Arc(..)) { ARC } else { 1 };
         self.path_element(mv, origin);
     }
 

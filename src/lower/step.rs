@@ -23,11 +23,11 @@ impl Step {
         let from = self.start.in_plane(plane)?;
         let to = self.mv.end.in_plane(plane)?;
         match &self.mv.path {
-            Path::Rapid | Path::Line | Path::Thread { .. } => Some(Element::Line { from, to }),
-            Path::Arc(arc) if arc.plane == plane => {
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } => Some(Element::Line { from, to }),
+            Path::Arc(arc, _) if arc.plane == plane => {
                 Some(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
             }
-            Path::Arc(_) => None,
+            Path::Arc(..) => None,
         }
     }
 
@@ -35,8 +35,8 @@ impl Step {
     #[inline]
     pub fn plane(&self) -> Plane {
         match &self.mv.path {
-            Path::Arc(arc) => arc.plane,
-            _ => self.mv.plane,
+            Path::Arc(arc, _) => arc.plane,
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } => self.mv.plane,
         }
     }
 
@@ -51,7 +51,7 @@ impl Step {
         let still =
             self.mv.axes.iter().all(|axis| self.start.get(axis).is_some_and(|at| self.mv.end.get(axis) == Some(at)));
         still
-            && matches!(self.mv.path, Path::Rapid | Path::Line)
+            && matches!(self.mv.path, Path::Rapid | Path::Line(_))
             && !self.mv.machine
             && !before.mv.machine
             && self.mv.side == before.mv.side

@@ -62,12 +62,15 @@ pub fn relieve(
     if before.ctx.frame != after.ctx.frame {
         return Err(refuse(codes::G3019, "the coordinate system changes at the undercut".to_owned()));
     }
-    for (step, which) in [(before, "before"), (after, "behind")] {
-        if step.mv.path != Path::Line || step.mv.machine || step.leaves(plane) || step.mv.plane != plane {
+    let line = |step: &Step, which: &str| match step.mv.path {
+        Path::Line(feed) if !step.mv.machine && !step.leaves(plane) && step.mv.plane == plane => Ok(feed),
+        _ => {
             let message = format!("the block {which} the undercut is no straight line at feed in the plane");
-            return Err(refuse(codes::G3063, message));
+            Err(refuse(codes::G3063, message))
         }
-    }
+    };
+    line(before, "before")?;
+    let feed = feed.unwrap_or(line(after, "behind")?);
     let (Some(Element::Line { from, to: corner }), Some(Element::Line { to, .. })) =
         (before.element(plane), after.element(plane))
     else {
@@ -151,7 +154,7 @@ fn report(placed: &Placed, origin: Origin, diags: &Diags) {
     }
 }
 
-fn pieces(before: &Step, after: &Step, feed: Option<Feed>, origin: Origin, placed: &Placed) -> (Vec<Step>, Step) {
+fn pieces(before: &Step, after: &Step, feed: Feed, origin: Origin, placed: &Placed) -> (Vec<Step>, Step) {
     let plane = after.ctx.plane;
     let mut steps = Vec::with_capacity(placed.elements.len() + 1);
     let mut first = before.clone();
@@ -163,13 +166,12 @@ fn pieces(before: &Step, after: &Step, feed: Option<Feed>, origin: Origin, place
         steps.push(first);
     }
     last.origin = origin;
-    last.mv.feed = feed.or(after.mv.feed);
     for element in &placed.elements {
         last.start = last.mv.end;
         last.mv.end.set_in_plane(plane, element.to());
         last.mv.path = match *element {
-            Element::Line { .. } => Path::Line,
-            Element::Arc { from, center, sweep, .. } => Path::Arc(Arc { plane, from, center, sweep }),
+            Element::Line { .. } => Path::Line(feed),
+            Element::Arc { from, center, sweep, .. } => Path::Arc(Arc { plane, from, center, sweep }, feed),
         };
         steps.push(last.clone());
     }

@@ -5,9 +5,7 @@ use std::rc::Rc;
 use partc::diag::Diags;
 use partc::geo::{Element, Plane, Point2};
 use partc::ir::captured::{Captured, PieceKind, Unfit};
-use partc::ir::contour::{
-    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path, Sink,
-};
+use partc::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink};
 use partc::ir::undercut::{Undercut, form_f};
 use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
 use partc::lower::Lower;
@@ -37,8 +35,8 @@ fn line(z: f64, x: f64) -> Move {
     let mut end = Pos::UNKNOWN;
     end.set(Axis::Z, z);
     end.set(Axis::X, x);
-    let feed = Some(Feed::PerRevolution(0.2));
-    Move { end: EndPoint::Cartesian(end), path: Path::Line, feed, side: Side::None, coords: Coords::Frame }
+    let path = Path::Line(Feed::PerRevolution(0.2));
+    Move { end, path, side: Side::None, coords: Coords::Frame }
 }
 
 /// A shaft with an undercut, a rounding and a chamfer.
@@ -54,7 +52,7 @@ fn shaft(out: &mut dyn Sink, ctx: &CtxRef) {
         at_arc: ArcChamfer::Refuse,
         blocks: Blocks::PassedOver,
     };
-    out.movement(&Move { path: Path::Rapid, feed: None, ..line(0.0, 10.0) }, ctx, &origin);
+    out.movement(&Move { path: Path::Rapid, ..line(0.0, 10.0) }, ctx, &origin);
     out.movement(&line(-20.0, 10.0), ctx, &origin);
     out.corner(&corner(CornerShape::Undercut(Undercut::new(form_f(&size)))), ctx, &origin);
     out.movement(&line(-20.0, 20.0), ctx, &origin);
@@ -93,8 +91,8 @@ fn a_described_contour_is_what_would_be_travelled() {
         assert_eq!((piece.element.from(), Some(piece.element.to())), (at, mv.end.in_plane(Plane::Zx)));
         assert_eq!(piece.kind, PieceKind::Cut);
         match (piece.element, &mv.path) {
-            (Element::Line { .. }, motion::Path::Line) => {}
-            (Element::Arc { center, sweep, .. }, motion::Path::Arc(arc)) => {
+            (Element::Line { .. }, motion::Path::Line(_)) => {}
+            (Element::Arc { center, sweep, .. }, motion::Path::Arc(arc, _)) => {
                 assert_eq!((center, sweep), (arc.center, arc.sweep));
             }
             other => panic!("{other:?}"),
@@ -116,7 +114,7 @@ fn what_is_no_contour_has_its_reason() {
     let half = |out: &mut dyn Sink| {
         let mut end = Pos::UNKNOWN;
         end.set(Axis::Z, 1.0);
-        out.movement(&Move { end: EndPoint::Cartesian(end), ..line(0.0, 0.0) }, &zx, &origin);
+        out.movement(&Move { end, ..line(0.0, 0.0) }, &zx, &origin);
     };
     assert_eq!(fails(100, &half), Unfit::NoStart(origin));
     let other_plane = |out: &mut dyn Sink| {
@@ -128,7 +126,7 @@ fn what_is_no_contour_has_its_reason() {
         shaft(out, &zx);
         let mut end = Pos::UNKNOWN;
         end.set(Axis::Y, 1.0);
-        out.movement(&Move { end: EndPoint::Cartesian(end), ..line(0.0, 0.0) }, &zx, &origin);
+        out.movement(&Move { end, ..line(0.0, 0.0) }, &zx, &origin);
     };
     assert_eq!(fails(100, &sideways), Unfit::Leaves(origin));
     let machine = |out: &mut dyn Sink| {

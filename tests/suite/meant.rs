@@ -194,7 +194,7 @@ impl Recorder {
         if let Path::Thread { lead } = mv.path {
             return How { feed: None, lead: Some(lead), cutter, machine, plane };
         }
-        let feed = mv.feed.filter(|_| mv.path != Path::Rapid);
+        let feed = mv.path.feed();
         let feed = feed.map(|feed| (kind_of(feed), feed.value()));
         How { feed, lead: None, cutter, machine, plane }
     }
@@ -234,7 +234,7 @@ impl Sink for Recorder {
             self.at[axis.index()] = mv.end.get(axis);
         }
         let arc = match &mv.path {
-            Path::Arc(arc) => {
+            Path::Arc(arc, _) => {
                 let (a, b, c) = arc.plane.axes();
                 Some(([a, b, c], [arc.center.x, arc.center.y], arc.sweep))
             }

@@ -9,7 +9,7 @@ use partc::emit::plot::Plot;
 use partc::geo::undercut::{Edge, Shape};
 use partc::geo::{Deg, Plane};
 use partc::ir::contour::{
-    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path as Way, Sink,
+    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path as Way, Sink,
 };
 use partc::ir::undercut::{ThreadForm, Undercut, form_e, form_f, thread};
 use partc::ir::{Feed, Function, Origin, Pos, Side};
@@ -25,8 +25,8 @@ fn lathe() -> Settings {
 fn line(z: f64, x: f64, rapid: bool) -> Move {
     let mut end = Pos::UNKNOWN;
     end.set_in_plane(Plane::Zx, partc::geo::Point2::new(z, x / 2.0));
-    let (path, feed) = if rapid { (Way::Rapid, None) } else { (Way::Line, Some(Feed::PerRevolution(0.1))) };
-    Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Frame }
+    let path = if rapid { Way::Rapid } else { Way::Line(Feed::PerRevolution(0.1)) };
+    Move { end, path, side: Side::None, coords: Coords::Frame }
 }
 
 /// Draws the corner at Z, X between points on its two lines, X as a diameter.

@@ -110,7 +110,7 @@ impl Sink for Tangents {
         let from = self.at.replace([to.x, to.y]);
         let unit = |x: f64, y: f64| [x / x.hypot(y), y / x.hypot(y)];
         let (start, end) = match (&mv.path, from) {
-            (Path::Arc(arc), _) => {
+            (Path::Arc(arc, _), _) => {
                 let sign = arc.sweep.signum();
                 let tangent = |x: f64, y: f64| unit(-(y - arc.center.y) * sign, (x - arc.center.x) * sign);
                 (Some(tangent(arc.from.x, arc.from.y)), Some(tangent(to.x, to.y)))
@@ -121,7 +121,7 @@ impl Sink for Tangents {
             }
             _ => return,
         };
-        self.arcs += u32::from(matches!(mv.path, Path::Arc(_)));
+        self.arcs += u32::from(matches!(mv.path, Path::Arc(..)));
         if let (Some(last), Some(start)) = (self.last, start) {
             self.worst = self.worst.max((last[0] - start[0]).hypot(last[1] - start[1]));
         }

@@ -6,8 +6,7 @@ use partc::diag::Diags;
 use partc::geo::undercut::{Allowance, Shape};
 use partc::geo::{Deg, Plane};
 use partc::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, EndPoint, LargeCorner, Move, Path,
-    Sink,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink,
 };
 use partc::ir::undercut::{Surface, Undercut, form_e, form_f, thread_by_contour};
 use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
@@ -23,13 +22,13 @@ impl motion::Sink for Printed {
         let at = mv.end.in_plane(Plane::Zx).expect("both axes");
         let word = match &mv.path {
             motion::Path::Rapid => "G0".to_owned(),
-            motion::Path::Line => "G1".to_owned(),
+            motion::Path::Line(_) => "G1".to_owned(),
             motion::Path::Thread { .. } => "G33".to_owned(),
-            motion::Path::Arc(arc) => {
+            motion::Path::Arc(arc, _) => {
                 format!("{} K{:.4} I{:.4}", if arc.sweep > 0.0 { "G3" } else { "G2" }, arc.center.x, arc.center.y)
             }
         };
-        let feed = mv.feed.map_or(0.0, Feed::value);
+        let feed = mv.path.feed().map_or(0.0, Feed::value);
         self.0.push(format!("Z{:.4} X{:.4} {word} F{feed}", at.x, at.y));
     }
 
@@ -41,20 +40,20 @@ fn lathe() -> Machine {
     Machine { kind: MachineKind::Lathe, diameter_axis: Some(Axis::X), ..Machine::default() }
 }
 
-fn point(z: f64, x: f64) -> EndPoint {
+fn point(z: f64, x: f64) -> Pos {
     let mut pos = Pos::UNKNOWN;
     pos.set(Axis::Z, z);
     pos.set(Axis::X, x);
-    EndPoint::Cartesian(pos)
+    pos
 }
 
 fn line(z: f64, x: f64) -> Move {
-    let feed = Some(Feed::PerRevolution(0.2));
-    Move { end: point(z, x), path: Path::Line, feed, side: Side::None, coords: Coords::Frame }
+    let path = Path::Line(Feed::PerRevolution(0.2));
+    Move { end: point(z, x), path, side: Side::None, coords: Coords::Frame }
 }
 
 fn rapid(z: f64, x: f64) -> Move {
-    Move { path: Path::Rapid, feed: None, ..line(z, x) }
+    Move { path: Path::Rapid, ..line(z, x) }
 }
 
 /// Lines before the undercut, lines behind it.
@@ -152,7 +151,7 @@ fn all_conditions_refuse() {
     // 45 degrees, an arc, a rapid, no corner.
     assert_eq!(code(&lathe(), Plane::Zx, &shaft(), e(), &[line(-60.0, 35.0)]), "G3063");
     let shape = ArcShape::Radius { radius: 20.0, ccw: false, tol: 0.0 };
-    let arc = Path::Arc(Arc { plane: Plane::Zx, shape, turns: 0 });
+    let arc = Path::Arc(Arc { plane: Plane::Zx, shape, turns: 0 }, Feed::PerRevolution(0.2));
     assert_eq!(code(&lathe(), Plane::Zx, &shaft(), e(), &[Move { path: arc, ..line(-50.0, 40.0) }]), "G3063");
     assert_eq!(code(&lathe(), Plane::Zx, &shaft(), e(), &[rapid(-50.0, 40.0)]), "G3063");
     assert_eq!(code(&lathe(), Plane::Zx, &shaft(), e(), &[line(-90.0, 25.0)]), "G3063");

@@ -255,7 +255,7 @@ fn moves(case: &str) -> Vec<motion::Move> {
     session.lower(dialect, &settings, &Beside(path.parent().expect("a folder").to_path_buf()), &mut out);
     assert!(!session.diags.has_errors(), "{case} is refused");
     // What a chamfer leaves of a line may have no length.
-    out.0.dedup_by(|mv, before| matches!(mv.path, motion::Path::Line) && mv.end == before.end);
+    out.0.dedup_by(|mv, before| matches!(mv.path, motion::Path::Line(_)) && mv.end == before.end);
     out.0
 }
 
@@ -272,8 +272,8 @@ fn fits(mv: &motion::Move, line: &str, example: &Example) -> bool {
     let ends = [(Axis::X, word(line, 'X').map(x)), (Axis::Y, word(line, 'Y')), (Axis::Z, word(line, 'Z'))];
     let end = ends.iter().all(|(axis, wanted)| wanted.is_none_or(|w| mv.end.get(*axis).is_some_and(|v| near(v, w))));
     let path = match (&mv.path, &line.trim_start()[..2]) {
-        (motion::Path::Rapid, "G0") | (motion::Path::Line, "G1") => true,
-        (motion::Path::Arc(arc), g @ ("G2" | "G3")) => {
+        (motion::Path::Rapid, "G0") | (motion::Path::Line(_), "G1") => true,
+        (motion::Path::Arc(arc, _), g @ ("G2" | "G3")) => {
             let (first, second) = match example.plane {
                 Plane::Zx => (word(line, 'K'), word(line, 'I').map(x)),
                 _ => (word(line, 'I'), word(line, 'J')),
@@ -330,9 +330,9 @@ fn does(mv: &motion::Move, item: &str) -> bool {
         .all(|(axis, letter)| at(end_words, *letter).is_none_or(|w| mv.end.get(*axis).is_none_or(|v| near(v, w))));
     let path = match &mv.path {
         motion::Path::Rapid => item.starts_with("G0"),
-        motion::Path::Line => item.starts_with("G1"),
+        motion::Path::Line(_) => item.starts_with("G1"),
         motion::Path::Thread { .. } => item.starts_with("thread"),
-        motion::Path::Arc(arc) => {
+        motion::Path::Arc(arc, _) => {
             let letters = match arc.plane {
                 Plane::Xy => ['X', 'Y'],
                 Plane::Zx => ['Z', 'X'],

@@ -250,13 +250,13 @@ impl Sink for Plot<'_> {
             (Some(from), Some(to)) if !mv.machine => {
                 let pen = match mv.path {
                     Path::Rapid => Pen::Rapid,
-                    Path::Line | Path::Arc(_) => Pen::Cut,
+                    Path::Line(_) | Path::Arc(..) => Pen::Cut,
                     Path::Thread { .. } => Pen::Thread,
                 };
                 self.rapids |= pen == Pen::Rapid;
                 self.threads |= pen == Pen::Thread;
                 match &mv.path {
-                    Path::Arc(arc) => {
+                    Path::Arc(arc, _) => {
                         self.pen(pen, from);
                         self.arc(view, arc, from, to, mv);
                     }

@@ -30,7 +30,7 @@ impl Printer<'_> {
         if changed.is_empty() {
             return;
         }
-        let Ok(feed) = self.feed_word(mv.feed, origin) else { return };
+        let Ok(feed) = mv.path.feed().map_or(Ok(None), |feed| self.feed_word(feed, origin)) else { return };
         if mv.machine {
             self.page.text.word(self.target.motion.machine);
         }
@@ -70,8 +70,7 @@ impl Printer<'_> {
             return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
         };
         let before = self.page.lines();
-        let end = Move { feed: None, ..*mv };
-        self.straight(word, &end, Some((address, lead)), origin);
+        self.straight(word, mv, Some((address, lead)), origin);
         if self.page.lines() == before && !self.diags.has_errors() {
             self.report(codes::O1003, origin, "the thread has no length that can be printed");
         }
@@ -85,8 +84,7 @@ impl Printer<'_> {
 
     /// The F word where it changes; a change of its kind gets a line of its own.
     #[inline]
-    fn feed_word(&mut self, feed: Option<Feed>, origin: &Origin) -> Result<Option<i64>, ()> {
-        let Some(feed) = feed else { return Ok(None) };
+    fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
         let units = self.places.units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
@@ -103,7 +101,7 @@ impl Printer<'_> {
         Ok(self.modal.feed_changes(kind, units).then_some(units))
     }
 
-    pub(super) fn arc(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
+    pub(super) fn arc(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         let (first, second, _) = arc.plane.axes();
         let scale = self.places.scale();
         let (x, y) = (Axis::ALL[first], Axis::ALL[second]);
@@ -134,13 +132,13 @@ impl Printer<'_> {
             Printed::Arc { offset, turns } => (offset, turns),
             Printed::Nothing => {
                 self.report(codes::O4002, origin, "the arc is shorter than the last printed digit and is left out");
-                let straight = Move { path: Path::Line, ..*mv };
+                let straight = Move { path: Path::Line(feed), ..*mv };
                 return self.straight(self.target.motion.line, &straight, None, origin);
             }
-            Printed::Lines => return self.chords(arc, mv, origin),
+            Printed::Lines => return self.chords(arc, feed, mv, origin),
         };
         self.select_plane(arc.plane, origin);
-        let Ok(feed) = self.feed_word(mv.feed, origin) else { return };
+        let Ok(feed) = self.feed_word(feed, origin) else { return };
         let mut ends = *self.modal.at();
         let mut printed = AxisSet::of(x).union(AxisSet::of(y));
         for axis in mv.axes.without(printed).iter() {
@@ -174,7 +172,7 @@ impl Printer<'_> {
 
     /// Straight lines instead of an arc that does not fit the printed grid.
     #[cold]
-    fn chords(&mut self, arc: &Arc, mv: &Move, origin: &Origin) {
+    fn chords(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         self.report(codes::O4001, origin, "the arc is too small for its printed numbers and is printed as lines");
         let radius = crate::geo::distance(arc.from, arc.center);
         let unit = 1.0 / self.places.scale();
@@ -187,11 +185,11 @@ impl Printer<'_> {
         for i in 1..=count as u32 {
             let t = f64::from(i) / count;
             let mut point = *mv;
-            point.path = Path::Line;
             // Equal chords share the time.
-            if let Some(feed @ Feed::InverseTime(f)) = mv.feed {
-                point.feed = Some(feed.with_value(f * count));
-            }
+            point.path = Path::Line(match feed {
+                Feed::InverseTime(f) => Feed::InverseTime(f * count),
+                Feed::PerMinute(_) | Feed::PerRevolution(_) => feed,
+            });
             if t < 1.0 {
                 let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
                 for &(axis, from) in &start {

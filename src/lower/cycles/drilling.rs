@@ -1,7 +1,7 @@
 //! Drilling, boring and tapping become moves of the drilling axis.
 
 use crate::diag::codes;
-use crate::ir::contour::{Coords, EndPoint, Move, Path, Thread};
+use crate::ir::contour::{Coords, Move, Path, Thread};
 use crate::ir::cycle::drilling::{
     Bore, Breaks, Chip, DeepHole, Degression, Drilling, DrillingFault, Levels, MOST_PECKS, Method, Peck, Removal, Tap,
 };
@@ -177,9 +177,8 @@ struct Hole<'a> {
 }
 
 impl Hole<'_> {
-    fn send(&mut self, end: Pos, path: Path, feed: Option<Feed>) {
-        let end = EndPoint::Cartesian(end);
-        (self.out)(Part::Move(Move { end, path, feed, side: Side::None, coords: Coords::Frame }));
+    fn send(&mut self, end: Pos, path: Path) {
+        (self.out)(Part::Move(Move { end, path, side: Side::None, coords: Coords::Frame }));
     }
 
     fn height(&self, to: f64) -> Pos {
@@ -189,11 +188,11 @@ impl Hole<'_> {
     }
 
     fn rapid(&mut self, to: f64) {
-        self.send(self.height(to), Path::Rapid, None);
+        self.send(self.height(to), Path::Rapid);
     }
 
     fn cut(&mut self, to: f64, feed: Feed) {
-        self.send(self.height(to), Path::Line, Some(feed));
+        self.send(self.height(to), Path::Line(feed));
     }
 
     fn dwell(&mut self, seconds: f64) {
@@ -328,7 +327,7 @@ impl Hole<'_> {
         match tap.lead {
             Some(lead) => {
                 let path = Path::Thread(Thread { lead, along: Some(self.drilling.axis) });
-                self.send(self.height(to), path, None);
+                self.send(self.height(to), path);
             }
             None => self.cut(to, self.drilling.feed),
         }
@@ -356,12 +355,12 @@ impl Hole<'_> {
         self.dwell(bore.dwell);
         self.spindle(Spindle::Orient(bore.orient));
         if !lifted.known().is_empty() {
-            self.send(lifted, Path::Rapid, None);
+            self.send(lifted, Path::Rapid);
         }
         self.leave(bore.back);
         self.rapid(levels.retract);
         if !centre.known().is_empty() {
-            self.send(centre, Path::Rapid, None);
+            self.send(centre, Path::Rapid);
         }
         self.spindle(Spindle::Start(bore.turn));
         Ok(())

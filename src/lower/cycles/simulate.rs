@@ -135,7 +135,7 @@ struct Arcs(f64);
 
 impl crate::ir::motion::Sink for Arcs {
     fn movement(&mut self, mv: &crate::ir::motion::Move, _: &crate::ir::Origin) {
-        if let crate::ir::motion::Path::Arc(arc) = &mv.path {
+        if let crate::ir::motion::Path::Arc(arc, _) = &mv.path {
             self.0 = self.0.max(arc.sweep.abs());
         }
     }

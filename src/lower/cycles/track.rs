@@ -3,7 +3,7 @@
 
 use crate::diag::Code;
 use crate::geo::{Plane, Point2, Vec2};
-use crate::ir::contour::{self, ArcShape, Coords, EndPoint};
+use crate::ir::contour::{self, ArcShape, Coords};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
@@ -52,18 +52,18 @@ pub type Strokes<'a> = dyn FnMut(Stroke) + 'a;
 impl Move {
     /// The movement in the programmed frame.
     pub fn movement(&self) -> contour::Move {
-        let (path, feed) = match self.path {
-            Path::Rapid => (contour::Path::Rapid, None),
-            Path::Line { feed } => (contour::Path::Line, Some(feed)),
+        let path = match self.path {
+            Path::Rapid => contour::Path::Rapid,
+            Path::Line { feed } => contour::Path::Line(feed),
             Path::Arc { center, ccw, feed } => {
                 let shape = ArcShape::Center { center, ccw, tol: ARC_TOLERANCE };
-                (contour::Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }), Some(feed))
+                contour::Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }, feed)
             }
-            Path::Thread { lead, along } => (contour::Path::Thread(contour::Thread { lead, along: Some(along) }), None),
+            Path::Thread { lead, along } => contour::Path::Thread(contour::Thread { lead, along: Some(along) }),
         };
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(Plane::Zx, self.to);
-        contour::Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Frame }
+        contour::Move { end, path, side: Side::None, coords: Coords::Frame }
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::diag::codes;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Orientation, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Plane, Point2, Vec2};
-use crate::ir::contour::{self, ArcShape, Coords, EndPoint, Move, Path};
+use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
@@ -154,10 +154,8 @@ impl Track<'_> {
     fn send(&mut self, to: Point2, path: Path) {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(Plane::Zx, self.frame.point(to));
-        let rapid = path == Path::Rapid;
-        let side = if rapid { Side::None } else { self.cycle.side() };
-        let feed = (!rapid).then_some(self.cycle.feed);
-        (self.out)(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords: Coords::Frame });
+        let side = if path.is_rapid() { Side::None } else { self.cycle.side() };
+        (self.out)(&Move { end, path, side, coords: Coords::Frame });
     }
 
     fn rapid(&mut self, to: Point2) {
@@ -165,7 +163,7 @@ impl Track<'_> {
     }
 
     fn line(&mut self, to: Point2) {
-        self.send(to, Path::Line);
+        self.send(to, Path::Line(self.cycle.feed));
     }
 
     fn element(&mut self, element: &Element) {
@@ -174,7 +172,7 @@ impl Track<'_> {
             Element::Arc { to, center, sweep, .. } => {
                 let ccw = (sweep > 0.0) != self.frame.flips();
                 let shape = ArcShape::Center { center: self.frame.point(center), ccw, tol: 1e-6 };
-                self.send(to, Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }));
+                self.send(to, Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }, self.cycle.feed));
             }
         }
     }
@@ -223,12 +221,11 @@ mod tests {
         };
         let mut list = Vec::new();
         expand(cycle, from, &mut |mv| {
-            let EndPoint::Cartesian(end) = mv.end else { panic!("polar") };
-            let to = end.in_plane(Plane::Zx).expect("both axes");
+            let to = mv.end.in_plane(Plane::Zx).expect("both axes");
             let word = match mv.path {
                 Path::Rapid => "G0".to_owned(),
-                Path::Line => "G1".to_owned(),
-                Path::Arc(contour::Arc { shape: ArcShape::Center { ccw, .. }, .. }) => {
+                Path::Line(_) => "G1".to_owned(),
+                Path::Arc(contour::Arc { shape: ArcShape::Center { ccw, .. }, .. }, _) => {
                     if ccw { "G3" } else { "G2" }.to_owned()
                 }
                 other => panic!("{other:?}"),

@@ -6,7 +6,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{self, Point2, SAME_DIRECTION, SAME_POINT, Vec2, arc, distance, left, length};
-use crate::ir::contour::{Arc, ArcShape, Coords, EndPoint, Move, Path};
+use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, Compensation, Generation};
 use crate::parser::klartext::ast::{Addr, Block, Word};
@@ -263,17 +263,12 @@ impl Run<'_> {
 
     /// The first element of the contour is about to be sent: now the approach to it is known.
     #[cold]
-    pub(super) fn send_approach(&mut self, end: &EndPoint, path: &Path) {
+    pub(super) fn send_approach(&mut self, end: &Pos, path: &Path) {
         let Some(approach) = self.approach.take() else { return };
         let plane = self.st.plane();
-        let to = match end {
-            EndPoint::Cartesian(end) => {
-                let (first, second, _) = plane.axes();
-                let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
-                Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y))
-            }
-            EndPoint::Polar(polar) => geo::angle::polar_point(polar.pole, polar.radius, polar.angle),
-        };
+        let (first, second, _) = plane.axes();
+        let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
+        let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
         let element = Last { from: approach.to, to, path: *path };
         let here = std::mem::replace(&mut self.here, approach.here);
         let made = match element.direction(true) {
@@ -324,7 +319,7 @@ impl Run<'_> {
             }
             let mut end = Pos::UNKNOWN;
             end.set(third, depth);
-            self.raw_move(end, Path::Line, Some(a.feed), a.side);
+            self.raw_move(end, Path::Line(a.feed), a.side);
         }
         match arc {
             None => self.plane_move(a.to, Some(a.feed), a.side),
@@ -437,7 +432,7 @@ impl Run<'_> {
                 if w.incremental.contains(third) { self.absolute(w)?.get(third).unwrap_or(depth) } else { depth };
             let mut up = Pos::UNKNOWN;
             up.set(third, depth);
-            self.raw_move(up, Path::Line, Some(feed), Side::None);
+            self.raw_move(up, Path::Line(feed), Side::None);
             after.set(third, depth);
         }
         self.st.pos.update(&after);
@@ -451,7 +446,7 @@ impl Run<'_> {
     fn plane_move(&mut self, to: Point2, feed: Option<Feed>, side: Side) {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(self.st.plane(), to);
-        self.raw_move(end, if feed.is_some() { Path::Line } else { Path::Rapid }, feed, side);
+        self.raw_move(end, Path::straight(feed), side);
     }
 
     fn arc_move(&mut self, to: Point2, on: &Circle, feed: Feed, side: Side) -> Outcome {
@@ -460,12 +455,12 @@ impl Run<'_> {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, to);
         let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: CLOSE };
-        self.raw_move(end, Path::Arc(Arc { plane, shape, turns: 0 }), Some(feed), side);
+        self.raw_move(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed), side);
         Ok(())
     }
 
-    fn raw_move(&mut self, end: Pos, path: Path, feed: Option<Feed>, side: Side) {
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords: Coords::Frame });
+    fn raw_move(&mut self, end: Pos, path: Path, side: Side) {
+        self.movement(&Move { end, path, side, coords: Coords::Frame });
         self.st.moved = true;
     }
 
@@ -498,8 +493,8 @@ impl Last {
     fn direction(&self, at_start: bool) -> Option<Vec2> {
         let at = if at_start { self.from } else { self.to };
         match self.path {
-            Path::Line | Path::Rapid => geo::direction(self.to - self.from, SAME_POINT),
-            Path::Arc(Arc { shape, .. }) => match shape {
+            Path::Line(_) | Path::Rapid => geo::direction(self.to - self.from, SAME_POINT),
+            Path::Arc(Arc { shape, .. }, _) => match shape {
                 ArcShape::Center { center, ccw, .. } => arc::tangent_at(at, center, ccw),
                 ArcShape::Sweep { center, sweep } => arc::tangent_at(at, center, sweep.0 > 0.0),
                 ArcShape::Radius { radius, ccw, tol } => {

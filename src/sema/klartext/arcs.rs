@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
-use crate::ir::contour::{Arc, ArcShape, EndPoint, Path};
+use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
 
@@ -140,8 +140,8 @@ impl Run<'_> {
         let feed = self.arc_feed(w)?;
         self.check_edge_feed(self.st.side)?;
         let length = if self.st.plunge_share.is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
-        let feed = self.plunge_feed(w, Some(feed), &end, length);
-        self.send(EndPoint::Cartesian(end), &end, Path::Arc(Arc { plane, shape, turns: 0 }), feed);
+        let feed = self.plunged(w, feed, &end, length);
+        self.send(&end, Path::Arc(Arc { plane, shape, turns: 0 }, feed));
         Ok(())
     }
 

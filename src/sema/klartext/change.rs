@@ -5,7 +5,7 @@
 //! text; what the run then meets has to fit to it, or is refused. Source: reference section 1.5.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, EndPoint, Move, Path};
+use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Stmt};
@@ -152,7 +152,7 @@ impl Run<'_> {
             Change::Printed { moved } => *moved = true,
             Change::Announced => {
                 // Back towards the workpiece, the M6 was not meant for a change at the next TOOL CALL.
-                if matches!(mv.end, EndPoint::Cartesian(end) if end.get(axis).is_some()) {
+                if mv.end.get(axis).is_some() {
                     self.st.change = Change::None;
                 }
             }
@@ -195,18 +195,17 @@ impl Run<'_> {
     /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
     fn cuts(&self, mv: &Move) -> bool {
         let (axis, plane) = (self.st.axis(), plane_axes(self.st.plane()));
-        let EndPoint::Cartesian(end) = mv.end else { return mv.feed.is_some() };
-        if mv.feed.is_none() || mv.coords == Coords::Machine {
+        if mv.path.is_rapid() || mv.coords == Coords::Machine {
             return false;
         }
-        if mv.path != Path::Line || plane.iter().any(|axis| goes(&self.st.pos, &end, axis)) {
+        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(&self.st.pos, &mv.end, axis)) {
             return true;
         }
         let height = match self.st.change {
             Change::Called { height, .. } => height,
             _ => None,
         };
-        match (end.get(axis), self.st.pos.get(axis), height) {
+        match (mv.end.get(axis), self.st.pos.get(axis), height) {
             (Some(to), Some(from), _) => to < from,
             (Some(to), None, Some(height)) => to <= height,
             _ => false,

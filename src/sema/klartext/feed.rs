@@ -135,9 +135,15 @@ impl Run<'_> {
         end: &Pos,
         in_plane: Option<f64>,
     ) -> Option<Feed> {
-        match (self.st.plunge_share, feed) {
-            (Some(share), Some(feed)) => Some(self.shared_feed(w, feed, share, end, in_plane)),
-            _ => feed,
+        feed.map(|feed| self.plunged(w, feed, end, in_plane))
+    }
+
+    /// The same for a move that cuts.
+    #[inline]
+    pub(super) fn plunged(&mut self, w: &Words, feed: Feed, end: &Pos, in_plane: Option<f64>) -> Feed {
+        match self.st.plunge_share {
+            Some(share) => self.shared_feed(w, feed, share, end, in_plane),
+            None => feed,
         }
     }
 

@@ -4,9 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
-use crate::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path,
-};
+use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
@@ -114,12 +112,8 @@ impl Run<'_> {
                 PathFn::Circle => self.circle(w)?,
                 PathFn::CircleRadius => self.circle_by_radius(w)?,
                 PathFn::CircleTangent => self.tangent(w)?,
-                PathFn::LinePolar => self.polar_end(w, Path::Line)?,
-                PathFn::TangentPolar => {
-                    let plane = self.pole("CTP")?.plane;
-                    self.check_edge_feed(self.st.side)?;
-                    self.polar_end(w, Path::Arc(Arc { plane, shape: ArcShape::Tangent, turns: 0 }))?;
-                }
+                PathFn::LinePolar => self.polar_line(w)?,
+                PathFn::TangentPolar => self.tangent_polar(w)?,
                 PathFn::CirclePolar => self.polar_arc(w)?,
             }
         }
@@ -207,23 +201,23 @@ impl Run<'_> {
 
     /// Sends a move and takes over its end.
     #[inline]
-    pub(super) fn send(&mut self, end: EndPoint, after: &Pos, path: Path, feed: Option<Feed>) {
+    pub(super) fn send(&mut self, end: &Pos, path: Path) {
         if self.approach.is_some() {
-            self.send_approach(&end, &path);
+            self.send_approach(end, &path);
         }
-        self.movement(&Move { end, path, feed, side: self.st.side, coords: Coords::Frame });
+        self.movement(&Move { end: *end, path, side: self.st.side, coords: Coords::Frame });
         if self.st.side != Side::None {
-            self.keep_direction(after, path);
+            self.keep_direction(end, path);
         }
-        self.st.last_rapid = feed.is_none();
-        self.st.pos.update(after);
-        self.st.start.touch(after.known());
+        self.st.last_rapid = path.is_rapid();
+        self.st.pos.update(end);
+        self.st.start.touch(end.known());
         if !self.st.nominal.known().is_empty() {
-            for axis in after.known().iter() {
+            for axis in end.known().iter() {
                 self.st.nominal.forget(axis);
             }
         }
-        self.st.lost = self.st.lost.without(after.known());
+        self.st.lost = self.st.lost.without(end.known());
         self.st.moved = true;
     }
 
@@ -236,7 +230,7 @@ impl Run<'_> {
             self.st.last = None;
             return;
         };
-        let arc = matches!(path, Path::Arc(_));
+        let arc = matches!(path, Path::Arc(..));
         if arc || from != to {
             self.st.last = Some(Last::new(from, to, path));
         }
@@ -257,8 +251,7 @@ impl Run<'_> {
         {
             self.st.polar = None;
         }
-        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
-        self.send(EndPoint::Cartesian(end), &end, path, feed);
+        self.send(&end, Path::straight(feed));
         Ok(())
     }
 
@@ -280,9 +273,8 @@ impl Run<'_> {
             self.check_tip(w, axis, None)?;
             self.st.rotary_moved.insert(axis);
         }
-        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
-        let coords = Coords::Machine;
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
+        let (path, coords) = (Path::straight(feed), Coords::Machine);
+        self.movement(&Move { end, path, side: self.st.side, coords });
         self.st.moved_by_machine(end.known());
         self.st.last_rapid = feed.is_none();
         Ok(())
@@ -296,7 +288,7 @@ impl Run<'_> {
             return self.fail(codes::O1001, m.span, "the feed of M140 is not above zero");
         }
         let feed = feed.map(|f| self.feed_of(f));
-        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
+        let path = Path::straight(feed);
         let mut end = Pos::UNKNOWN;
         if max {
             let Some(top) = self.job.settings.control.retract_max else {
@@ -314,7 +306,7 @@ impl Run<'_> {
             ));
             end.set(axis, top);
             let coords = Coords::Machine;
-            self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords });
+            self.movement(&Move { end, path, side: self.st.side, coords });
             self.st.moved_by_machine(end.known());
             return Ok(());
         }
@@ -343,7 +335,7 @@ impl Run<'_> {
             None => self.position_of(axis, m.span, "M140")?,
         };
         end.set(axis, from + way / factor);
-        self.send(EndPoint::Cartesian(end), &end, path, feed);
+        self.send(&end, path);
         Ok(())
     }
 

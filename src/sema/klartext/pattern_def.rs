@@ -7,7 +7,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2, Vec2};
 use crate::ir::Pos;
-use crate::ir::contour::{EndPoint, Path};
+use crate::ir::contour::Path;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
@@ -315,13 +315,12 @@ impl Run<'_> {
             if self.st.pos.get(axis).is_none_or(|at| at < clear.start()) {
                 let mut up = Pos::UNKNOWN;
                 up.set(axis, clear.second);
-                self.send(EndPoint::Cartesian(up), &up, Path::Rapid, None);
+                self.send(&up, Path::Rapid);
             }
             let mut end = Pos::UNKNOWN;
             end.set_in_plane(self.st.plane(), *place);
             self.st.polar = None;
-            let path = if feed.is_some() { Path::Line } else { Path::Rapid };
-            self.send(EndPoint::Cartesian(end), &end, path, feed);
+            self.send(&end, Path::straight(feed));
             self.drill(&cycle, *surface, Retract::To(height))?;
         }
         self.m_at_end(w)

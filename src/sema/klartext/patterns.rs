@@ -6,7 +6,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
-use crate::ir::contour::{EndPoint, Path};
+use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::Block;
@@ -84,14 +84,14 @@ impl Run<'_> {
         }
         let mut end = Pos::UNKNOWN;
         end.set(axis, heights.second);
-        self.send(EndPoint::Cartesian(end), &end, Path::Rapid, None);
+        self.send(&end, Path::Rapid);
     }
 
     fn rapid_in_plane(&mut self, place: Point2) {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(self.st.plane(), place);
         self.st.polar = None;
-        self.send(EndPoint::Cartesian(end), &end, Path::Rapid, None);
+        self.send(&end, Path::Rapid);
     }
 
     /// Q216/Q217 centre, Q244 diameter, Q245 first angle, Q246 last angle, Q247 step, Q241 number.
@@ -208,15 +208,14 @@ impl Run<'_> {
         if at < heights.surface {
             let mut up = Pos::UNKNOWN;
             up.set(axis, heights.start());
-            self.send(EndPoint::Cartesian(up), &up, Path::Rapid, None);
+            self.send(&up, Path::Rapid);
         }
         let mut end = Pos::UNKNOWN;
         for axis in plane.iter() {
             end.set(axis, w.axes.get(axis).unwrap_or(0.0));
         }
         self.st.polar = None;
-        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
-        self.send(EndPoint::Cartesian(end), &end, path, feed);
+        self.send(&end, Path::straight(feed));
         self.drill(cycle, shift, Retract::Far)?;
         self.m_at_end(&w)
     }

@@ -5,7 +5,8 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::{self, Closing};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
-use crate::ir::contour::{ArcShape, EndPoint, Path, Polar};
+use crate::ir::Pos;
+use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::{Axis, AxisSet, CcMissing, CpSign, PolarMissing};
 use crate::parser::klartext::ast::Block;
 use crate::text::Span;
@@ -92,10 +93,36 @@ impl Run<'_> {
         }
     }
 
-    /// LP and CTP.
-    pub(super) fn polar_end(&mut self, w: &Words, path: Path) -> Outcome {
-        let function = if path == Path::Line { "LP" } else { "CTP" };
-        let pole = self.pole(function)?;
+    /// LP.
+    pub(super) fn polar_line(&mut self, w: &Words) -> Outcome {
+        let pole = self.pole("LP")?;
+        let (radius, angle) = self.polar_words(w, &pole, "LP")?;
+        let feed = self.move_feed(w)?;
+        let end = self.polar_end(w, &pole, (radius, angle), feed.is_some())?;
+        let feed = self.plunge_feed(w, feed, &end, None);
+        self.send(&end, Path::straight(feed));
+        self.keep_polar(radius, angle, &pole);
+        Ok(())
+    }
+
+    /// CTP.
+    pub(super) fn tangent_polar(&mut self, w: &Words) -> Outcome {
+        let pole = self.pole("CTP")?;
+        self.check_edge_feed(self.st.side)?;
+        let (radius, angle) = self.polar_words(w, &pole, "CTP")?;
+        let feed = self.arc_feed(w)?;
+        let end = self.polar_end(w, &pole, (radius, angle), true)?;
+        self.flat(w, pole.plane, "CTP")?;
+        self.start_in(pole.plane, "CTP")?;
+        let feed = self.plunged(w, feed, &end, None);
+        let arc = Arc { plane: pole.plane, shape: ArcShape::Tangent, turns: 0 };
+        self.send(&end, Path::Arc(arc, feed));
+        self.keep_polar(radius, angle, &pole);
+        Ok(())
+    }
+
+    /// Radius and angle of the end of LP or CTP.
+    fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
         if w.polar_radius.is_none() && w.polar_angle.is_none() {
             return self.fail_help(
                 codes::K2109,
@@ -105,8 +132,8 @@ impl Run<'_> {
             );
         }
         let complete = matches!((w.polar_radius, w.polar_angle), (Some((_, false)), Some((_, false))));
-        let start = if complete { (0.0, None) } else { self.polar_start(&pole, function)? };
-        let (r0, a0) = self.inherited_polar(w, &pole, start)?;
+        let start = if complete { (0.0, None) } else { self.polar_start(pole, function)? };
+        let (r0, a0) = self.inherited_polar(w, pole, start)?;
         let radius = match w.polar_radius {
             Some((r, false)) => r,
             Some((r, true)) => start.0 + r,
@@ -119,21 +146,15 @@ impl Run<'_> {
             _ => return self.angle_undefined(w),
         };
         self.forbid_plane_axes(w, pole.plane, function)?;
-        let feed = if path == Path::Line { self.move_feed(w)? } else { Some(self.arc_feed(w)?) };
+        Ok((radius, angle))
+    }
+
+    /// The end point of LP or CTP with the axes beside the plane.
+    fn polar_end(&mut self, w: &Words, pole: &PoleState, to: (f64, Deg), cuts: bool) -> Outcome<Pos> {
         let rest = self.absolute(w)?;
-        let rest = self.check_axes(w, rest, feed.is_some())?;
-        let mut end = rest;
-        end.set_in_plane(pole.plane, angle::polar_point(pole.at, radius, angle));
-        if path != Path::Line {
-            self.flat(w, pole.plane, function)?;
-            self.start_in(pole.plane, function)?;
-        }
-        let feed = self.plunge_feed(w, feed, &end, None);
-        let path = if feed.is_none() { Path::Rapid } else { path };
-        let polar = Polar { pole: pole.at, plane: pole.plane, radius, angle, rest };
-        self.send(EndPoint::Polar(polar), &end, path, feed);
-        self.keep_polar(radius, angle, &pole);
-        Ok(())
+        let mut end = self.check_axes(w, rest, cuts)?;
+        end.set_in_plane(pole.plane, angle::polar_point(pole.at, to.0, to.1));
+        Ok(end)
     }
 
     pub(super) fn angle_undefined<T>(&mut self, w: &Words) -> Outcome<T> {

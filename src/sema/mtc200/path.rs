@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::mtc200::{Reading, ShiftedIncrement};
@@ -208,8 +208,8 @@ impl Run<'_> {
 
     /// Sends a move and takes over its end.
     #[inline]
-    fn send(&mut self, end: Pos, path: Path, feed: Option<Feed>) {
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: self.st.side, coords: Coords::Frame });
+    fn send(&mut self, end: Pos, path: Path) {
+        self.movement(&Move { end, path, side: self.st.side, coords: Coords::Frame });
         self.arrive(&end);
     }
 
@@ -236,10 +236,9 @@ impl Run<'_> {
             let help = "program the feed under G71";
             return self.fail_help(codes::M9008, w.axes_span, "the unit of the feed of these axes is not known", help);
         }
-        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
         self.st.cornerable = feed.is_some();
         let switches = self.st.side != self.st.side_sent && self.moves_in_plane(&end, w.axes_span)?;
-        self.send(end, path, feed);
+        self.send(end, Path::straight(feed));
         if switches {
             self.st.side_sent = self.st.side;
         }
@@ -275,9 +274,8 @@ impl Run<'_> {
 
     /// Moves to machine coordinates; afterwards the workpiece position of the axes is not known.
     pub(super) fn machine_position(&mut self, end: Pos, feed: Option<Feed>) {
-        let path = if feed.is_some() { Path::Line } else { Path::Rapid };
-        let coords = Coords::Machine;
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords });
+        let (path, coords) = (Path::straight(feed), Coords::Machine);
+        self.movement(&Move { end, path, side: Side::None, coords });
         self.st.start.touch(end.known());
         self.st.forget(end.known());
         self.st.cornerable = false;
@@ -326,7 +324,7 @@ impl Run<'_> {
             None => ArcShape::Center { center: self.centre(w, plane, start, to)?, ccw, tol },
         };
         self.st.cornerable = true;
-        self.send(end, Path::Arc(Arc { plane, shape, turns: 0 }), Some(feed));
+        self.send(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed));
         Ok(())
     }
 
@@ -411,7 +409,7 @@ impl Run<'_> {
             );
         }
         self.st.cornerable = false;
-        self.send(end, Path::Thread(Thread { lead, along: Some(along) }), None);
+        self.send(end, Path::Thread(Thread { lead, along: Some(along) }));
         Ok(())
     }
 

@@ -60,7 +60,7 @@ impl Run<'_> {
             return self.polar_circle(w, ccw);
         }
         let plane = self.circle_plane(w, &self.parameters(CENTER));
-        let feed = self.path_feed(w, false)?;
+        let feed = self.cutting_feed(w)?;
         let turns = self.turns(w)?;
         let mut end = self.targets(w)?;
         let start = self.start_in(plane, w)?;
@@ -209,14 +209,14 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Option<Feed>, span: Span) -> Outcome {
+    pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, span: Span) -> Outcome {
         if let Some(third) =
             AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.pos.get(*axis).is_none())
         {
             return self.unknown_axis(third, span);
         }
         self.pending_must_be_done(span)?;
-        self.send(end, Path::Arc(arc), feed);
+        self.send(end, Path::Arc(arc, feed));
         Ok(())
     }
 
@@ -344,7 +344,7 @@ impl Run<'_> {
             }
         }
         let plane = self.st.plane();
-        let feed = self.path_feed(w, false)?;
+        let feed = self.cutting_feed(w)?;
         let turns = self.turns(w)?;
         self.start_in(plane, w)?;
         let span = w.get(Address::Ap).or(w.get(Address::Rp)).map(|given| given.span).unwrap_or_default();
@@ -407,7 +407,7 @@ impl Run<'_> {
     /// CIP
     pub(super) fn via_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.via_plane(w)?;
-        let feed = self.path_feed(w, false)?;
+        let feed = self.cutting_feed(w)?;
         let turns = self.turns(w)?;
         let start = self.start_in(plane, w)?;
         let span = VIA.into_iter().filter_map(|a| w.get(a)).map(|g| g.span).reduce(Span::to).unwrap_or_default();
@@ -453,7 +453,7 @@ impl Run<'_> {
             let (a, b) = (point - start, to - start);
             let between = a.dot(&b) > 0.0 && crate::geo::length(a) < crate::geo::length(b);
             if between && turns == 0 {
-                self.send(&end, Path::Line, feed);
+                self.send(&end, Path::Line(feed));
                 return Ok(());
             }
             return self.fail_help(

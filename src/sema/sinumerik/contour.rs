@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
-use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path};
+use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -25,7 +25,6 @@ pub(super) struct Pending {
     plane: Plane,
     rest: Pos,
     path: Path,
-    feed: Option<Feed>,
     side: Side,
     corner: Option<Corner>,
     pub(super) origin: Origin,
@@ -35,13 +34,7 @@ pub(super) struct Pending {
 
 impl Run<'_> {
     /// A line with ANG, or the line behind one without an end.
-    pub(super) fn angle_block(
-        &mut self,
-        w: &mut Words,
-        path: Path,
-        feed: Option<Feed>,
-        corner: Option<&Corner>,
-    ) -> Outcome {
+    pub(super) fn angle_block(&mut self, w: &mut Words, path: Path, corner: Option<&Corner>) -> Outcome {
         let plane = self.st.plane();
         let [first, second, _] = self.st.roles();
         let named = [first, second].map(|axis| w.axes.contains(axis));
@@ -69,7 +62,7 @@ impl Run<'_> {
         let end = self.targets(w)?;
         let angle = Deg(given.value);
         match (named, self.pending.take()) {
-            ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, feed, given.span),
+            ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
             (_, Some(pending)) => {
                 let found = Diagnostic::new(
                     codes::S2070,
@@ -108,7 +101,6 @@ impl Run<'_> {
                     plane,
                     rest: end,
                     path,
-                    feed,
                     side: self.st.side(),
                     corner: corner.copied(),
                     origin: self.here.origin,
@@ -118,7 +110,7 @@ impl Run<'_> {
             }
             _ => {
                 let end = self.one_coordinate(&end, angle, plane, [first, second], given.span)?;
-                self.send(&end, path, feed);
+                self.send(&end, path);
                 Ok(())
             }
         }
@@ -199,15 +191,7 @@ impl Run<'_> {
         Ok(made)
     }
 
-    fn second_line(
-        &mut self,
-        pending: Box<Pending>,
-        angle: Deg,
-        end: &Pos,
-        path: Path,
-        feed: Option<Feed>,
-        span: Span,
-    ) -> Outcome {
+    fn second_line(&mut self, pending: Box<Pending>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
         let first = Diagnostic::new(codes::S2070, self.loc(span), "");
         let refuse = |run: &Self, message: &str, help: &str| -> Outcome {
             let found = Diagnostic { message: message.to_owned(), ..first.clone() };
@@ -234,13 +218,7 @@ impl Run<'_> {
         }
         let mut first_end = pending.rest;
         first_end.set_in_plane(pending.plane, corner);
-        let mv = Move {
-            end: EndPoint::Cartesian(first_end),
-            path: pending.path,
-            feed: pending.feed,
-            side: pending.side,
-            coords: Coords::Frame,
-        };
+        let mv = Move { end: first_end, path: pending.path, side: pending.side, coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &pending.origin);
         self.moved_to(&first_end);
         if let Some(corner) = &pending.corner {
@@ -249,7 +227,7 @@ impl Run<'_> {
         for (function, origin) in &pending.functions {
             self.out.function(function, &self.st.ctx, origin);
         }
-        self.send(end, path, feed);
+        self.send(end, path);
         Ok(())
     }
 

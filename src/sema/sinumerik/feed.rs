@@ -9,7 +9,7 @@ use crate::text::Span;
 
 use super::g_groups::{Code, Group};
 use super::vocabulary::Address;
-use super::words::Words;
+use super::words::{Given, Words};
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -41,22 +41,35 @@ impl Run<'_> {
         }
     }
 
-    /// The feed of a path block.
+    /// The feed of a straight path block; `None` at rapid traverse.
     pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
-        if !rapid && self.st.is(Code::G93) && !self.is_capturing() {
+        if rapid {
+            self.block_feed(w)?;
+            return Ok(None);
+        }
+        self.cutting_feed(w).map(Some)
+    }
+
+    /// FB, for one block.
+    fn block_feed(&self, w: &mut Words) -> Outcome<Option<Given>> {
+        match w.take(Address::Fb) {
+            Some(fb) if fb.value <= 0.0 => {
+                self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value))
+            }
+            fb => Ok(fb),
+        }
+    }
+
+    /// The feed of a path block that cuts.
+    pub(super) fn cutting_feed(&mut self, w: &mut Words) -> Outcome<Feed> {
+        if self.st.is(Code::G93) && !self.is_capturing() {
             self.time_of_block(w)?;
         }
-        if let Some(fb) = w.take(Address::Fb) {
-            if fb.value <= 0.0 {
-                return self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value));
-            }
-            if !rapid && self.st.per_revolution() {
+        if let Some(fb) = self.block_feed(w)? {
+            if self.st.per_revolution() {
                 self.master_is_main(fb.span, "a feed per revolution")?;
             }
-            return Ok((!rapid).then(|| self.feed_of(fb.value)));
-        }
-        if rapid {
-            return Ok(None);
+            return Ok(self.feed_of(fb.value));
         }
         if !self.is_capturing() {
             self.speed_is_known()?;
@@ -86,12 +99,12 @@ impl Run<'_> {
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
                 if rotary_only && let Feed::PerMinute(f) = feed {
                     // Degrees have no unit of length.
-                    return Ok(Some(Feed::PerMinute(f / self.st.feed_unit())));
+                    return Ok(Feed::PerMinute(f / self.st.feed_unit()));
                 }
-                Ok(Some(feed))
+                Ok(feed)
             }
             // The cycle that takes the contour has the feeds.
-            None if self.is_capturing() => Ok(Some(Feed::PerRevolution(1.0))),
+            None if self.is_capturing() => Ok(Feed::PerRevolution(1.0)),
             None => {
                 // Once is enough.
                 self.st.feed_lost = true;

@@ -285,13 +285,12 @@ impl Run<'_> {
         polar: bool,
         corner: Option<&crate::ir::contour::Corner>,
     ) -> Outcome {
-        let feed = self.path_feed(w, code == Code::G0)?;
-        let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
+        let path = Path::straight(self.path_feed(w, code == Code::G0)?);
         if w.get(Address::Ang).is_some() || self.pending.is_some() {
-            return self.angle_block(w, path, feed, corner);
+            return self.angle_block(w, path, corner);
         }
         let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
-        self.send(&end, path, feed);
+        self.send(&end, path);
         Ok(())
     }
 

@@ -4,7 +4,7 @@
 
 use crate::diag::codes;
 use crate::geo::Plane;
-use crate::ir::contour::{Coords, EndPoint, Move, Path};
+use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 
 use crate::text::Span;
@@ -18,13 +18,9 @@ use super::{Outcome, Run};
 impl Run<'_> {
     /// Sends a move to the named axes of `end`.
     #[inline]
-    pub(super) fn send(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
-        self.send_end(EndPoint::Cartesian(*end), end, path, feed);
-    }
-
-    pub(super) fn send_end(&mut self, end_point: EndPoint, end: &Pos, path: Path, feed: Option<Feed>) {
+    pub(super) fn send(&mut self, end: &Pos, path: Path) {
         if self.st.in_machine() {
-            return self.send_in_machine(end, path, feed);
+            return self.send_in_machine(end, path);
         }
         self.note_outer();
         if self.st.plane() != Plane::Xy {
@@ -34,7 +30,7 @@ impl Run<'_> {
             self.note_stored(end, &path);
         }
         self.note_heading(end, &path);
-        let mv = Move { end: end_point, path, feed, side: self.side_of_move(), coords: Coords::Frame };
+        let mv = Move { end: *end, path, side: self.side_of_move(), coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);
     }
@@ -50,13 +46,13 @@ impl Run<'_> {
     }
 
     /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
-    pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path, feed: Option<Feed>) {
+    pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path) {
         if self.st.outer == Outer::Unrelated {
             let _: Outcome = self.unrelated(Span::default(), "G500 stands beside");
             self.st.lose(end.known());
             return;
         }
-        let wrong = if !matches!(path, Path::Rapid | Path::Line) {
+        let wrong = if !matches!(path, Path::Rapid | Path::Line(_)) {
             "an arc cannot be printed in machine coordinates"
         } else if !self.st.ctx.frame.is_shift() {
             "a move in a rotated or scaled frame cannot be printed in machine coordinates"
@@ -76,7 +72,7 @@ impl Run<'_> {
             let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Span::default()) else { return };
             machine.set(axis, place);
         }
-        let mv = Move { end: EndPoint::Cartesian(machine), path, feed, side: Side::None, coords: Coords::Machine };
+        let mv = Move { end: machine, path, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         self.moved_to(end);
     }
@@ -138,8 +134,7 @@ impl Run<'_> {
         }
         self.st.machine_moved = true;
         self.machine_moves_beside_g500(span);
-        let path = if code == Code::G0 { Path::Rapid } else { Path::Line };
-        let mv = Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Machine };
+        let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         for axis in w.axes.iter() {
             self.st.forget(axis);
@@ -196,7 +191,7 @@ impl Run<'_> {
             let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
             let mut end = Pos::UNKNOWN;
             end.set(axis, value);
-            self.send(&end, Path::Line, Some(Feed::PerMinute(feed * unit)));
+            self.send(&end, Path::Line(Feed::PerMinute(feed * unit)));
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 //! Source: reference sections 1.5, 2.1, 4.2, 5.6 and 6.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, EndPoint, Move, Path};
+use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
@@ -38,10 +38,10 @@ impl Run<'_> {
                 self.technology(w)?;
                 self.early_functions(w)?;
                 moved = true;
-                let feed = self.path_feed(w, false)?;
+                let feed = self.cutting_feed(w)?;
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
-                self.send(&end, Path::Line, feed);
+                self.send(&end, Path::Line(feed));
                 w.left_out.clear();
             }
             Code::G74 | Code::G75 => {
@@ -141,13 +141,7 @@ impl Run<'_> {
 
     /// A rapid to a place in machine coordinates, behind which its axes stand at no known place of the workpiece.
     pub(super) fn machine_rapid(&mut self, end: Pos) {
-        let mv = Move {
-            end: EndPoint::Cartesian(end),
-            path: Path::Rapid,
-            feed: None,
-            side: Side::None,
-            coords: Coords::Machine,
-        };
+        let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         for axis in end.known().iter() {
             self.st.forget(axis);

@@ -55,7 +55,7 @@ impl Run<'_> {
     /// CT
     pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.st.plane();
-        let feed = self.path_feed(w, false)?;
+        let feed = self.cutting_feed(w)?;
         let turns = self.turns(w)?;
         let start = self.start_in(plane, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
@@ -79,7 +79,7 @@ impl Run<'_> {
                 self.send_arc(&end, Arc { plane, shape, turns }, feed, Span::default())
             }
             Some(TangentArc::Line | TangentArc::Nothing) if frame_changed => {
-                self.send(&end, Path::Line, feed);
+                self.send(&end, Path::Line(feed));
                 Ok(())
             }
             _ => {
@@ -168,7 +168,7 @@ impl Run<'_> {
     #[inline]
     pub(super) fn note_heading(&mut self, end: &Pos, path: &Path) {
         match path {
-            Path::Arc(arc) => self.st.heading = self.heading_of(arc, end),
+            Path::Arc(arc, _) => self.st.heading = self.heading_of(arc, end),
             _ => {
                 let at = &self.st.pos;
                 let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));

@@ -105,7 +105,7 @@ impl Run<'_> {
         if let Some((word, given)) = start_angle {
             self.shift_start(word, given, &end, (axis, lead), follows)?;
         }
-        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }), None);
+        self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }));
         let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
         self.thread_chain = Some(ThreadChain { last: self.here.origin.loc, broken });
         Ok(())
@@ -159,7 +159,7 @@ impl Run<'_> {
         );
         let found = Diagnostic::new(codes::S8133, self.loc(start.span), message);
         self.report(found.help("see that nothing stands there"));
-        self.send(&shifted, Path::Rapid, None);
+        self.send(&shifted, Path::Rapid);
         Ok(())
     }
 
@@ -212,7 +212,7 @@ impl Run<'_> {
         if !self.is_capturing() {
             self.turn_with_the_tap(turn, code, span);
         }
-        self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }), None);
+        self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
         Ok(())
     }
 

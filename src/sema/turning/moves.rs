@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{
-    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, EndPoint, LargeCorner, Move, Path, Thread,
+    Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
@@ -47,9 +47,8 @@ impl Run<'_> {
         let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
         // A corner needs the direction of its first element, so its start.
         let from = if corner { Some(self.stand()?) } else { self.st.at() };
-        let path = if rapid { Path::Rapid } else { Path::Line };
         let (side, coords) = (self.st.side, Coords::Frame);
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side, coords });
+        self.movement(&Move { end, path: Path::straight(feed), side, coords });
         self.st.pos.update(&end);
         self.st.start.touch(end.known());
         self.st.moved = true;
@@ -188,15 +187,14 @@ impl Run<'_> {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(Plane::Zx, solved.to);
         let path = match (solved.arc, tag.feed) {
-            (None, None) => Path::Rapid,
-            (None, Some(_)) => Path::Line,
-            (Some((center, ccw)), _) => Path::Arc(Arc {
-                plane: Plane::Zx,
-                shape: ArcShape::Center { center, ccw, tol: self.arc_tolerance() },
-                turns: 0,
-            }),
+            (Some((center, ccw)), Some(feed)) => {
+                let shape = ArcShape::Center { center, ccw, tol: self.arc_tolerance() };
+                Path::Arc(Arc { plane: Plane::Zx, shape, turns: 0 }, feed)
+            }
+            // Arcs always have one.
+            (_, feed) => Path::straight(feed),
         };
-        let mv = Move { end: EndPoint::Cartesian(end), path, feed: tag.feed, side: tag.side, coords: Coords::Frame };
+        let mv = Move { end, path, side: tag.side, coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &tag.origin);
         if tag.feed.is_some() {
             self.cuts(solved.to);
@@ -292,7 +290,7 @@ impl Run<'_> {
         end.set_in_plane(Plane::Zx, to);
         let (side, coords) = (self.st.side, Coords::Frame);
         let path = Path::Thread(Thread { lead, along });
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed: None, side, coords });
+        self.movement(&Move { end, path, side, coords });
         self.st.stands(to);
         self.st.moved = true;
         self.follow(Solved { from, to, arc: None }, Transition::Sharp);
@@ -322,7 +320,7 @@ impl Run<'_> {
     /// A rapid move in machine coordinates: afterwards the workpiece position of its axes is not known.
     fn machine_move(&mut self, end: Pos) {
         let (side, coords) = (self.st.side, Coords::Machine);
-        self.movement(&Move { end: EndPoint::Cartesian(end), path: Path::Rapid, feed: None, side, coords });
+        self.movement(&Move { end, path: Path::Rapid, side, coords });
         self.st.start.touch(end.known());
         for axis in end.known().iter() {
             self.st.pos.forget(axis);

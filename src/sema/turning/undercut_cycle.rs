@@ -5,8 +5,8 @@
 
 use crate::diag::codes;
 use crate::geo::{Element, Plane, Point2};
-use crate::ir::contour::{Arc, ArcShape, Coords, EndPoint, Move, Path};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
+use crate::ir::{Pos, Side};
 use crate::machine::Axis;
 use crate::text::Span;
 
@@ -67,24 +67,24 @@ impl Run<'_> {
         };
         if on_cylinder {
             // The cylinder is machined, too.
-            self.undercut_move(made.leaves, Path::Line, Some(active));
+            self.undercut_move(made.leaves, Path::Line(active));
         } else {
-            self.undercut_move(Point2::new(made.leaves.x, at.y), Path::Rapid, None);
-            self.undercut_move(made.leaves, Path::Line, Some(feed));
+            self.undercut_move(Point2::new(made.leaves.x, at.y), Path::Rapid);
+            self.undercut_move(made.leaves, Path::Line(feed));
         }
         for (element, _) in &made.elements {
             let path = match *element {
-                Element::Line { .. } => Path::Line,
+                Element::Line { .. } => Path::Line(feed),
                 Element::Arc { center, sweep, .. } => {
                     let shape = ArcShape::Center { center, ccw: sweep > 0.0, tol: AGREES };
-                    Path::Arc(Arc { plane: Plane::Zx, shape, turns: 0 })
+                    Path::Arc(Arc { plane: Plane::Zx, shape, turns: 0 }, feed)
                 }
             };
-            self.undercut_move(element.to(), path, Some(feed));
+            self.undercut_move(element.to(), path);
         }
         // A tool that stood on the cylinder has reached its start X on the way.
         if !on_cylinder {
-            self.undercut_move(Point2::new(z, at.y), Path::Line, Some(feed));
+            self.undercut_move(Point2::new(z, at.y), Path::Line(feed));
         }
         self.st.cut = true;
         self.st.last = None;
@@ -136,10 +136,10 @@ impl Run<'_> {
         )
     }
 
-    fn undercut_move(&mut self, to: Point2, path: Path, feed: Option<Feed>) {
+    fn undercut_move(&mut self, to: Point2, path: Path) {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(Plane::Zx, to);
-        self.movement(&Move { end: EndPoint::Cartesian(end), path, feed, side: Side::None, coords: Coords::Frame });
+        self.movement(&Move { end, path, side: Side::None, coords: Coords::Frame });
         self.st.stands(to);
         self.st.moved = true;
     }

@@ -30,13 +30,13 @@ fn words(drilling: &Drilling) -> Vec<String> {
     expand(drilling, &start, XYZ, &mut |part| {
         list.push(match part {
             Part::Move(mv) => {
-                let EndPoint::Cartesian(end) = mv.end else { panic!("polar") };
+                let end = mv.end;
                 let axes: Vec<_> = end.iter().map(|(axis, v)| format!("{}{}", axis.letter(), number(v))).collect();
                 let word = match mv.path {
                     Path::Rapid => "G0".to_owned(),
-                    Path::Line => format!("G1 F{}", number(mv.feed.map_or(0.0, Feed::value))),
+                    Path::Line(feed) => format!("G1 F{}", number(feed.value())),
                     Path::Thread(thread) => format!("G33 K{}", number(thread.lead)),
-                    Path::Arc(_) => panic!("an arc"),
+                    Path::Arc(..) => panic!("an arc"),
                 };
                 format!("{word} {}", axes.join(" "))
             }

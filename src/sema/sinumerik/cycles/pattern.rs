@@ -45,7 +45,7 @@ impl Run<'_> {
         for position in positions {
             self.goes_on()?;
             let end = self.moved_in_plane(position);
-            self.send(&end, Path::Rapid, None);
+            self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
         Ok(())

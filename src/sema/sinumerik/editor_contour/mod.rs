@@ -164,7 +164,7 @@ impl Run<'_> {
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
         let (arc, radius) = match path {
-            Path::Arc(arc) => match (self.heading_of(arc, &all), arc.shape) {
+            Path::Arc(arc, _) => match (self.heading_of(arc, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))

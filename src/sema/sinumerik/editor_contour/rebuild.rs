@@ -113,7 +113,7 @@ impl Run<'_> {
         // As in blocks: a contour without elements needs no feed.
         let feed = match made.blocks.is_empty() {
             true => None,
-            false => self.path_feed(&mut Words::new(), false)?,
+            false => Some(self.cutting_feed(&mut Words::new())?),
         };
         let modal_feed = if self.st.rndm > 0.0 || made.blocks.iter().any(|block| block.corner.is_some()) {
             self.modal_corner_feed()?
@@ -130,22 +130,17 @@ impl Run<'_> {
         self.corner_open = None;
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, made.start);
-        self.send(&end, Path::Rapid, None);
-        for block in &made.blocks {
-            self.rebuild_block(block, stored, unit, feed, modal_feed);
+        self.send(&end, Path::Rapid);
+        if let Some(feed) = feed {
+            for block in &made.blocks {
+                self.rebuild_block(block, stored, unit, feed, modal_feed);
+            }
         }
         self.here.origin = here;
         Ok(())
     }
 
-    fn rebuild_block(
-        &mut self,
-        block: &Block,
-        stored: &Stored,
-        unit: f64,
-        feed: Option<Feed>,
-        modal_feed: Option<Feed>,
-    ) {
+    fn rebuild_block(&mut self, block: &Block, stored: &Stored, unit: f64, feed: Feed, modal_feed: Option<Feed>) {
         let plane = self.st.plane();
         self.stand_at(stored, block.record);
         let mut end = Pos::UNKNOWN;
@@ -154,13 +149,13 @@ impl Run<'_> {
         let (code, path) = match block.arc {
             Some((center, ccw)) => {
                 let shape = ArcShape::Center { center, ccw, tol: 2.0 * TOLERANCE * unit };
-                (if ccw { Code::G3 } else { Code::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }))
+                (if ccw { Code::G3 } else { Code::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }, feed))
             }
-            None => (Code::G1, Path::Line),
+            None => (Code::G1, Path::Line(feed)),
         };
         self.st.codes.activate(code);
         self.corner_open = None;
-        self.send(&end, path, feed);
+        self.send(&end, path);
         let (shape, modal) = match block.corner {
             Some(CornerWord::Radius(radius)) if radius > 0.0 => (CornerShape::Rounding { radius }, false),
             Some(CornerWord::Chamfer(side)) if side > 0.0 => (CornerShape::Chamfer { side }, false),
