@@ -12,6 +12,7 @@ pub mod diag;
 pub mod dialect;
 pub mod driver;
 pub mod emit;
+pub mod facade;
 pub mod geo;
 pub mod ir;
 pub mod lexer;

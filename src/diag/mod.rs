@@ -3,16 +3,19 @@
 //! Stages push into [`Diags`]; none prints, none stops another. Renderers live in [`render`].
 
 pub mod codes;
+pub mod finding;
 pub mod render;
 pub mod trail;
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 
 use rustc_hash::FxHashMap;
 
 use crate::text::Loc;
 
-pub use codes::Code;
+pub use codes::{Code, Raised};
+pub use finding::Finding;
 pub use trail::{CallPath, Trail};
 
 /// How bad it is.
@@ -44,6 +47,8 @@ pub struct Label {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     pub code: &'static Code,
+    /// The number that the control itself shows.
+    pub alarm: Option<u32>,
     /// What is wrong, in the user's words, values quoted.
     pub message: String,
     /// Where: the first label is the cause.
@@ -59,15 +64,25 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub fn new(code: &'static Code, loc: Loc, message: impl Into<String>) -> Diagnostic {
+    pub fn new(code: impl Into<Raised>, loc: Loc, message: impl Into<String>) -> Diagnostic {
+        let Raised { code, alarm } = code.into();
         Diagnostic {
             code,
+            alarm,
             message: message.into(),
             label: Label { loc, text: String::new() },
             more: Vec::new(),
             help: None,
             call: CallPath::default(),
             times: 1,
+        }
+    }
+
+    /// What is wrong, with the alarm of the control behind it.
+    pub fn text(&self) -> Cow<'_, str> {
+        match self.alarm {
+            Some(number) => Cow::Owned(format!("{} (alarm {number})", self.message)),
+            None => Cow::Borrowed(&self.message),
         }
     }
 

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::text::Sources;
 use crate::text::decode::{escaped_json, harmless_lines};
 
-use super::{Diagnostic, Trail};
+use super::{Diagnostic, Finding, Trail};
 
 /// `file:line:column: error[K1001]: message`
 pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
@@ -19,7 +19,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
         line.column,
         found.code.severity.word(),
         found.code.id,
-        found.message
+        found.text()
     );
     if found.times > 1 {
         let _ = write!(text, " ({} times)", found.times);
@@ -37,7 +37,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
 /// The findings of several files as one document.
 #[derive(Debug, Default)]
 pub struct JsonReport {
-    diagnostics: Vec<Value>,
+    diagnostics: Vec<Finding>,
     files: u32,
     errors: u32,
     warnings: u32,
@@ -53,7 +53,7 @@ impl JsonReport {
         self.errors += errors;
         self.warnings += warnings;
         self.not_shown += not_shown;
-        self.diagnostics.extend(list.iter().map(|found| object(found, sources, trail)));
+        self.diagnostics.extend(list.iter().map(|found| Finding::new(found, sources, trail)));
     }
 
     /// The document, in one line. `troubles` are no findings: files that could not be read.
@@ -73,40 +73,6 @@ impl JsonReport {
         }
         escaped_json(&report.to_string()).into_owned()
     }
-}
-
-fn object(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Value {
-    let loc = found.label.loc;
-    let line = sources.line(loc);
-    let stack: Vec<Value> = trail
-        .sites(found.call)
-        .iter()
-        .map(|site| json!({ "file": sources.name(site.file), "line": site.line }))
-        .collect();
-    let related: Vec<Value> = found
-        .more
-        .iter()
-        .map(|label| {
-            let line = sources.line(label.loc);
-            json!({ "message": label.text, "file": sources.name(label.loc.file), "line": line.number, "column": line.column })
-        })
-        .collect();
-    json!({
-        "code": found.code.id,
-        "name": found.code.name,
-        "severity": found.code.severity.word(),
-        "message": found.message,
-        "help": found.help,
-        "file": sources.name(loc.file),
-        "line": line.number,
-        "column": line.column,
-        "end_line": line.end_line,
-        "end_column": line.end_column,
-        "block": sources.block_number(loc),
-        "times": found.times,
-        "related": related,
-        "stack": stack,
-    })
 }
 
 /// Renders for a terminal through miette.
@@ -192,7 +158,7 @@ pub mod terminal {
     impl Shown {
         fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
             let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
-            let mut title = harmless_lines(&found.message);
+            let mut title = harmless_lines(&found.text());
             if found.times > 1 {
                 let _ = write!(title, " ({} times)", found.times);
             }

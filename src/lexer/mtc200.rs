@@ -8,35 +8,7 @@ use logos::{Lexer, Logos};
 
 use crate::text::{Span, number::decimal};
 
-/// Functions of formulas.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Func {
-    Abs,
-    Int,
-    Sqrt,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-}
-
-impl Func {
-    pub fn name(self) -> &'static str {
-        match self {
-            Func::Abs => "ABS",
-            Func::Int => "INT",
-            Func::Sqrt => "SQRT",
-            Func::Sin => "SIN",
-            Func::Cos => "COS",
-            Func::Tan => "TAN",
-            Func::Asin => "ASIN",
-            Func::Acos => "ACOS",
-            Func::Atan => "ATAN",
-        }
-    }
-}
+use super::formula::Function;
 
 /// A letter with the number behind it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,16 +64,16 @@ pub enum Tok {
     Div,
     #[token("PI", ignore(case))]
     Pi,
-    #[token("ABS", |_| Func::Abs, ignore(case))]
-    #[token("INT", |_| Func::Int, ignore(case))]
-    #[token("SQRT", |_| Func::Sqrt, ignore(case))]
-    #[token("SIN", |_| Func::Sin, ignore(case))]
-    #[token("COS", |_| Func::Cos, ignore(case))]
-    #[token("TAN", |_| Func::Tan, ignore(case))]
-    #[token("ASIN", |_| Func::Asin, ignore(case))]
-    #[token("ACOS", |_| Func::Acos, ignore(case))]
-    #[token("ATAN", |_| Func::Atan, ignore(case))]
-    Func(Func),
+    #[token("ABS", |_| Function::Abs, ignore(case))]
+    #[token("INT", |_| Function::Int, ignore(case))]
+    #[token("SQRT", |_| Function::Sqrt, ignore(case))]
+    #[token("SIN", |_| Function::Sin, ignore(case))]
+    #[token("COS", |_| Function::Cos, ignore(case))]
+    #[token("TAN", |_| Function::Tan, ignore(case))]
+    #[token("ASIN", |_| Function::Asin, ignore(case))]
+    #[token("ACOS", |_| Function::Acos, ignore(case))]
+    #[token("ATAN", |_| Function::Atan, ignore(case))]
+    Function(Function),
 
     /// `;` to the end of the line.
     #[regex(b";[^\n]*", allow_greedy = true)]
@@ -203,7 +175,7 @@ impl Iterator for Tokens<'_> {
                     | Tok::Slash
                     | Tok::Mod
                     | Tok::Div
-                    | Tok::Func(_)
+                    | Tok::Function(_)
                     | Tok::Open
             );
             self.end = end;
@@ -241,7 +213,7 @@ mod tests {
         );
         assert_eq!(
             tokens("@100=SIN(30)(a)"),
-            [Tok::Variable(100), Tok::Assign, Tok::Func(Func::Sin), Tok::Open, Tok::Number(30.0), Tok::Close]
+            [Tok::Variable(100), Tok::Assign, Tok::Function(Function::Sin), Tok::Open, Tok::Number(30.0), Tok::Close]
         );
         assert_eq!(tokens("M3 (open"), [word(b'M', 3.0), Tok::Unclosed, Tok::Name]);
         assert_eq!(tokens("BNE .LOOP"), [Tok::Name, Tok::Label]);

@@ -66,6 +66,8 @@ impl AxisSet {
     pub const EMPTY: AxisSet = AxisSet(0);
     /// X, Y and Z.
     pub const MAIN: AxisSet = AxisSet(0b111);
+    /// Every axis.
+    pub const ALL: AxisSet = AxisSet(0b1_1111_1111);
 
     pub fn of(axis: Axis) -> AxisSet {
         AxisSet(1 << axis.index())

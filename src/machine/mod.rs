@@ -5,7 +5,7 @@
 pub mod axis;
 pub mod config;
 pub mod keys;
-pub mod mtc200;
+pub mod options;
 pub mod schema;
 pub mod settings;
 pub mod show;
@@ -15,10 +15,11 @@ pub mod undercut;
 mod values;
 
 pub use axis::{Axis, AxisSet};
+pub use options::klartext::{CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes};
+pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use settings::{
-    ArcChoice, AxisUse, CcMissing, Compensation, Control, CpSign, Generation, LONGEST_AXIS_NAME, Limits, Machine,
-    MachineKind, Modulo, OutputSettings, PolarMissing, RecessDepth, RecessSide, RecessWidth, RepeatCount, Settings,
-    ShiftAxes, StandIn, Unit,
+    AxisUse, Compensation, Control, LONGEST_AXIS_NAME, Limits, Machine, MachineKind, OutputSettings, Settings, StandIn,
+    Unit,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

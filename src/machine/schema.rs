@@ -25,10 +25,10 @@ pub fn schema() -> Value {
 }
 
 fn section_schema(section: &Section) -> Value {
-    let mut schema = object(section.keys);
+    let mut schema = object(section.keys());
     schema.insert("description".to_owned(), json!(section.doc));
     let others = if !section.entry.is_empty() {
-        Value::Object(object(section.entry))
+        Value::Object(object(section.entry.iter()))
     } else if section.keys.is_empty() {
         // Any name: numbers, or tables of them.
         json!({ "type": ["number", "object"] })
@@ -39,8 +39,8 @@ fn section_schema(section: &Section) -> Value {
     Value::Object(schema)
 }
 
-fn object(keys: &[Key]) -> Map<String, Value> {
-    let properties: Map<String, Value> = keys.iter().map(|key| (key.name.to_owned(), key_schema(key))).collect();
+fn object<'k>(keys: impl Iterator<Item = &'k Key>) -> Map<String, Value> {
+    let properties: Map<String, Value> = keys.map(|key| (key.name.to_owned(), key_schema(key))).collect();
     let mut schema = Map::new();
     schema.insert("type".to_owned(), json!("object"));
     schema.insert("properties".to_owned(), Value::Object(properties));
@@ -90,7 +90,7 @@ mod tests {
         let schema = schema();
         for section in SECTIONS {
             let properties = &schema["properties"][section.name]["properties"];
-            for key in section.keys {
+            for key in section.keys() {
                 assert_eq!(properties[key.name]["description"], json!(key.doc), "{}", key.name);
             }
         }

@@ -6,7 +6,12 @@ use std::path::PathBuf;
 use crate::target::{self, Target};
 
 use super::axis::{Axis, AxisSet};
-use super::mtc200::Mtc200;
+use super::options::klartext::{
+    CcMissing, CpSign, Generation, KlartextChoices, KlartextReadings, Modulo, PolarMissing, RepeatCount, ShiftAxes,
+};
+use super::options::mtc200::Mtc200;
+use super::options::sinumerik::Siemens;
+use super::options::turning::Turning;
 use super::tools::Tools;
 use super::undercut::Undercuts;
 
@@ -103,16 +108,6 @@ impl Default for Machine {
     }
 }
 
-/// HEIDENHAIN control generations, in order of age.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub enum Generation {
-    Tnc426,
-    #[default]
-    Itnc530,
-    Tnc640,
-    Tnc7,
-}
-
 /// Unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Unit {
@@ -129,158 +124,6 @@ impl Unit {
             Unit::Inch => 25.4,
         }
     }
-}
-
-/// What a missing coordinate of a CC block is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum CcMissing {
-    #[default]
-    Position,
-    Previous,
-}
-
-/// What a missing PR or PA is after a block that was not polar.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum PolarMissing {
-    /// From the position, and refused where PA about a new pole is missing.
-    #[default]
-    SamePole,
-    Position,
-    Programmed,
-}
-
-/// Along which axes a datum shift counts while a rotation, mirror or scaling is active.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ShiftAxes {
-    #[default]
-    Original,
-    Transformed,
-}
-
-/// What happens when IPA and DR of a CP block disagree.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum CpSign {
-    #[default]
-    Refuse,
-    Dr,
-}
-
-/// What `%` of a formula gives where an operand is negative.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Modulo {
-    #[default]
-    Refuse,
-    /// The sign of the left operand: -400 % 360 = -40.
-    Truncate,
-    /// The sign of the right operand: -400 % 360 = 320.
-    Floor,
-}
-
-/// What CALL LBL REP makes of a number with decimals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum RepeatCount {
-    #[default]
-    Refuse,
-    Truncate,
-    Round,
-}
-
-/// Klartext: what the machine or the manuals leave to the user to say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct KlartextChoices {
-    /// END PGM inside a called label ends the program file instead of being refused.
-    pub open_subprogram_ends: bool,
-    /// Probing cycles are left out instead of being refused.
-    pub probing_left_out: bool,
-    /// Angles of cycle 19 are positions of the rotary axes, not space angles.
-    pub cycle_19_axes: bool,
-}
-
-/// Which of two solutions Q0 of an arc names.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ArcChoice {
-    #[default]
-    ZeroIsNear,
-    ZeroIsFar,
-}
-
-/// What a depth or height across the axis counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum RecessDepth {
-    #[default]
-    Diameter,
-    Radius,
-}
-
-/// Where the width of a recess with leaning flanks counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum RecessWidth {
-    /// At the element that it is cut into.
-    #[default]
-    Opening,
-    Floor,
-}
-
-/// On which side of the programmed corner a recess of G86 lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RecessSide {
-    /// Towards +Z.
-    Plus,
-    /// Towards -Z.
-    Minus,
-}
-
-/// What turning programs leave to the control. `None`: nobody said, so the default holds and a program that depends on it is
-/// told so.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Turning {
-    /// Near, if nobody said.
-    pub arc_choice: Option<ArcChoice>,
-    /// What an incremental I of G22 counts: the diameter, if nobody said.
-    pub recess_depth: Option<RecessDepth>,
-    /// Clearance of cycles in mm where the program sets none.
-    pub clearance: Option<f64>,
-    /// Machine coordinates of the tool change point: X as a diameter, Z, in mm.
-    pub change_point: Option<(f64, f64)>,
-    /// Where a recess of G86 lies that is wider than the tool; `None` refuses it.
-    pub recess_side: Option<RecessSide>,
-    /// Where K of G23 counts: at the opening, if nobody said.
-    pub recess_width: Option<RecessWidth>,
-    /// What the infeed I of G81 counts: the radius, if nobody said.
-    pub infeed: Option<RecessDepth>,
-    /// A flank offset from the left (H1) starts a thread towards +Z, not towards -Z.
-    pub left_is_plus: Option<bool>,
-    /// What RI of G869 counts: the diameter, if nobody said.
-    pub recess_blank: Option<RecessDepth>,
-    /// G32, whose words no manual at hand lists, is refused.
-    pub refuse_simple_thread: Option<bool>,
-    /// A contour in the words of G80, which no manual at hand lists, is refused.
-    pub refuse_contour_words: Option<bool>,
-    /// Angles of lines count from +Z, not from -Z.
-    pub angle_from_plus: Option<bool>,
-    /// An undercut of G85 at exactly 18 or 80 mm takes the row above, not the one below.
-    pub undercut_upper: Option<bool>,
-    /// The face that a transverse thread is cut in is the one towards -Z. `None`: the tool tells.
-    pub rear_face: Option<bool>,
-    /// R or RB of G869 moves the tool towards the floor, not away from it.
-    pub towards_floor: Option<bool>,
-    /// B of G869 shortens the passes of one-way turning at their ends.
-    pub offset_one_way: Option<bool>,
-    /// The oversize of G86 is left on the floor alone, not on the walls.
-    pub oversize_on_floor: Option<bool>,
-    /// How far the radii at both ends of an arc may differ, in mm.
-    pub arc_tolerance: Option<f64>,
-}
-
-/// Klartext: further readings that manuals leave open.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct KlartextReadings {
-    /// CYCL CALL PAT and CYCL CALL POS without F go at rapid traverse, not at the last feed.
-    pub pattern_at_rapid: bool,
-    /// The mirror acts on what cycle 10 has turned.
-    pub mirror_last: bool,
-    /// A cycle 26 without a centre keeps the one before.
-    pub keep_scaling_center: bool,
 }
 
 /// `[control]`
@@ -312,69 +155,6 @@ pub struct Control {
     pub siemens: Siemens,
     pub turning: Turning,
     pub mtc200: Mtc200,
-}
-
-/// SINUMERIK: machine and setting data that change what a program means.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Siemens {
-    /// An increment behind a change of the frame travels the change, too (SD 42440).
-    pub frame_offset_incremental: Option<bool>,
-    /// Largest difference of the radii at start and end of a circle: in mm, and as a part of the radius
-    /// (MD 21000, MD 21010).
-    pub circle_error: f64,
-    pub circle_error_factor: f64,
-    /// T changes the tool, not M6; `None` for what the kind of machine does.
-    pub tool_change_by_t: Option<bool>,
-    /// Bit 0 of MD 10617: SAVE brings back the frame that the work offset had at the call.
-    pub save_restores_offset: Option<bool>,
-    /// G40 in front of a move that leaves the plane alone is refused, as alarm 10754 has it.
-    pub g40_needs_motion: bool,
-    /// Variables of the main program are seen in subprograms (MD 11120).
-    pub main_variables_visible: bool,
-    /// Feed at the start of a program is per revolution (MD 20150).
-    pub feed_per_revolution: Option<bool>,
-    /// G53, G153 and SUPA suppress the length of the tool, too (MD 10760).
-    pub machine_moves_without_tool: bool,
-    /// An absolute position of a modulo axis takes the shortest way (MD 30455 bit 2).
-    pub modulo_shortest: bool,
-    /// A chamfer or rounding that does not fit is made as large as it fits.
-    pub shorten_corners: bool,
-    /// A chamfer beside an arc stands across the bisector of the corner.
-    pub arc_chamfers: bool,
-    /// CYCLE86 lifts the tool off under `_GMODE` 1 and 2, or does not; `None` refuses them.
-    pub cycle86_lift: Option<bool>,
-    /// Which pass of a flank infeed stands at the programmed start.
-    pub thread_flank: Option<FlankReference>,
-}
-
-/// From where the flank infeed of a thread cycle counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FlankReference {
-    /// The crest stands at the programmed start; the last pass is shifted most.
-    Crest,
-    /// The last pass stands there.
-    Root,
-}
-
-impl Default for Siemens {
-    fn default() -> Siemens {
-        Siemens {
-            frame_offset_incremental: None,
-            circle_error: 0.01,
-            circle_error_factor: 0.001,
-            tool_change_by_t: None,
-            save_restores_offset: None,
-            g40_needs_motion: false,
-            main_variables_visible: false,
-            feed_per_revolution: None,
-            machine_moves_without_tool: false,
-            modulo_shortest: false,
-            shorten_corners: false,
-            arc_chamfers: false,
-            cycle86_lift: None,
-            thread_flank: None,
-        }
-    }
 }
 
 /// `[datums]`

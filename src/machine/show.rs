@@ -17,7 +17,7 @@ pub fn toml(tree: &Table) -> String {
     for section in SECTIONS {
         let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
         let table = table_of(tree, section);
-        for key in section.keys {
+        for key in section.keys() {
             match (table.and_then(|table| table.get(key.name)), key.default_node()) {
                 (Some(node), _) => line(&mut text, key.name, node, &place(node)),
                 (None, Some(node)) if key.warns => {
@@ -51,7 +51,7 @@ pub fn json(tree: &Table) -> serde_json::Value {
     for section in SECTIONS {
         let table = table_of(tree, section);
         let mut keys = Map::new();
-        for key in section.keys {
+        for key in section.keys() {
             let entry = match (table.and_then(|table| table.get(key.name)), key.default_node()) {
                 (Some(node), _) => json!({ "value": plain(&node.value), "from": place(node) }),
                 (None, Some(node)) if key.warns => json!({ "value": plain(&node.value), "from": "reading" }),
@@ -77,7 +77,7 @@ fn table_of<'t>(tree: &'t Table, section: &Section) -> Option<&'t Table> {
 
 /// Entries whose keys the user chose.
 fn named<'t>(table: Option<&'t Table>, section: &Section) -> Vec<(&'t String, &'t Node)> {
-    let known = |name: &str| section.keys.iter().any(|key| key.name == name);
+    let known = |name: &str| section.keys().any(|key| key.name == name);
     table.into_iter().flatten().filter(|(name, _)| !known(name)).collect()
 }
 

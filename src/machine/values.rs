@@ -53,6 +53,35 @@ pub(super) fn text(node: &Node) -> &str {
     }
 }
 
+/// Puts a value in its place.
+pub(super) fn put<T>(place: &mut T, value: T) -> Result<(), ConfigError> {
+    *place = value;
+    Ok(())
+}
+
+/// Does the text say `wanted`?
+pub(super) fn is(node: &Node, wanted: &str) -> bool {
+    text(node) == wanted
+}
+
+/// A tolerance of lengths.
+pub(super) fn tolerance(node: &Node) -> Result<f64, ConfigError> {
+    number(node).filter(|mm| (0.0..=1.0).contains(mm)).ok_or_else(|| node.fail("a tolerance is 0 to 1 mm"))
+}
+
+/// `{ X = 0.0, Z = 100.0 }`
+pub(super) fn positions(into: &mut BTreeMap<Axis, f64>, node: &Node) -> Result<(), ConfigError> {
+    for (name, node) in table_of(node) {
+        let value = number(node).filter(|v| v.is_finite()).ok_or_else(|| node.fail("needs a number"))?;
+        into.insert(axis(name, node)?, value);
+    }
+    Ok(())
+}
+
+/// Two keys for one thing.
+pub(super) const BOTH_STARTS: &str =
+    "`[control] start` is the older name of `[start]`: keep one of the two (X counts as a radius in the older one)";
+
 pub(super) fn flag(node: &Node) -> bool {
     matches!(node.value, Value::Flag(true))
 }

@@ -1,26 +1,33 @@
 //! What is wrong with the form of a block, and repairs that every dialect makes.
 
-use crate::diag::Code;
+use crate::diag::{Code, Raised};
 use crate::text::Span;
 
 /// A finding about one block; spans count from its start.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     pub code: &'static Code,
+    /// The number that the control itself shows.
+    pub alarm: Option<u32>,
     pub span: Span,
     pub message: String,
     pub help: Option<String>,
 }
 
 impl Problem {
-    pub fn new(code: &'static Code, span: Span, message: impl Into<String>) -> Problem {
-        Problem { code, span, message: message.into(), help: None }
+    pub fn new(code: impl Into<Raised>, span: Span, message: impl Into<String>) -> Problem {
+        let Raised { code, alarm } = code.into();
+        Problem { code, alarm, span, message: message.into(), help: None }
     }
 
     /// Names the alarm that the control itself raises.
     pub fn alarm(mut self, number: u32) -> Problem {
-        self.message = format!("{} (alarm {number})", self.message);
+        self.alarm = Some(number);
         self
+    }
+
+    pub fn raised(&self) -> Raised {
+        Raised { code: self.code, alarm: self.alarm }
     }
 
     pub fn help(mut self, text: impl Into<String>) -> Problem {

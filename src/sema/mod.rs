@@ -3,17 +3,23 @@
 //! In: files and settings. Out: items for [`Sink`](crate::ir::contour::Sink), diagnostics. The only writer
 //! of modal state. One folder per dialect; what they share stands here.
 
-pub mod exec;
-pub mod here;
+pub mod common;
 pub mod klartext;
 pub mod mtc200;
+pub mod run;
 pub mod sinumerik;
-pub mod start;
 pub mod turning;
+pub mod value;
 
 use crate::diag::{Diags, Trail};
 use crate::machine::Settings;
 use crate::text::{FileId, Files, Sources};
+
+/// A block that could not be executed, or a value that could not be computed; the reason was reported.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Reported;
+
+pub type Outcome<T = ()> = Result<T, Reported>;
 
 /// What a run of a program works with.
 #[derive(Clone, Copy)]

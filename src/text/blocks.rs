@@ -49,6 +49,13 @@ pub enum Next<'s> {
     End,
 }
 
+/// A block of the window.
+enum Cut {
+    Block { start: usize, end: usize, lines: u32 },
+    TooLong,
+    End,
+}
+
 /// Place of a block: what a jump needs to come back to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Place {
@@ -166,8 +173,46 @@ impl Cursor {
     ///
     /// # Errors
     /// What the operating system reports.
+    #[inline]
     pub fn next(&mut self, sources: &Sources) -> io::Result<Next<'_>> {
         let place = self.place();
+        Ok(match self.cut(sources)? {
+            Cut::Block { start, end, lines } => Next::Block(self.block(place, start, end, lines)),
+            Cut::TooLong => Next::TooLong { at: place.at, line: place.line },
+            Cut::End => Next::End,
+        })
+    }
+
+    /// Reads up to the next logical block that is not too long and whose text is `wanted`; none at the end of the file.
+    ///
+    /// # Errors
+    /// What the operating system reports.
+    pub fn next_readable(
+        &mut self,
+        sources: &Sources,
+        wanted: impl Fn(&[u8]) -> bool,
+    ) -> io::Result<Option<BlockText<'_>>> {
+        loop {
+            let place = self.place();
+            match self.cut(sources)? {
+                Cut::Block { start, end, lines } if wanted(self.block(place, start, end, lines).text) => {
+                    return Ok(Some(self.block(place, start, end, lines)));
+                }
+                Cut::Block { .. } | Cut::TooLong => {}
+                Cut::End => return Ok(None),
+            }
+        }
+    }
+
+    #[inline]
+    fn block(&self, place: Place, start: usize, end: usize, lines: u32) -> BlockText<'_> {
+        let text = &self.window[start..end];
+        BlockText { text: text.strip_suffix(b"\r").unwrap_or(text), at: place.at, line: place.line, lines }
+    }
+
+    /// Finds the end of the next block and goes on behind it.
+    #[inline]
+    fn cut(&mut self, sources: &Sources) -> io::Result<Cut> {
         let mut scan = self.pos;
         let mut line_start = self.pos;
         let mut lines = 1;
@@ -206,21 +251,15 @@ impl Cursor {
             }
         };
         if self.pos >= self.end && self.at_end && end == self.pos {
-            return Ok(Next::End);
+            return Ok(Cut::End);
         }
         let start = self.pos;
         self.pos = (end + 1).min(self.end);
         self.line += lines;
         if too_long || end - start > MAX_BLOCK {
-            return Ok(Next::TooLong { at: place.at, line: place.line });
+            return Ok(Cut::TooLong);
         }
-        let text = &self.window[start..end];
-        Ok(Next::Block(BlockText {
-            text: text.strip_suffix(b"\r").unwrap_or(text),
-            at: place.at,
-            line: place.line,
-            lines,
-        }))
+        Ok(Cut::Block { start, end, lines })
     }
 
     /// Goes to `place`, which must be the start of a block; loads the whole file the first time.

@@ -91,7 +91,7 @@ fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf();
     let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &Beside(folder));
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
-    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (moves, said)
 }
 

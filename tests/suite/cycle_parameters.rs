@@ -83,7 +83,7 @@ fn compile(path: &Path, text: &str) -> Compiled {
 /// What the machine would do, and what is said; comments of the source are neither.
 fn result(compiled: &Compiled) -> (Vec<String>, Vec<String>) {
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
-    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (moves, said)
 }
 

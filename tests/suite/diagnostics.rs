@@ -299,7 +299,7 @@ fn every_finding_has_a_place_and_a_plain_message() {
         for (found, rendered) in compiled.findings.iter().zip(&compiled.rendered) {
             let what = format!("{}: {rendered}", path.display());
             check_place(&what, &path, &main, found, rendered);
-            check_text(&what, &found.message);
+            check_text(&what, &found.text());
             if let Some(help) = &found.help {
                 check_text(&what, help);
             }
@@ -310,7 +310,7 @@ fn every_finding_has_a_place_and_a_plain_message() {
     }
     for built in BUILT {
         for found in (built.fires)().findings {
-            check_text(built.code, &found.message);
+            check_text(built.code, &found.text());
             assert!(found.label.loc.line >= 1, "{}", built.code);
         }
     }

@@ -60,7 +60,7 @@ fn every_golden_case_that_compiles_passes_the_check() {
         let errors: Vec<String> = findings
             .iter()
             .filter(|found| found.code.severity == partc::diag::Severity::Error)
-            .map(|found| format!("{}:{} {}", path.display(), found.label.loc.line, found.message))
+            .map(|found| format!("{}:{} {}", path.display(), found.label.loc.line, found.text()))
             .collect();
         assert!(errors.is_empty(), "{errors:?}");
     }
@@ -157,7 +157,7 @@ fn every_siemens_case_that_compiles_passes_the_check() {
         let errors: Vec<String> = findings
             .iter()
             .filter(|found| found.code.severity == partc::diag::Severity::Error)
-            .map(|found| format!("{} {}", found.code.id, found.message))
+            .map(|found| format!("{} {}", found.code.id, found.text()))
             .collect();
         assert!(errors.is_empty(), "{}: {errors:?}", path.display());
     }

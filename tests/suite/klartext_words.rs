@@ -12,7 +12,7 @@ fn outcome(blocks: &[&str], settings: &Settings) -> (Vec<String>, Vec<String>) {
     let compiled = compile_bytes("A.H", text.into_bytes(), "klartext", settings, &NoFiles);
     // The first lines name the program and its hash.
     let printed = compiled.attempt.lines().skip(3).map(str::to_owned).collect();
-    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+    let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (printed, said)
 }
 

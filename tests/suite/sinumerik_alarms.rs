@@ -199,7 +199,7 @@ fn shown(case: &str) -> String {
     };
     let settings = settings(&format!("{machine}[output]\ncompensation = \"control\"\n"));
     let compiled = compile_bytes("T.MPF", program.into_bytes(), "sinumerik", &settings, &NoFiles);
-    compiled.findings.iter().map(|found| format!("{} {}\n", found.code.id, found.message)).collect()
+    compiled.findings.iter().map(|found| format!("{} {}\n", found.code.id, found.text())).collect()
 }
 
 #[test]

@@ -242,7 +242,7 @@ const BASES: &[Base] = &[
 
 /// Words of the functions, by number, as the table of the compiler lists them.
 fn listed() -> Vec<(u16, Vec<String>)> {
-    let table = include_str!("../../src/sema/turning/functions.rs");
+    let table = include_str!("../../src/sema/turning/g_functions.rs");
     let mut list = Vec::new();
     for row in table.split("row(").skip(2) {
         let Some(number) = row.trim_start().split(',').next().and_then(|n| n.trim().parse().ok()) else { continue };

@@ -9,7 +9,7 @@ use super::common::{compile_bytes, settings};
 fn result(text: &str, toml: &str) -> String {
     let compiled = compile_bytes("PART.MPF", text.as_bytes().to_vec(), "sinumerik", &settings(toml), &NoFiles);
     let findings: Vec<String> =
-        compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+        compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     let head = |line: &&str| !line.starts_with("(source ");
     let path: Vec<&str> = compiled.output.lines().filter(head).collect();
     format!("{}\n{}", findings.join("\n"), path.join("\n"))

@@ -392,11 +392,11 @@ fn refusals_in_the_heads_of_cases_are_met() {
         let folder = path.parent().expect("a folder").to_path_buf();
         let compiled = compile_bytes("PART.MPF", text.clone().into_bytes(), "sinumerik", &settings, &Beside(folder));
         let said = |found: &partc::diag::Diagnostic| {
-            found.code.id == code && (found.message.contains(part) || found.help.iter().any(|help| help.contains(part)))
+            found.code.id == code && (found.text().contains(part) || found.help.iter().any(|help| help.contains(part)))
         };
         if !compiled.findings.iter().any(said) {
             let said: Vec<_> =
-                compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.message)).collect();
+                compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
             let _ = writeln!(bad, "{}: {code} {part}: {said:?}", path.display());
         }
     }

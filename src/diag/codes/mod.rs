@@ -37,6 +37,27 @@ pub struct Code {
     pub explain: &'static str,
 }
 
+impl Code {
+    /// The code together with the alarm that the control itself shows.
+    pub const fn alarm(&'static self, number: u32) -> Raised {
+        Raised { code: self, alarm: Some(number) }
+    }
+}
+
+/// A code as it is raised in one place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Raised {
+    pub code: &'static Code,
+    /// The number that the control itself shows.
+    pub alarm: Option<u32>,
+}
+
+impl From<&'static Code> for Raised {
+    fn from(code: &'static Code) -> Raised {
+        Raised { code, alarm: None }
+    }
+}
+
 /// Writes a table of codes as constants plus the list of them all.
 macro_rules! codes {
     ($list:ident: $($id:ident $severity:ident $name:literal $title:literal $explain:literal)*) => {

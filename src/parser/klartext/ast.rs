@@ -4,6 +4,8 @@ use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Unit};
 use crate::text::Span;
 
+pub use crate::lexer::formula::{Function, Operator};
+
 /// One block. Reused from block to block, so that reading allocates nothing.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Block {
@@ -226,49 +228,14 @@ pub enum Op {
     Number(f64),
     Param(QRef),
     Text(Span),
-    Negate,
-    Binary(Binary),
-    Unary(Unary),
+    Unary(Function),
+    Binary(Operator),
     /// Function of texts; its arguments were pushed in the order of [`TextFn`].
     TextFn(TextFn),
     /// Joins two texts.
     Join,
     /// `-a^b` or `a^b^c` was written at the span.
     DoubtfulPower(Span),
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Binary {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-    Modulo,
-    /// `LEN`: root of the sum of squares.
-    Length,
-    /// `ANG`: angle from the opposite (sine) side first.
-    Angle,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unary {
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Square,
-    Root,
-    Ln,
-    Log,
-    Exp,
-    Negate,
-    Integer,
-    Absolute,
-    Fraction,
-    Sign,
 }
 
 /// Functions on texts. Their arguments are pushed in the order in which they are named here.

@@ -6,7 +6,7 @@ use crate::lexer::klartext::{AxisWord, CycleNumber, NameQ, QRef, Tok, Value};
 use crate::machine::{Axis, Unit};
 use crate::text::Span;
 
-use super::ast::{Addr, Block, LabelRef, Op, Repeat, Stmt, Test, TextFn, Unary, Word};
+use super::ast::{Addr, Block, Function, LabelRef, Op, Operator, Repeat, Stmt, Test, TextFn, Word};
 
 /// A block that fits the grammar but means nothing: where, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -67,7 +67,7 @@ impl<'a> Build<'a> {
         if doubtful {
             self.op(Op::DoubtfulPower(Span { start, end }));
         }
-        self.op(Op::Binary(super::ast::Binary::Power));
+        self.op(Op::Binary(Operator::Power));
         true
     }
 
@@ -78,7 +78,7 @@ impl<'a> Build<'a> {
             Value::Param { negative, q } => {
                 self.op(Op::Param(q));
                 if negative {
-                    self.op(Op::Negate);
+                    self.op(Op::Unary(Function::Negate));
                 }
             }
             Value::None | Value::FeedMax | Value::FeedAuto => {}
@@ -218,23 +218,23 @@ fn upper(text: &[u8]) -> Vec<u8> {
     text.to_ascii_uppercase()
 }
 
-fn function_named(name: &[u8]) -> Option<Unary> {
+fn function_named(name: &[u8]) -> Option<Function> {
     Some(match upper(name).as_slice() {
-        b"SIN" => Unary::Sin,
-        b"COS" => Unary::Cos,
-        b"TAN" => Unary::Tan,
-        b"ASIN" => Unary::Asin,
-        b"ACOS" => Unary::Acos,
-        b"ATAN" => Unary::Atan,
-        b"SQRT" => Unary::Root,
-        b"LN" => Unary::Ln,
-        b"LOG" => Unary::Log,
-        b"EXP" => Unary::Exp,
-        b"NEG" => Unary::Negate,
-        b"INT" => Unary::Integer,
-        b"ABS" => Unary::Absolute,
-        b"FRAC" => Unary::Fraction,
-        b"SGN" => Unary::Sign,
+        b"SIN" => Function::Sin,
+        b"COS" => Function::Cos,
+        b"TAN" => Function::Tan,
+        b"ASIN" => Function::Asin,
+        b"ACOS" => Function::Acos,
+        b"ATAN" => Function::Atan,
+        b"SQRT" => Function::Sqrt,
+        b"LN" => Function::Ln,
+        b"LOG" => Function::Log,
+        b"EXP" => Function::Exp,
+        b"NEG" => Function::Negate,
+        b"INT" => Function::Int,
+        b"ABS" => Function::Abs,
+        b"FRAC" => Function::Fraction,
+        b"SGN" => Function::Sign,
         _ => return None,
     })
 }

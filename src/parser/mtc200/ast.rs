@@ -3,7 +3,7 @@
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
-pub use crate::lexer::mtc200::Func;
+pub use crate::lexer::formula::{Function, Operator};
 
 /// One block. Reused from block to block, so that reading plain blocks allocates nothing.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -99,12 +99,6 @@ pub enum Value {
 pub enum Op {
     Number(f64),
     Variable(u32, Span),
-    Negate,
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Modulo,
-    WholeDivide,
-    Call(Func),
+    Unary(Function),
+    Binary(Operator),
 }

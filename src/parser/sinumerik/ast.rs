@@ -213,6 +213,7 @@ pub enum When {
     Default,
 }
 
+pub use crate::lexer::formula::{Function, Operator};
 pub use crate::lexer::sinumerik::TypeName;
 
 /// A variable of DEF or a parameter of PROC.
@@ -298,40 +299,12 @@ pub enum Op {
     Missing,
     /// `(a, b, c)`
     List(u32),
-    Unary(Unary),
-    Binary(Binary),
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unary {
-    Negate,
-    Not,
-    BitNot,
+    Unary(Function),
+    Binary(Operator),
     /// A leading `<<`.
     ToText,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Binary {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Div,
-    Mod,
-    BitAnd,
-    BitOr,
-    BitXor,
-    And,
-    Or,
-    Xor,
-    Concat,
-    Equal,
-    NotEqual,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
+    /// `<<` between two values.
+    Join,
     /// `:` of frames.
     Chain,
 }

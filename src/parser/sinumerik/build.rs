@@ -318,7 +318,7 @@ impl<'a> Build<'a> {
     }
 
     /// A comparison; `logical` if AND, OR or XOR without brackets is one of its sides.
-    pub fn compare(&mut self, op: Binary, logical: bool, start: u32, end: u32) -> bool {
+    pub fn compare(&mut self, op: Operator, logical: bool, start: u32, end: u32) -> bool {
         self.op(Op::Binary(op));
         if logical {
             let found = Problem::new(

@@ -3,6 +3,7 @@
 use crate::text::Span;
 
 pub use super::sections::Section;
+pub use crate::lexer::formula::{Function, Operator};
 pub use crate::lexer::turning::{Addr, Address, VarKind, VarRef};
 
 /// One block. Reused from block to block, so that reading plain blocks allocates nothing.
@@ -117,43 +118,6 @@ pub enum Value {
 pub enum Op {
     Number(f64),
     Var(VarRef, Span),
-    Unary(Unary),
-    Binary(Binary),
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unary {
-    Negate,
-    Sqrt,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Abs,
-    Int,
-    Round,
-    Ln,
-    Exp,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Binary {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Equal,
-    NotEqual,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-    And,
-    Or,
-    /// `SQRTA(a, b)`: √(a² + b²)
-    RootOfSum,
-    /// `SQRTS(a, b)`: √(a² − b²)
-    RootOfDifference,
+    Unary(Function),
+    Binary(Operator),
 }

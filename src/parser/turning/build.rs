@@ -19,19 +19,19 @@ fn refuse<T>(code: &'static Code, span: Span, message: impl Into<String>) -> Ref
 }
 
 /// Functions of formulas.
-const FUNCTIONS: &[(&str, Unary)] = &[
-    ("SQRT", Unary::Sqrt),
-    ("SIN", Unary::Sin),
-    ("COS", Unary::Cos),
-    ("TAN", Unary::Tan),
-    ("ASIN", Unary::Asin),
-    ("ACOS", Unary::Acos),
-    ("ATAN", Unary::Atan),
-    ("ABS", Unary::Abs),
-    ("INT", Unary::Int),
-    ("ROUND", Unary::Round),
-    ("LN", Unary::Ln),
-    ("EXP", Unary::Exp),
+const FUNCTIONS: &[(&str, Function)] = &[
+    ("SQRT", Function::Sqrt),
+    ("SIN", Function::Sin),
+    ("COS", Function::Cos),
+    ("TAN", Function::Tan),
+    ("ASIN", Function::Asin),
+    ("ACOS", Function::Acos),
+    ("ATAN", Function::Atan),
+    ("ABS", Function::Abs),
+    ("INT", Function::Int),
+    ("ROUND", Function::Round),
+    ("LN", Function::Ln),
+    ("EXP", Function::Exp),
 ];
 
 /// The block under construction, and its text.
@@ -123,8 +123,8 @@ impl<'a> Build<'a> {
         let known = FUNCTIONS.iter().find(|(known, _)| *known == name);
         let op = match (known, name.as_str()) {
             (Some(&(_, f)), _) if count == 1 => Op::Unary(f),
-            (None, "SQRTA") if count == 2 => Op::Binary(Binary::RootOfSum),
-            (None, "SQRTS") if count == 2 => Op::Binary(Binary::RootOfDifference),
+            (None, "SQRTA") if count == 2 => Op::Binary(Operator::RootOfSum),
+            (None, "SQRTS") if count == 2 => Op::Binary(Operator::RootOfDifference),
             (Some(_), _) | (None, "SQRTA" | "SQRTS") => {
                 return refuse(codes::T1001, span, format!("`{name}` takes another number of values"));
             }

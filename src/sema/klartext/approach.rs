@@ -14,7 +14,7 @@ use crate::text::Span;
 
 use super::path::{PATH, plane_axes};
 use super::words::{Admits, Comp, FeedWord, Words};
-use super::{Here, Outcome, Reported, Run};
+use super::{Outcome, Reported, Run, Site};
 
 /// Functions and comments that may stand between an approach and the first element of its contour.
 pub(super) const MOST_HELD: usize = 256;
@@ -36,7 +36,7 @@ enum Shape {
 pub(super) struct Approach {
     shape: Shape,
     name: String,
-    here: Here,
+    here: Site,
     span: Span,
     from: Point2,
     to: Point2,
@@ -254,8 +254,7 @@ impl Run<'_> {
         }));
         self.st.side = side;
         self.st.side_lost = false;
-        self.st.pos.update(&after);
-        self.st.start.touch(after.known());
+        self.st.position.move_to(&after);
         self.st.polar = None;
         self.st.last = None;
         Ok(())
@@ -435,8 +434,7 @@ impl Run<'_> {
             self.raw_move(up, Path::Line(feed), Side::None);
             after.set(third, depth);
         }
-        self.st.pos.update(&after);
-        self.st.start.touch(after.known());
+        self.st.position.move_to(&after);
         self.st.polar = None;
         self.st.last = None;
         self.st.last_rapid = false;

@@ -85,7 +85,7 @@ impl Run<'_> {
     pub(super) fn start_in(&mut self, plane: Plane, what: &str) -> Outcome<Point2> {
         let (first, second, _) = plane.axes();
         let span = self.block_span();
-        if !self.st.nominal.known().common(plane_axes(plane)).is_empty() {
+        if self.st.position.stands_beside(plane_axes(plane)) {
             return self.fail_help(
                 codes::K2604,
                 span,

@@ -9,11 +9,10 @@ use crate::text::blocks::{Cursor, Place};
 use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
 use super::super::Job;
-use super::super::exec::open_program;
 use super::labels::{Label, Labels};
-use super::vars::Locals;
+use super::vars::{Locals, Val};
 use super::{Outcome, ProgramHead, Reported, Run};
-use crate::sema::klartext::formula::Val;
+use crate::sema::run::open_program;
 
 /// Most repeats of a section.
 const MOST_REPEATS: f64 = 65534.0;
@@ -224,9 +223,10 @@ impl Run<'_> {
             LabelRef::Param(q) => {
                 let span = self.block_span();
                 match self.read(q, span)? {
-                    Val::Text(name) => Label::Name(name.as_ref().into()),
-                    Val::Number(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Label::Number(n as u32),
-                    Val::Number(n) => {
+                    Val::Text(name) => Label::Name(String::from_utf8_lossy(&name).into()),
+                    Val::Real(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Label::Number(n as u32),
+                    other => {
+                        let n = other.number().unwrap_or_default();
                         return self.fail(codes::K2202, span, format!("{q} = {n} is no label number"));
                     }
                 }
@@ -482,8 +482,8 @@ impl Run<'_> {
         {
             let span = self.block_span();
             return match self.read(QRef { kind: QKind::Qs, number }, span)? {
-                Val::Text(text) => Ok(text.to_string()),
-                Val::Number(_) => self.fail(codes::K2307, span, "a text parameter is needed"),
+                Val::Text(text) => Ok(String::from_utf8_lossy(&text).into_owned()),
+                _ => self.fail(codes::K2307, span, "a text parameter is needed"),
             };
         }
         let name = name.trim_matches('"').trim().to_owned();

@@ -13,10 +13,10 @@ use crate::parser::klartext::{SPLIT, parse_block};
 use crate::text::{FileId, Loc, Next, Span};
 
 use super::super::Job;
-use super::super::exec::open_cursor;
 use super::path::plane_axes;
 use super::state::State;
 use super::{Outcome, Reported, Run};
+use crate::sema::run::open_cursor;
 
 /// The number of the M function that changes the tool.
 const M6: u32 = 6;
@@ -53,10 +53,8 @@ impl State {
     /// Takes the tool that was called for the one in the spindle, whose tip lies somewhere else along the tool axis.
     pub(super) fn forget_tip(&mut self) {
         let axis = self.axis();
-        self.pos.forget(axis);
-        self.start.touch(AxisSet::of(axis));
-        self.nominal.forget(axis);
-        self.lost.remove(axis);
+        self.position.forget(AxisSet::of(axis));
+        self.position.not_lost(AxisSet::of(axis));
         self.polar = self.polar.filter(|last| !plane_axes(last.plane).contains(axis));
     }
 }
@@ -64,7 +62,7 @@ impl State {
 impl Run<'_> {
     /// TOOL CALL of another tool: changes it, or makes it ready for the M6.
     pub(super) fn call_for_change(&mut self, number: u32) {
-        let height = self.st.pos.get(self.st.axis());
+        let height = self.st.position.get(self.st.axis());
         let announced = self.st.change == Change::Announced;
         let waits = match self.job.settings.control.siemens.tool_change_by_t {
             Some(at_call) => !at_call,
@@ -198,14 +196,14 @@ impl Run<'_> {
         if mv.path.is_rapid() || mv.coords == Coords::Machine {
             return false;
         }
-        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(&self.st.pos, &mv.end, axis)) {
+        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.st.position.at(), &mv.end, axis)) {
             return true;
         }
         let height = match self.st.change {
             Change::Called { height, .. } => height,
             _ => None,
         };
-        match (mv.end.get(axis), self.st.pos.get(axis), height) {
+        match (mv.end.get(axis), self.st.position.get(axis), height) {
             (Some(to), Some(from), _) => to < from,
             (Some(to), None, Some(height)) => to <= height,
             _ => false,

@@ -82,13 +82,9 @@ impl Run<'_> {
             ));
         }
         if frame != self.st.ctx.frame {
-            let at = self.st.ctx.frame.apply(&self.st.pos);
-            self.st.pos = frame.unapply(&at);
+            self.st.position.through_frame(&self.st.ctx.frame, &frame);
             // Where the nominal position of R+ and R- lies in the new system is not documented.
-            for axis in self.st.nominal.known().iter() {
-                self.st.pos.forget(axis);
-            }
-            self.st.nominal.clear();
+            self.st.position.forget_beside();
             self.st.polar = None;
             self.st.system += 1;
         }
@@ -323,11 +319,9 @@ impl Run<'_> {
         self.set_transformation(Transformation::none(mirror_last))?;
         // In the new system no axis has a known position, but for those that never moved before the first preset.
         if std::mem::replace(&mut self.st.preset_selected, true) {
-            self.st.start.end();
+            self.st.position.end_start();
         }
-        self.st.pos = self.st.start.position();
-        self.st.nominal = crate::ir::Pos::UNKNOWN;
-        self.st.lost = AxisSet::EMPTY;
+        self.st.position.stand_at_start();
         self.st.polar = None;
         self.st.system += 1;
         Ok(())

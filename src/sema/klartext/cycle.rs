@@ -17,7 +17,7 @@ use super::cycle_words::is_parameter_of;
 use super::holes::{self, Retract};
 use super::machining::{Machining, Part, What};
 use super::words::Admits;
-use super::{Here, Outcome, Reported, Run};
+use super::{Outcome, Reported, Run, Site};
 
 /// What is known of cycles: the definition under way and the one that calls run.
 #[derive(Debug, Default)]
@@ -32,7 +32,7 @@ pub(super) struct Cycles {
 #[derive(Debug)]
 pub(super) struct Open {
     pub number: u32,
-    here: Here,
+    here: Site,
     /// Highest part read; `None` for a cycle with Q parameters.
     pub part: Option<u32>,
     pub axes: Vec<AxisValue>,
@@ -67,7 +67,7 @@ pub(super) struct Labelled {
 }
 
 impl Open {
-    fn new(number: u32, part: Option<u32>, here: Here, failed: bool) -> Open {
+    fn new(number: u32, part: Option<u32>, here: Site, failed: bool) -> Open {
         Open {
             number,
             here,

@@ -5,17 +5,96 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
-use crate::machine::{Axis, Generation, Modulo, Unit};
-use crate::parser::klartext::ast::{Binary, Block, LabelRef, Op, Operand, Relation, Test};
+use crate::machine::{Axis, Generation, Settings, Unit};
+use crate::parser::klartext::ast::{Block, LabelRef, Op, Operand, Operator, Relation, Test, TextFn};
+use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, evaluate, noun};
 use crate::text::{Span, decode::readable};
 
 use super::calls::LevelKind;
-use super::formula::{self, Val};
-use super::vars::{Slot, exists};
+use super::text_functions;
+use super::vars::{Slot, Val, exists};
 use super::{Outcome, Reported, Run};
+
+/// Largest value a parameter holds.
+const LARGEST: f64 = 1e10;
 
 /// Values that differ by less may differ by the rounding of what they were computed from.
 const ROUNDING: f64 = 1e-9;
+
+/// How this control computes.
+pub(super) fn rules(settings: &Settings) -> Rules {
+    let control = &settings.control;
+    Rules {
+        step: LARGEST,
+        result: LARGEST,
+        // The sign of 0 is +1 on the older controls.
+        sign_of_zero: if control.klartext >= Generation::Tnc7 { 0.0 } else { 1.0 },
+        modulo: match control.modulo {
+            crate::machine::Modulo::Truncate => Modulo::Truncate,
+            crate::machine::Modulo::Floor => Modulo::Floor,
+            crate::machine::Modulo::Refuse => Modulo::Positive,
+        },
+        ..Rules::USUAL
+    }
+}
+
+impl Formulas for Run<'_> {
+    type Op = Op;
+    type Axis = Never;
+    type Frame = Never;
+
+    fn machine(&mut self) -> &mut Machine {
+        &mut self.machine
+    }
+
+    fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
+        Ok(match *op {
+            Op::Number(n) => Val::Real(n),
+            Op::Param(q) => self.read(q, at.span)?,
+            Op::Text(span) => Val::text(readable(span.of(at.text)).as_bytes()),
+            Op::Unary(f) => machine.unary(f)?,
+            Op::Binary(f) => machine.binary(f)?,
+            Op::TextFn(TextFn::Unknown) => {
+                return Ok(self.fail(codes::K9017, at.span, "this string function reads from the control")?);
+            }
+            Op::TextFn(f) => text_functions::apply(f, machine)?,
+            Op::Join => text_functions::join(machine)?,
+            Op::DoubtfulPower(span) => {
+                self.warn_of_power(span);
+                machine.pop()?
+            }
+        })
+    }
+
+    fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
+        let message = match fault {
+            Fault::Domain(f, x) | Fault::Open(f, x) => format!("{} of {x} does not exist", noun(f)),
+            Fault::OpenBetween(_, a, b) => {
+                self.report(
+                    Diagnostic::new(
+                        codes::K2310,
+                        self.loc(at.span),
+                        format!("{a} % {b}: the sign of the result is not documented"),
+                    )
+                    .help("make the operands positive first, or set `[control] modulo` to \"truncate\" or \"floor\""),
+                );
+                return Reported;
+            }
+            Fault::Outside(Operator::Power, a, b) => format!("{a} to the power of {b} does not exist"),
+            Fault::Outside(_, a, b) => format!("there is no result for {a} and {b}"),
+            Fault::Zero(a) => format!("{a} is divided by zero"),
+            Fault::TooLarge | Fault::TooLargeInt => "the result is over 10 000 000 000".to_owned(),
+            Fault::Misfit(_) | Fault::Mismatch(..) => "a number is needed, not a text".to_owned(),
+            Fault::Missing => {
+                self.report(Diagnostic::new(codes::K1006, self.loc(at.span), "a value is missing"));
+                return Reported;
+            }
+            Fault::Said(why) => why,
+        };
+        self.report(Diagnostic::new(codes::K2303, self.loc(at.span), message));
+        Reported
+    }
+}
 
 impl Run<'_> {
     /// The number that stands behind an address.
@@ -59,8 +138,8 @@ impl Run<'_> {
     /// Value of a number parameter.
     pub(super) fn parameter(&mut self, q: QRef, span: Span) -> Outcome<f64> {
         match self.read(q, span)? {
-            Val::Number(n) => Ok(n),
-            Val::Text(_) => self.fail(codes::K2307, span, format!("{q} holds a text, a number is needed")),
+            Val::Real(n) => Ok(n),
+            _ => self.fail(codes::K2307, span, format!("{q} holds a text, a number is needed")),
         }
     }
 
@@ -72,10 +151,10 @@ impl Run<'_> {
             && (100..200).contains(&q.number)
             && let Some(value) = self.control_value(q.number, span)?
         {
-            return Ok(Val::Number(value));
+            return Ok(Val::Real(value));
         }
         match self.vars.get(self.locals(), q) {
-            Some(Slot::Number(n)) => Ok(Val::Number(*n)),
+            Some(Slot::Number(n)) => Ok(Val::Real(*n)),
             Some(Slot::Text(text)) => Ok(Val::Text(Rc::clone(text))),
             Some(Slot::Lost) => Err(Reported),
             Some(&Slot::AtMachine(set)) => {
@@ -113,7 +192,7 @@ impl Run<'_> {
             );
         }
         self.report(Diagnostic::new(codes::K2302, self.loc(span), format!("{q} was never set and is read as 0")));
-        Ok(Val::Number(0.0))
+        Ok(Val::Real(0.0))
     }
 
     /// Q100 to Q199, as far as the compiler knows them.
@@ -174,94 +253,21 @@ impl Run<'_> {
 
     /// Computes the formula of the block.
     fn formula(&mut self, block: &Block, text: &[u8]) -> Outcome<Val> {
-        let mut stack = std::mem::take(&mut self.stack);
-        stack.clear();
-        let result = self.run_ops(&mut stack, block, text);
-        let value = stack.pop();
-        self.stack = stack;
-        result?;
-        match value {
-            Some(value) => Ok(value),
-            None => self.fail(codes::K1006, block.span, "a value is missing"),
-        }
+        evaluate(self, &block.ops, At { span: block.span, text })
     }
 
-    fn run_ops(&mut self, stack: &mut Vec<Val>, block: &Block, text: &[u8]) -> Outcome {
-        let generation = self.job.settings.control.klartext;
-        for op in &block.ops {
-            let value = match *op {
-                Op::Number(n) => Ok(Val::Number(n)),
-                Op::Param(q) => Ok(self.read(q, block.span)?),
-                Op::Text(span) => Ok(Val::Text(readable(span.of(text)).into())),
-                Op::Negate => pop(stack).map(|x| Val::Number(-x)),
-                Op::Unary(f) => pop(stack).and_then(|x| formula::unary(f, x, generation)).map(Val::Number),
-                Op::Binary(f) => {
-                    let (b, a) = (pop(stack), pop(stack));
-                    match (f, &a, &b) {
-                        (Binary::Modulo, Ok(a), Ok(b)) if *a < 0.0 || *b < 0.0 => {
-                            self.signed_modulo(*a, *b, block.span)?.map(Val::Number)
-                        }
-                        _ => a.and_then(|a| b.and_then(|b| formula::binary(f, a, b))).map(Val::Number),
-                    }
-                }
-                Op::TextFn(crate::parser::klartext::ast::TextFn::Unknown) => {
-                    return self.fail(codes::K9017, block.span, "this string function reads from the control");
-                }
-                Op::TextFn(f) => formula::text_fn(f, stack),
-                Op::Join => match (stack.pop(), stack.pop()) {
-                    (Some(Val::Text(b)), Some(Val::Text(a))) => formula::join(&a, &b),
-                    _ => Err("a text is needed".to_owned()),
-                },
-                Op::DoubtfulPower(span) => {
-                    if generation < Generation::Tnc7 {
-                        self.report(
-                            Diagnostic::new(
-                                codes::K2306,
-                                self.loc(span),
-                                "older controls may compute this power differently",
-                            )
-                            .help("write brackets"),
-                        );
-                    }
-                    continue;
-                }
-            };
-            match value {
-                Ok(value) => stack.push(value),
-                Err(why) => return self.fail(codes::K2303, block.span, why),
-            }
-        }
-        Ok(())
-    }
-
-    /// `%` with a negative operand: no manual says which sign the result has.
-    fn signed_modulo(&self, a: f64, b: f64, span: Span) -> Outcome<Result<f64, String>> {
-        let rest = match formula::binary(Binary::Modulo, a, b) {
-            Ok(rest) => rest,
-            Err(why) => return Ok(Err(why)),
-        };
-        match self.job.settings.control.modulo {
-            _ if rest == 0.0 => Ok(Ok(0.0)),
-            Modulo::Truncate => Ok(Ok(rest)),
-            Modulo::Floor if (rest < 0.0) == (b < 0.0) => Ok(Ok(rest)),
-            Modulo::Floor => Ok(formula::checked(rest + b)),
-            Modulo::Refuse => self.fail_help(
-                codes::K2310,
-                span,
-                format!("{a} % {b}: the sign of the result is not documented"),
-                "make the operands positive first, or set `[control] modulo` to \"truncate\" or \"floor\"",
-            ),
+    fn warn_of_power(&self, span: Span) {
+        if self.job.settings.control.klartext < Generation::Tnc7 {
+            let message = "older controls may compute this power differently";
+            self.report(Diagnostic::new(codes::K2306, self.loc(span), message).help("write brackets"));
         }
     }
 
     /// `Q1 = …` and FN 0 to 8, 13.
     pub(super) fn assign(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.formula(block, text).and_then(|value| match value {
-            Val::Number(n) => match formula::checked(n) {
-                Ok(n) => Ok(Slot::Number(n)),
-                Err(why) => self.fail(codes::K2303, block.span, why),
-            },
-            Val::Text(_) => self.fail(codes::K2307, block.span, format!("{q} takes a number, not a text")),
+            Val::Real(n) => Ok(Slot::Number(n)),
+            _ => self.fail(codes::K2307, block.span, format!("{q} takes a number, not a text")),
         });
         if block.number.is_none()
             && let Ok(Slot::Number(n)) = value
@@ -274,7 +280,7 @@ impl Run<'_> {
     pub(super) fn assign_text(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.formula(block, text).and_then(|value| match value {
             Val::Text(text) => Ok(Slot::Text(text)),
-            Val::Number(_) => self.fail(codes::K2307, block.span, format!("{q} takes a text, not a number")),
+            _ => self.fail(codes::K2307, block.span, format!("{q} takes a text, not a number")),
         });
         self.set(q, value.unwrap_or(Slot::Lost), block.span)
     }
@@ -317,14 +323,14 @@ impl Run<'_> {
             }
             Test::Compare { relation, left, right } => {
                 let (a, b) = (self.operand(left, text)?, self.operand(right, text)?);
-                if let (Val::Number(a), Val::Number(b)) = (&a, &b)
+                if let (Val::Real(a), Val::Real(b)) = (&a, &b)
                     && a != b
                     && (a - b).abs() < ROUNDING
                 {
                     self.decided_by_rounding();
                 }
                 match (&a, &b) {
-                    (Val::Number(a), Val::Number(b)) => match relation {
+                    (Val::Real(a), Val::Real(b)) => match relation {
                         Relation::Equal => a == b,
                         Relation::NotEqual => a != b,
                         Relation::Greater => a > b,
@@ -357,10 +363,10 @@ impl Run<'_> {
     fn operand(&mut self, operand: Operand, text: &[u8]) -> Outcome<Val> {
         let span = self.block_span();
         Ok(match operand {
-            Operand::Number(n) => Val::Number(n),
-            Operand::Text(span) => Val::Text(readable(span.of(text)).into()),
+            Operand::Number(n) => Val::Real(n),
+            Operand::Text(span) => Val::text(readable(span.of(text)).as_bytes()),
             Operand::Param { negative, q } => match self.read(q, span)? {
-                Val::Number(n) => Val::Number(if negative { -n } else { n }),
+                Val::Real(n) => Val::Real(if negative { -n } else { n }),
                 text => text,
             },
         })
@@ -388,14 +394,6 @@ impl Run<'_> {
             locals.insert(number, value);
         }
         Ok(())
-    }
-}
-
-fn pop(stack: &mut Vec<Val>) -> Result<f64, String> {
-    match stack.pop() {
-        Some(Val::Number(n)) => Ok(n),
-        Some(Val::Text(_)) => Err("a number is needed, not a text".to_owned()),
-        None => Err("a value is missing".to_owned()),
     }
 }
 

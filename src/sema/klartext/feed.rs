@@ -156,7 +156,7 @@ impl Run<'_> {
         let mut step = nalgebra::Vector3::zeros();
         let mut open = AxisSet::EMPTY;
         for axis in AxisSet::MAIN.iter() {
-            match (end.get(axis), self.st.pos.get(axis)) {
+            match (end.get(axis), self.st.position.get(axis)) {
                 (Some(to), Some(from)) => step[axis.index()] = to - from,
                 (Some(_), None) => open.insert(axis),
                 (None, _) => {}
@@ -200,7 +200,7 @@ impl Run<'_> {
         if self.level().unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
             return Some(feed);
         }
-        let linear = |axis: &Axis| !axis.is_rotary() && self.st.pos.get(*axis) != end.get(*axis);
+        let linear = |axis: &Axis| !axis.is_rotary() && self.st.position.get(*axis) != end.get(*axis);
         Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.written_feed) })
     }
 }

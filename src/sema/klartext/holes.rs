@@ -165,13 +165,10 @@ impl Run<'_> {
             return self.cycle_value(cycle, &fault_text(fault));
         }
         let cycle = Cycle::Drilling(hole);
-        let end = cycle.leaves(&self.st.pos);
+        let end = cycle.leaves(self.st.position.at());
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
         let axis = self.st.axis();
-        self.st.pos = end;
-        self.st.start.touch(AxisSet::of(axis));
-        self.st.nominal.forget(axis);
-        self.st.lost.remove(axis);
+        self.st.position.cycle_leaves(&end, AxisSet::of(axis));
         self.st.moved = true;
         if matches!(cycle, Cycle::Drilling(Drilling { method: Method::Tap(Tap { after: Spindle::Stop, .. }), .. })) {
             self.st.spindle = None;

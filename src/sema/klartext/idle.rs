@@ -12,13 +12,13 @@ use crate::text::blocks::BlockText;
 use crate::text::{Loc, Next, Span, decode::readable};
 
 use super::super::Job;
-use super::super::exec::open_cursor;
-use super::super::here::Here;
 use super::cycle_names::{Nature, nature};
 use super::labels::{Label, Labels};
 use super::path::{PATH, corner_words, path_words};
 use super::words::{Admits, same_matter};
-use super::{mfunc, other, plane};
+use super::{m_functions, other, plane};
+use crate::sema::run::Site;
+use crate::sema::run::open_cursor;
 
 /// Looks at every block of the main program after its run.
 pub fn check_idle(job: &Job<'_>) {
@@ -56,7 +56,7 @@ fn has_place(places: &[u32], text: &BlockText<'_>) -> bool {
 }
 
 fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &BlockText<'_>) {
-    let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+    let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
     let found = called_label(block)
         .and_then(|label| Label::written(label, text.text))
         .filter(|label| *label != Label::Number(0) && labels.place(label).is_none())
@@ -114,7 +114,7 @@ fn admits(stmt: Stmt) -> Option<Admits> {
 }
 
 /// A word that the block does not take, or that says again what an earlier one says.
-fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Here) -> Option<Diagnostic> {
+fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Site) -> Option<Diagnostic> {
     let admits = admits(block.stmt)?;
     for (at, word) in block.words.iter().enumerate() {
         let shown = || readable(word.span.of(text)).into_owned();
@@ -132,7 +132,7 @@ fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Here) -> Option<
             );
         }
         // What follows may belong to the function.
-        if matches!(word.addr, Addr::M(number) if mfunc::takes_words(number)) {
+        if matches!(word.addr, Addr::M(number) if m_functions::takes_words(number)) {
             return None;
         }
     }
@@ -169,7 +169,7 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     };
     code.or_else(|| {
         block.words.iter().find_map(|word| match word.addr {
-            Addr::M(number) => mfunc::refused_code(number, &job.settings.output.pass_m),
+            Addr::M(number) => m_functions::refused_code(number, &job.settings.output.pass_m),
             Addr::FeedOther => Some(codes::K9013),
             _ => None,
         })

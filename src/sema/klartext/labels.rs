@@ -9,7 +9,7 @@ use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
 use super::super::Job;
-use super::super::exec::open_cursor;
+use crate::sema::run::open_cursor;
 
 /// A label as programs call it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]

@@ -15,13 +15,12 @@ mod cycle_names;
 mod cycle_words;
 mod eval;
 mod feed;
-mod formula;
 mod help;
 mod holes;
 mod idle;
 mod labels;
+mod m_functions;
 mod machining;
-mod mfunc;
 mod other;
 mod path;
 mod pattern_def;
@@ -32,6 +31,7 @@ mod probing;
 mod rotary;
 mod state;
 mod system;
+mod text_functions;
 mod tool;
 mod transform;
 mod vars;
@@ -50,12 +50,11 @@ use crate::text::{FileId, Loc, Next, Span};
 
 pub use idle::check_idle;
 
-use super::Job;
-use super::exec::{Budget, Parsed, Read, Source, open_cursor};
-use super::here::Here;
+use super::run::{Budget, Parsed, Read, Site, Source, open_cursor};
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use calls::{Level, LevelKind};
 use cycle::Cycles;
-use formula::Val;
 use labels::Labels;
 use state::State;
 use vars::{Locals, Vars};
@@ -79,17 +78,17 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         places_lost: false,
         selected: None,
         noted: Vec::new(),
-        stack: Vec::new(),
+        machine: Machine::new(eval::rules(job.settings)),
         words: None,
         skipped: None,
-        here: Here::default(),
+        here: Site::default(),
         problems: Vec::new(),
         scratch: None,
         ended: false,
     };
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let Some(program) = run.open(job.main, start) else { return 0 };
-    run.out.begins_at(&run.st.start.position());
+    run.out.begins_at(&run.st.position.start());
     run.levels.push(Level::main(program, job.settings.control.unit.unwrap_or_default(), locals));
     while !run.ended {
         run.step();
@@ -107,7 +106,7 @@ pub fn check_form(job: &Job<'_>) {
     let mut head: Option<(Unit, Loc)> = None;
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut problems);
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             push_problem(job, &here, problem);
         }
@@ -125,7 +124,7 @@ pub fn check_form(job: &Job<'_>) {
 }
 
 /// A program without numbers has hundreds of such words: one finding says it all.
-fn push_problem(job: &Job<'_>, here: &Here, problem: Problem) {
+fn push_problem(job: &Job<'_>, here: &Site, problem: Problem) {
     let once = problem.code == codes::K0801;
     let found = here.diagnostic(job, problem);
     if once { job.diags.push_once(found) } else { job.diags.push(found) }
@@ -184,21 +183,15 @@ struct Run<'a> {
     selected: Option<String>,
     /// M functions of which it was said that they are left out.
     noted: Vec<u32>,
-    stack: Vec<Val>,
+    machine: Machine,
     words: Option<Box<words::Words>>,
     /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
     skipped: Option<u32>,
-    here: Here,
+    here: Site,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed<Block>>>,
     ended: bool,
 }
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl Run<'_> {
     fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {

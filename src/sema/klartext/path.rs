@@ -11,7 +11,7 @@ use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 use crate::text::Loc;
 
 use super::approach::Last;
-use super::mfunc::Args;
+use super::m_functions::Args;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
 
@@ -210,23 +210,16 @@ impl Run<'_> {
             self.keep_direction(end, path);
         }
         self.st.last_rapid = path.is_rapid();
-        self.st.pos.update(end);
-        self.st.start.touch(end.known());
-        if !self.st.nominal.known().is_empty() {
-            for axis in end.known().iter() {
-                self.st.nominal.forget(axis);
-            }
-        }
-        self.st.lost = self.st.lost.without(end.known());
+        self.st.position.move_to(end);
         self.st.moved = true;
     }
 
     /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
     fn keep_direction(&mut self, after: &Pos, path: Path) {
         let plane = self.st.plane();
-        let mut end = self.st.pos;
+        let mut end = *self.st.position.at();
         end.update(after);
-        let (Some(from), Some(to)) = (self.st.pos.in_plane(plane), end.in_plane(plane)) else {
+        let (Some(from), Some(to)) = (self.st.position.in_plane(plane), end.in_plane(plane)) else {
             self.st.last = None;
             return;
         };
@@ -330,7 +323,7 @@ impl Run<'_> {
                 "reset the mirror or rotation in front of M140",
             );
         }
-        let from = match self.st.pos.get(axis) {
+        let from = match self.st.position.get(axis) {
             Some(from) => from,
             None => self.position_of(axis, m.span, "M140")?,
         };
@@ -465,7 +458,7 @@ impl Run<'_> {
         let name = if longer { "R+" } else { "R-" };
         let radius = self.tool_radius(w.comp_span)?;
         let from = self.position_of(axis, w.axes_span, name)?;
-        let stands = self.st.pos.get(axis).unwrap_or(from);
+        let stands = self.st.position.get(axis).unwrap_or(from);
         let target = self.absolute(w)?.get(axis).unwrap_or(from);
         let way = target - from;
         // Where the tool stands beside its nominal position, both have to agree on the direction.
@@ -483,7 +476,7 @@ impl Run<'_> {
         let mut end = Pos::UNKNOWN;
         end.set(axis, target + sign * radius / scale);
         self.line_to(w, end)?;
-        self.st.nominal.set(axis, target);
+        self.st.position.leave_beside(axis, target);
         Ok(())
     }
 }

@@ -312,7 +312,7 @@ impl Run<'_> {
             self.goes_on()?;
             let clear = self.heights(&cycle, *surface)?;
             let axis = self.st.axis();
-            if self.st.pos.get(axis).is_none_or(|at| at < clear.start()) {
+            if self.st.position.get(axis).is_none_or(|at| at < clear.start()) {
                 let mut up = Pos::UNKNOWN;
                 up.set(axis, clear.second);
                 self.send(&up, Path::Rapid);

@@ -79,7 +79,7 @@ impl Run<'_> {
     /// To the 2nd set-up clearance, unless the tool is known to stand there or higher.
     fn lift_to(&mut self, heights: &Heights) {
         let axis = self.st.axis();
-        if self.st.pos.get(axis).is_some_and(|at| at >= heights.second) {
+        if self.st.position.get(axis).is_some_and(|at| at >= heights.second) {
             return;
         }
         let mut end = Pos::UNKNOWN;
@@ -201,7 +201,7 @@ impl Run<'_> {
         let feed = self.pattern_feed(&w, "CYCL CALL POS")?;
         let shift = w.axes.get(axis).unwrap_or(0.0);
         let heights = self.heights(cycle, shift)?;
-        let Some(at) = self.st.pos.get(axis) else {
+        let Some(at) = self.st.position.get(axis) else {
             self.position_of(axis, w.axes_span, "CYCL CALL POS")?;
             return Err(Reported);
         };

@@ -306,8 +306,7 @@ impl Run<'_> {
         self.set_transformation(next)?;
         if leaves {
             // The part turns away from under the tool, or not: both axes have to be named again.
-            self.st.pos.forget(Axis::X);
-            self.st.pos.forget(Axis::Y);
+            self.st.position.forget([Axis::X, Axis::Y].into_iter().collect());
             self.st.polar = None;
         }
         Ok(())
@@ -332,7 +331,7 @@ impl Run<'_> {
 
     /// Does every rotary axis that the program moved stand at zero?
     fn stands_upright(&self) -> bool {
-        let at = self.st.ctx.frame.apply(&self.st.pos);
+        let at = self.st.ctx.frame.apply(self.st.position.at());
         [Axis::A, Axis::B, Axis::C].into_iter().filter(|axis| self.st.rotary_moved.contains(*axis)).all(|axis| {
             at.get(axis)
                 .is_some_and(|angle| (angle - self.st.rotary_offset[axis.index() - Axis::A.index()]) % 360.0 == 0.0)
@@ -355,10 +354,10 @@ impl Run<'_> {
 
     /// Under M128 a rotary axis that turns takes the other axes along.
     pub(super) fn check_tip(&mut self, w: &Words, axis: Axis, target: Option<f64>) -> Outcome {
-        if !self.st.follows_tip || (target.is_some() && target == self.st.pos.get(axis)) {
+        if !self.st.follows_tip || (target.is_some() && target == self.st.position.get(axis)) {
             return Ok(());
         }
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
         self.fail_help(

@@ -4,7 +4,6 @@
 //! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Pos;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
@@ -118,8 +117,7 @@ impl Run<'_> {
     /// The probe moved, and the datum may be another: the next block of each axis has to be absolute.
     fn forget_positions(&mut self, turns: bool) {
         let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
-        self.st.pos = Pos::UNKNOWN;
-        self.st.nominal = Pos::UNKNOWN;
+        self.st.position.clear();
         self.st.polar = None;
         self.st.last = None;
         if turns {

@@ -67,7 +67,7 @@ impl Run<'_> {
     /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.
     pub(super) fn rotary_target(&mut self, axis: Axis, target: f64, span: Span) -> f64 {
         let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
-        let Some(from) = self.st.pos.get(axis) else {
+        let Some(from) = self.st.position.get(axis) else {
             *offset = 0.0;
             return target;
         };
@@ -101,7 +101,7 @@ impl Run<'_> {
             if !axes.is_empty() && !axes.contains(axis) {
                 continue;
             }
-            if let Some(at) = self.st.pos.get(axis) {
+            if let Some(at) = self.st.position.get(axis) {
                 let offset = &mut self.st.rotary_offset[axis.index() - Axis::A.index()];
                 let shown = at - *offset;
                 *offset = at - shown % 360.0;

@@ -5,9 +5,10 @@ use std::rc::Rc;
 use crate::geo::{Deg, Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::function::Turn;
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet, Settings};
-use crate::sema::start::Start;
+use crate::sema::common::position::Position;
+use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::approach::Last;
@@ -18,14 +19,8 @@ use super::transform::Transformation;
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
 #[derive(Debug)]
 pub(super) struct State {
-    /// Programmed position.
-    pub pos: Pos,
-    /// Axes that stand where the configuration says.
-    pub start: Start,
-    /// Nominal coordinates of axes that R+ or R- left beside them; increments count from here.
-    pub nominal: Pos,
-    /// Axes whose position is unknown because an error was reported: not worth another one.
-    pub lost: AxisSet,
+    /// R+ and R- leave an axis beside its nominal position.
+    pub position: Position,
     pub pole: Option<PoleState>,
     /// A pole block was refused: a missing pole is not worth another error.
     pub pole_lost: bool,
@@ -155,12 +150,8 @@ pub(super) struct Blank {
 impl State {
     pub fn new(settings: &Settings) -> State {
         let feed = settings.control.feed;
-        let start = Start::new(settings, false);
         State {
-            pos: start.position(),
-            start,
-            nominal: Pos::UNKNOWN,
-            lost: AxisSet::EMPTY,
+            position: Position::new(Start::new(settings, false)),
             pole: None,
             pole_lost: false,
             polar: None,
@@ -213,27 +204,16 @@ impl State {
 
     /// Forgets where these axes are.
     pub fn lose(&mut self, axes: AxisSet) {
-        for axis in axes.iter() {
-            self.pos.forget(axis);
-            self.nominal.forget(axis);
-        }
-        self.lost = self.lost.union(axes);
+        self.position.lose(axes);
         self.polar = None;
     }
 
     /// These axes were moved in machine coordinates: forgets every programmed coordinate that depends on them.
     pub fn moved_by_machine(&mut self, axes: AxisSet) {
-        let mut at = self.ctx.frame.apply(&self.pos);
-        for axis in axes.iter() {
-            at.forget(axis);
-            self.start.touch(AxisSet::of(axis));
-            self.nominal.forget(axis);
-            if axis.is_rotary() {
-                self.rotary_offset[axis.index() - Axis::A.index()] = 0.0;
-            }
+        self.position.moved_by_machine(axes, &self.ctx.frame);
+        for axis in axes.iter().filter(|axis| axis.is_rotary()) {
+            self.rotary_offset[axis.index() - Axis::A.index()] = 0.0;
         }
-        self.pos = self.ctx.frame.unapply(&at);
-        self.lost = self.lost.without(axes);
         self.polar = None;
     }
 

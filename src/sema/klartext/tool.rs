@@ -12,8 +12,8 @@ use crate::machine::{Axis, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
-use super::formula::Val;
 use super::state::ActiveTool;
+use super::vars::Val;
 use super::{Outcome, Reported, Run};
 
 /// Highest tool number.
@@ -377,8 +377,8 @@ impl Run<'_> {
         let tool = match (first.addr, first.value) {
             (Addr::Text, _) => name(first.span.of(text)),
             (Addr::Value, Value::Param { q, .. }) if q.is_text() => match self.read(q, first.span)? {
-                Val::Text(text) => Named::Name(text.to_string()),
-                Val::Number(_) => return self.fail(codes::K2307, first.span, "a text parameter is needed"),
+                Val::Text(text) => Named::Name(String::from_utf8_lossy(&text).into_owned()),
+                _ => return self.fail(codes::K2307, first.span, "a text parameter is needed"),
             },
             (Addr::Value, Value::Number(_)) => self.tool_number(first.span.of(text), first.span)?,
             (Addr::Value, value) => {

@@ -8,11 +8,14 @@ use rustc_hash::FxHashMap;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::text::Loc;
 
+/// A number or a text in UTF-8.
+pub(super) type Val = crate::sema::value::Val;
+
 /// What a parameter holds.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Slot {
     Number(f64),
-    Text(Rc<str>),
+    Text(Rc<[u8]>),
     /// Its computation failed and was reported.
     Lost,
     /// The control sets it at the machine, by the block at this place, which has no counterpart in the output.

@@ -9,7 +9,7 @@ use crate::parser::klartext::no_number;
 use crate::parser::not_a_number::is_no_number;
 use crate::text::{Span, decode::readable};
 
-use super::mfunc::{self, Args};
+use super::m_functions::{self, Args};
 use super::{Outcome, Run};
 
 /// Which words a head admits.
@@ -358,7 +358,7 @@ impl Run<'_> {
         block: &Block,
         w: &Words,
     ) -> Outcome<(Args, usize)> {
-        let takes = mfunc::takes(number);
+        let takes = m_functions::takes(number);
         let mut args = Args::default();
         let mm = self.level().unit.mm();
         let mut at = 0;
@@ -445,7 +445,7 @@ impl Run<'_> {
                 if a.number == b.number {
                     return self.twice(Word { addr: Addr::M(b.number), value: Value::None, span: b.span }, block);
                 }
-                if mfunc::conflict(a.number, b.number) {
+                if m_functions::conflict(a.number, b.number) {
                     self.report(
                         Diagnostic::new(
                             codes::K1014,
@@ -477,17 +477,17 @@ impl Run<'_> {
 
     /// Programmed position of an axis; an error where it is not known.
     pub(super) fn position_of(&mut self, axis: Axis, span: Span, what: &str) -> Outcome<f64> {
-        if let Some(value) = self.st.nominal.get(axis).or(self.st.pos.get(axis)) {
+        if let Some(value) = self.st.position.programmed(axis) {
             return Ok(value);
         }
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(super::Reported);
         }
         self.fail_help(
             codes::K2001,
             span,
             format!("{what} needs the position of {}, which is not known here", axis.letter()),
-            &self.st.start.help(axis, &format!("program an absolute position of {} first", axis.letter())),
+            &self.st.position.help(axis, &format!("program an absolute position of {} first", axis.letter())),
         )
     }
 }

@@ -8,7 +8,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
 use crate::machine::Axis;
-use crate::machine::mtc200::Centres;
+use crate::machine::options::mtc200::Centres;
 use crate::text::{Loc, Span};
 
 use super::path::plane_axes;

@@ -3,18 +3,86 @@
 //! Source: reference section 3. Values are plain numbers; unit and diameter come with the word that uses them.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Deg;
-use crate::machine::mtc200::Reading;
-use crate::parser::mtc200::ast::{Block, Formula, Func, Op, Target, Value, Word};
+use crate::lexer::formula::{Function, Operator};
+use crate::machine::options::mtc200::Reading;
+use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
+use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, Val, evaluate};
 use crate::text::Span;
 
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// Variables have three digits.
 pub(super) const VARIABLES: usize = 1000;
 
 /// Largest number of a word or formula.
 const LARGEST: f64 = 1e12;
+
+pub(super) fn rules(radians: bool) -> Rules {
+    Rules { result: LARGEST, radians, cuts_negative: false, modulo: Modulo::Whole, ..Rules::USUAL }
+}
+
+impl Formulas for Run<'_> {
+    type Op = Op;
+    type Axis = Never;
+    type Frame = Never;
+
+    fn machine(&mut self) -> &mut Machine {
+        &mut self.machine
+    }
+
+    fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
+        Ok(match *op {
+            Op::Number(n) => Val::Real(n),
+            Op::Variable(number, span) => Val::Real(self.variable(number, span)?),
+            Op::Unary(f) => {
+                use Function::{Acos, Asin, Atan, Cos, Sin, Tan};
+                if matches!(f, Sin | Cos | Tan | Asin | Acos | Atan) {
+                    self.reading(Reading::Degrees, at.span, "angles in formulas count in degrees");
+                }
+                machine.unary(f)?
+            }
+            Op::Binary(f) => machine.binary(f)?,
+        })
+    }
+
+    fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
+        let (code, message, help) = match fault {
+            Fault::Open(f, x) => (
+                codes::M2304,
+                format!("the result of {}({x}) depends on how the control rounds", name(f)),
+                "make the value positive: -INT(-@050)",
+            ),
+            Fault::OpenBetween(f, a, b) => {
+                let name = if f == Operator::Modulo { "MOD" } else { "DIV" };
+                let message = format!("the result of {a} {name} {b} depends on how the control rounds");
+                (codes::M2304, message, "use whole numbers of zero or more")
+            }
+            Fault::Domain(f, x) => (codes::M2302, format!("{}({x}) does not exist", name(f)), ""),
+            Fault::Zero(_) => (codes::M2302, "the formula divides by zero".to_owned(), ""),
+            Fault::Missing => (codes::M1001, "the formula is empty".to_owned(), ""),
+            Fault::TooLarge
+            | Fault::TooLargeInt
+            | Fault::Outside(..)
+            | Fault::Misfit(_)
+            | Fault::Mismatch(..)
+            | Fault::Said(_) => (codes::M2302, "the result of the formula is too large".to_owned(), ""),
+        };
+        let found = Diagnostic::new(code, self.loc(at.span), message);
+        self.report(if help.is_empty() { found } else { found.help(help) });
+        Reported
+    }
+}
+
+fn name(f: Function) -> &'static str {
+    match f {
+        Function::Int => "INT",
+        Function::Sqrt => "SQRT",
+        Function::Tan => "TAN",
+        Function::Asin => "ASIN",
+        Function::Acos => "ACOS",
+        other => crate::sema::value::noun(other),
+    }
+}
 
 impl Run<'_> {
     /// The number behind an address.
@@ -29,101 +97,16 @@ impl Run<'_> {
     }
 
     fn formula(&mut self, formula: Formula, span: Span, block: &Block) -> Outcome<f64> {
-        let mut stack = std::mem::take(&mut self.stack);
-        stack.clear();
-        let result = block.formula(formula).iter().try_for_each(|op| self.operation(*op, &mut stack, span));
-        let value = stack.pop();
-        self.stack = stack;
-        result?;
-        match value {
-            Some(value) if value.abs() <= LARGEST => Ok(value),
-            Some(_) => self.fail(codes::M2302, span, "the result of the formula is too large"),
-            None => self.fail(codes::M1001, span, "the formula is empty"),
-        }
-    }
-
-    fn operation(&mut self, op: Op, stack: &mut Vec<f64>, span: Span) -> Outcome {
-        let value = match op {
-            Op::Number(n) => n,
-            Op::Variable(number, at) => self.variable(number, at)?,
-            Op::Negate => -stack.pop().unwrap_or(0.0),
-            Op::Call(func) => {
-                let x = stack.pop().unwrap_or(0.0);
-                self.call(func, x, span)?
-            }
-            Op::Add | Op::Subtract | Op::Multiply | Op::Divide | Op::Modulo | Op::WholeDivide => {
-                let b = stack.pop().unwrap_or(0.0);
-                let a = stack.pop().unwrap_or(0.0);
-                self.binary(op, a, b, span)?
-            }
-        };
-        stack.push(value);
-        Ok(())
-    }
-
-    fn binary(&mut self, op: Op, a: f64, b: f64, span: Span) -> Outcome<f64> {
-        let value = match op {
-            Op::Add => a + b,
-            Op::Subtract => a - b,
-            Op::Multiply => a * b,
-            _ if b == 0.0 => return self.fail(codes::M2302, span, "the formula divides by zero"),
-            Op::Divide => a / b,
-            _ if a < 0.0 || b < 0.0 || a.fract() != 0.0 || b.fract() != 0.0 => {
-                let name = if op == Op::Modulo { "MOD" } else { "DIV" };
-                let message = format!("the result of {a} {name} {b} depends on how the control rounds");
-                return self.fail_help(codes::M2304, span, message, "use whole numbers of zero or more");
-            }
-            Op::Modulo => a % b,
-            _ => (a / b).trunc(),
-        };
-        if value.is_finite() {
-            return Ok(value);
-        }
-        self.fail(codes::M2302, span, "the result of the formula is too large")
-    }
-
-    fn call(&mut self, func: Func, x: f64, span: Span) -> Outcome<f64> {
-        let radians = self.job.settings.control.mtc200.radians;
-        let from_radians = |angle: f64| if radians { angle } else { Deg::from_radians(angle).0 };
-        let sin_cos = || if radians { libm::sincos(x) } else { Deg(x).sin_cos() };
-        let name = func.name();
-        if matches!(func, Func::Sin | Func::Cos | Func::Tan | Func::Asin | Func::Acos | Func::Atan) {
-            self.reading(Reading::Degrees, span, "angles in formulas count in degrees");
-        }
-        let value = match func {
-            Func::Abs => x.abs(),
-            Func::Int if x < 0.0 && x.fract() != 0.0 => {
-                let message = format!("the result of INT({x}) depends on how the control rounds");
-                return self.fail_help(codes::M2304, span, message, "make the value positive: -INT(-@050)");
-            }
-            Func::Int => x.trunc(),
-            Func::Sqrt if x < 0.0 => return self.fail(codes::M2302, span, format!("SQRT({x}) does not exist")),
-            Func::Sqrt => x.sqrt(),
-            Func::Sin => sin_cos().0,
-            Func::Cos => sin_cos().1,
-            Func::Tan => {
-                let (sin, cos) = sin_cos();
-                if cos.abs() < 1e-12 {
-                    return self.fail(codes::M2302, span, format!("TAN({x}) does not exist"));
-                }
-                sin / cos
-            }
-            Func::Asin | Func::Acos if x.abs() > 1.0 => {
-                return self.fail(codes::M2302, span, format!("{name}({x}) does not exist"));
-            }
-            Func::Asin => from_radians(libm::asin(x)),
-            Func::Acos => from_radians(libm::acos(x)),
-            Func::Atan => from_radians(libm::atan(x)),
-        };
-        Ok(value)
+        let value = evaluate(self, block.formula(formula), At { span, text: b"" })?;
+        value.number().ok_or(Reported)
     }
 
     fn variable(&mut self, number: u32, span: Span) -> Outcome<f64> {
         let Some(slot) = self.variables.get_mut(number as usize) else { return self.no_variable(number, span) };
         if let Some(value) = *slot {
-            return Ok(value);
+            return value;
         }
-        *slot = Some(0.0);
+        *slot = Some(Ok(0.0));
         // Later uses are not worth another report.
         self.report(
             Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set"))
@@ -147,8 +130,7 @@ impl Run<'_> {
             let Target::Variable(number) = word.target else { continue };
             let value = self.number(word, block);
             match self.variables.get_mut(number as usize) {
-                // A failed formula is reported; later uses of the variable are not worth another report.
-                Some(slot) => *slot = Some(value.unwrap_or(0.0)),
+                Some(slot) => *slot = Some(value),
                 None => return self.no_variable(number, word.span),
             }
             self.result = Some(value?);

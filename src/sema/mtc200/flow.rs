@@ -4,16 +4,17 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::ir::{Function, Side};
 use crate::machine::AxisSet;
 use crate::parser::mtc200::{SPLIT, label_of};
 use crate::parser::symbols::{Symbol, Symbols};
+use crate::sema::Job;
+use crate::sema::run::unexecuted::Texts;
+use crate::sema::run::{Core, Program};
 use crate::text::blocks::Place;
-use crate::text::{FileId, Loc, Next, Span};
+use crate::text::{FileId, Loc, Span};
 
-use super::super::Job;
-use super::super::exec::{open_cursor, open_program};
 use super::header::Header;
 use super::state::{Offset, State};
 use super::words::{Condition, Flow, FlowWord, Words};
@@ -26,24 +27,11 @@ const NEAR_ZERO: f64 = 1e-9;
 /// Extensions of called programs.
 const EXTENSIONS: &[&str] = &["dat", "npg", "DAT", "NPG"];
 
-/// A level of the call stack.
-#[derive(Debug)]
-pub(super) struct Level {
-    /// Index of the program that runs on this level.
-    pub program: usize,
+/// What a level of the call stack holds.
+#[derive(Debug, Default)]
+pub(super) struct Frame {
     /// Called with JSR.
     pub called_program: bool,
-    /// Where the caller goes on.
-    back: Place,
-    pub call: CallPath,
-    /// The block that called.
-    site: Loc,
-}
-
-impl Level {
-    pub fn main(program: usize) -> Level {
-        Level { program, called_program: false, back: Place::default(), call: CallPath::MAIN, site: Loc::default() }
-    }
 }
 
 /// The labels of a program, found in one pass over its text.
@@ -53,13 +41,8 @@ pub(super) struct Labels(FxHashMap<Symbol, Place>);
 impl Labels {
     fn scan(job: &Job<'_>, file: FileId, symbols: &mut Symbols, from: Loc) -> Labels {
         let mut labels = Labels::default();
-        let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return labels };
-        loop {
-            let found = match cursor.next(job.sources) {
-                Ok(Next::Block(found)) => found,
-                Ok(Next::TooLong { .. }) => continue,
-                Ok(Next::End) | Err(_) => return labels,
-            };
+        let Some(mut texts) = Texts::open(job, file, SPLIT, from) else { return labels };
+        while let Some(found) = texts.next(job) {
             let Some((label, span)) = label_of(found.text, symbols) else { continue };
             let place = Place { at: found.at, line: found.line };
             if let Some(first) = labels.0.get(&label) {
@@ -75,6 +58,7 @@ impl Labels {
             }
             labels.0.insert(label, place);
         }
+        labels
     }
 
     fn like(&self, name: &str, symbols: &Symbols) -> Option<String> {
@@ -106,15 +90,14 @@ impl Run<'_> {
             (Flow::Branch(condition), Some(label), _) => {
                 if self.holds(condition, word.span)? {
                     let place = self.find(label, word.span)?;
-                    self.budget.jump(self.here.origin.loc);
-                    return self.seek(place);
+                    return self.jump_to(place);
                 }
                 Ok(())
             }
             (Flow::Call, Some(label), _) => {
                 let place = self.find(label, word.span)?;
                 let program = self.level().program;
-                self.enter(program, false, place)
+                self.call_part(program, false, place)
             }
             (Flow::StopAndBranch, Some(label), _) => self.stop_and_branch(label, word.span),
             (Flow::Reverse, Some(label), _) => {
@@ -135,11 +118,11 @@ impl Run<'_> {
         }
         let Some(result) = self.result else {
             let help = "assign the variable that the branch is about in the block before";
-            self.ended = true;
+            self.stop_run();
             return self.fail_help(codes::M2204, span, "no result was calculated before this branch", help);
         };
         if result != 0.0 && result.abs() < NEAR_ZERO {
-            self.ended = true;
+            self.stop_run();
             let message = format!("the last result is {result:.1e}, nearly zero");
             let help = "count with whole numbers, or compare with a margin";
             return self.fail_help(codes::M2205, span, message, help);
@@ -156,9 +139,9 @@ impl Run<'_> {
     fn labels(&mut self) -> &Labels {
         let (job, here) = (self.job, self.here.origin.loc);
         let at = self.level().program;
-        let program = &mut self.programs[at];
-        let (file, symbols) = (program.source.file, &mut self.symbols);
-        program.labels.get_or_insert_with(|| Labels::scan(&job, file, symbols, here))
+        let Core { programs, symbols, .. } = &mut self.core;
+        let Program { source, known } = &mut programs[at];
+        known.labels.get_or_insert_with(|| Labels::scan(&job, source.file, symbols, here))
     }
 
     fn find(&mut self, label: Symbol, span: Span) -> Outcome<Place> {
@@ -167,100 +150,64 @@ impl Run<'_> {
         }
         let at = self.level().program;
         let name = self.symbols.name(label);
-        let like = self.programs[at].labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
+        let like = self.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
         let found = Diagnostic::new(codes::M2201, self.loc(span), format!("the label .{name} is not set"));
-        self.report(match like {
+        // Going on past a jump would run blocks that never run.
+        self.stop(match like {
             Some(like) => found.help(format!("did you mean `.{like}`?")),
             None => found.help("set it at the start of a block: `.LOOP G01 X10`"),
-        });
-        // Going on past a jump would run blocks that never run.
-        self.ended = true;
-        Err(Reported)
+        })
     }
 
-    pub(super) fn seek(&mut self, place: Place) -> Outcome {
-        let sources = self.job.sources;
-        if let Err(error) = self.program().source.cursor.seek(sources, place) {
-            self.error(codes::P0105, format!("the file cannot be read: {error}"));
-            self.ended = true;
-            return Err(Reported);
-        }
-        Ok(())
-    }
-
-    fn enter(&mut self, program: usize, called_program: bool, to: Place) -> Outcome {
-        let site = self.here.origin.loc;
+    fn call_part(&mut self, program: usize, called_program: bool, to: Place) -> Outcome {
         let most = MOST_LEVELS.min(self.job.settings.limits.call_depth);
         if self.levels.len() > most {
-            self.error(codes::P4003, format!("subroutines are nested deeper than {most} levels"));
-            self.ended = true;
-            return Err(Reported);
+            return self.too_deep(format!("subroutines are nested deeper than {most} levels"));
         }
-        // The place to come back to needs the caller in memory.
-        let sources = self.job.sources;
-        if let Err(error) = self.program().source.cursor.load(sources) {
-            self.error(codes::P0105, format!("the file cannot be read: {error}"));
-            self.ended = true;
-            return Err(Reported);
-        }
-        let back = self.program().source.cursor.place();
-        let call = self.job.trail.enter(self.level().call, site);
-        self.levels.push(Level { program, called_program, back, call, site });
-        self.budget.jump(site);
-        self.seek(to)
+        self.enter(program, to, Frame { called_program })
     }
 
     fn return_from(&mut self, span: Span) -> Outcome {
         if self.levels.len() < 2 {
-            self.ended = true;
+            self.stop_run();
             let help = "end the main part with RET in front of the subroutines";
             return self.fail_help(codes::M2203, span, "RTS without a call by BSR or JSR", help);
         }
-        match self.levels.pop() {
-            Some(level) => self.seek(level.back),
-            None => Ok(()),
-        }
+        self.leave().map(drop)
     }
 
     // Other programs.
 
     fn open_numbered(&mut self, number: u32) -> Outcome<usize> {
-        let (site, call) = (self.here.origin.loc, self.here.origin.call);
-        self.budget.search();
-        let opened = open_program(&self.job, &number.to_string(), EXTENSIONS, site, call);
-        if let Some(program) = opened.and_then(|file| self.open(file, site)) {
+        if let Some(program) = self.open_called(&number.to_string(), EXTENSIONS) {
             return Ok(program);
         }
         // What the program would have done is unknown: nothing after it can be trusted.
-        self.st.lose(AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         self.lost();
-        self.ended = true;
+        self.stop_run();
         Err(Reported)
     }
 
     fn call_program(&mut self, number: u32) -> Outcome {
         let program = self.open_numbered(number)?;
-        if self.levels.iter().any(|level| level.program == program) {
-            self.error(codes::P4003, format!("program {number} calls itself"));
-            self.ended = true;
-            return Err(Reported);
+        if self.is_running(program) {
+            return self.fatal(codes::P4003, format!("program {number} calls itself"));
         }
-        self.programs[program].header = Header::Start;
+        self.programs[program].known.header = Header::Start;
         let start = self.programs[program].source.cursor.start();
-        self.enter(program, true, start)
+        self.call_part(program, true, start)
     }
 
     /// JMP ends this program with a reset of all modal states, and another one begins.
     fn jump_program(&mut self, number: u32) -> Outcome {
         if self.levels.len() > 1 {
-            self.error(codes::M2206, "JMP in a subroutine leaves it without RTS");
-            self.ended = true;
-            return Err(Reported);
+            return self.fatal(codes::M2206, "JMP in a subroutine leaves it without RTS");
         }
         let program = self.open_numbered(number)?;
-        self.budget.jump(self.here.origin.loc);
+        self.note_jump();
         self.reset();
-        self.programs[program].header = Header::Start;
+        self.programs[program].known.header = Header::Start;
         let start = self.programs[program].source.cursor.start();
         self.level().program = program;
         self.seek(start)
@@ -269,17 +216,17 @@ impl Run<'_> {
     /// All modal states as at the start; the tool stays where it is, and so does the work offset.
     fn reset(&mut self) {
         self.warn_open();
-        let old = std::mem::replace(&mut self.st, State::new(self.job.settings));
+        let old = std::mem::replace(&mut self.st, State::new(self.core.job.settings));
         // The end of a program cancels the programmed offset: positions count from the work offset again.
-        self.st.pos = old.ctx.frame.apply(&old.pos);
-        self.st.lost = old.lost;
-        self.st.start = old.start;
+        self.st.position = old.position;
+        self.st.position.through_frame(&old.ctx.frame, &self.st.ctx.frame);
+        self.st.written = AxisSet::EMPTY;
         self.st.selected = old.selected;
         self.st.tool = old.tool;
         if old.offset != Offset::Start {
             // Which offset is in force now depends on the machine, and the output still has the old one.
             self.st.offset = Offset::Reset;
-            self.st.forget(self.st.pos.known());
+            self.st.forget(self.st.position.at().known());
         }
     }
 
@@ -288,8 +235,8 @@ impl Run<'_> {
     fn stop_and_branch(&mut self, label: Symbol, span: Span) -> Outcome {
         let place = self.find(label, span)?;
         let elsewhere = self.level().program != 0;
-        if elsewhere || self.program().first.is_some_and(|first| place.at > first) {
-            self.ended = true;
+        if elsewhere || self.program().known.first.is_some_and(|first| place.at > first) {
+            self.stop_run();
             let message = format!("the next start would go on at .{}", self.symbols.name(label));
             let help = "end the program with RET, or put the label at the top";
             return self.fail_help(codes::M2208, span, message, help);
@@ -299,14 +246,14 @@ impl Run<'_> {
 
     /// RET, M02, M30, PROGRAMMENDE.
     pub(super) fn end_of_program(&mut self, rewind: bool, span: Span) -> Outcome {
-        if self.levels.iter().any(|level| level.called_program) {
-            self.ended = true;
+        if self.levels.iter().any(|level| level.frame.called_program) {
+            self.stop_run();
             let help = "end a called program with RTS";
             return self.fail_help(codes::M2206, span, "a called program ends the whole job", help);
         }
         self.warn_open();
         self.function(Function::End { rewind });
-        self.ended = true;
+        self.stop_run();
         Ok(())
     }
 
@@ -321,13 +268,10 @@ impl Run<'_> {
     }
 
     /// The file has no further block.
-    pub(super) fn end_of_file(&mut self) {
-        let place = self.program().source.cursor.place();
-        let file = self.program().source.file;
-        let line = place.line.saturating_sub(1).max(1);
-        let loc = Loc { file, line, span: Span::at(place.at.saturating_sub(1), 1) };
+    pub(super) fn file_over(&mut self) {
+        let loc = self.end_of_text();
         self.here.origin.loc = loc;
-        self.ended = true;
+        self.stop_run();
         if self.levels.len() > 1 {
             let site = self.level().site;
             self.report(
@@ -337,7 +281,7 @@ impl Run<'_> {
             );
             return;
         }
-        match self.program().header {
+        match self.program().known.header {
             Header::Open => {
                 self.report(
                     Diagnostic::new(codes::M1002, loc, "the header of the file never ends")

@@ -31,7 +31,7 @@ impl Run<'_> {
             return self.tape_mark(block);
         }
         let is_frame = text.len() >= 4 && text[..4].eq_ignore_ascii_case(b"%NPG");
-        let header = self.program().header;
+        let header = self.program().known.header;
         let (next, fits) = match (first, header) {
             (b'%', Header::Start) => (Header::Open, is_frame),
             (b'%', Header::Open) => (Header::Closed, is_frame && text.trim_ascii().len() == 4),
@@ -39,14 +39,14 @@ impl Run<'_> {
             (_, Header::Open) => (Header::Open, true),
             (_, other) => (other, false),
         };
-        self.program().header = next;
+        self.program().known.header = next;
         if !fits {
             let span = block.span;
             let help = "a header begins with a line `%NPG:…` and ends with a line `%NPG`";
             let _: Outcome = self.fail_help(codes::M1002, span, "this line belongs into a file header", help);
             return;
         }
-        if matches!(first, b'*' | b'$') && self.job.settings.output.comments {
+        if matches!(first, b'*' | b'$') {
             self.comment(&text[1..]);
         }
     }
@@ -55,20 +55,20 @@ impl Run<'_> {
     #[cold]
     pub(super) fn leave_header(&mut self, block: &Block) {
         let blank = block.stmt == Stmt::Empty && block.label.is_none();
-        match self.program().header {
+        match self.program().known.header {
             Header::Open if !(blank && block.comments.is_empty()) => {
-                self.program().header = Header::Closed;
+                self.program().known.header = Header::Closed;
                 let help = "a second line `%NPG` ends the header";
                 let _: Outcome = self.fail_help(codes::M1002, block.span, "this line stands in the file header", help);
             }
-            Header::Start if !blank => self.program().header = Header::None,
+            Header::Start if !blank => self.program().known.header = Header::None,
             _ => {}
         }
     }
 
     /// Is a line of a single `%` the first or the last one that is not blank?
     fn is_tape_mark(&mut self) -> bool {
-        if self.program().header == Header::Start {
+        if self.program().known.header == Header::Start {
             return true;
         }
         let (file, at) = (self.program().source.file, self.program().source.cursor.place().at);
@@ -83,8 +83,8 @@ impl Run<'_> {
     }
 
     fn tape_mark(&mut self, block: &Block) {
-        if self.program().header == Header::Start {
-            self.program().header = Header::None;
+        if self.program().known.header == Header::Start {
+            self.program().known.header = Header::None;
         }
         let message = "the `%` that stands alone is a mark of the tape and is left out";
         self.report(Diagnostic::new(codes::M8001, self.loc(block.span), message));

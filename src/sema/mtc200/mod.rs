@@ -7,40 +7,41 @@
 mod centre;
 mod eval;
 mod flow;
-mod functions;
-mod gfunc;
+mod g_functions;
 mod header;
 mod length;
+mod m_functions;
 mod offsets;
 mod path;
 mod readings;
 mod state;
 mod words;
 
+use std::ops::{Deref, DerefMut};
 use std::rc::Rc;
 
 use rustc_hash::FxHashSet;
 
-use crate::diag::{CallPath, Code, Diagnostic, Diags, codes};
+use crate::diag::{Diags, codes};
 use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
-use crate::machine::mtc200::Reading;
+use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
 use crate::parser::mtc200::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::text::{FileId, Loc, Next, Span};
+use crate::text::{Span, SplitRules};
 
-use super::Job;
-use super::exec::{Budget, Parsed, Read, Source, open_cursor};
-use super::here::Here;
+use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use centre::Settled;
-use flow::{Labels, Level};
-use gfunc::{G, Group};
+use flow::{Frame, Labels};
+use g_functions::{G, Group};
 use header::Header;
 use state::{Motion, State};
 use words::Words;
@@ -48,10 +49,7 @@ use words::Words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out, Settled::default());
-    if !run.execute_all() {
-        return 0;
-    }
-    run.programs[0].source.cursor.content_hash(job.sources).unwrap_or(0)
+    if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 
 /// Looks through the program for arcs that decide what their centres count from.
@@ -60,28 +58,46 @@ fn scout(job: &Job<'_>) -> Settled {
     let quiet = Job { diags: &diags, ..*job };
     let mut nowhere = Nowhere;
     let mut run = Run::new(&quiet, &mut nowhere, Settled::scout());
-    run.execute_all();
+    run::run(&mut run);
     run.settled
 }
 
 /// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
 pub fn check_form(job: &Job<'_>) {
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
-    let (mut block, mut symbols, mut problems) = (Block::default(), Symbols::default(), Vec::new());
-    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
-        parse_block(text.text, &mut block, &mut symbols, &mut problems);
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
-        for problem in problems.drain(..) {
-            job.diags.push(here.diagnostic(job, problem));
-        }
+    run::unexecuted::check_form::<Mtc200>(job);
+}
+
+/// How the text of a program is read.
+#[derive(Debug, Default)]
+struct Mtc200;
+
+impl Language for Mtc200 {
+    type Block = Block;
+    type Known = Known;
+    type Frame = Frame;
+
+    const SPLIT: SplitRules = SPLIT;
+
+    #[inline]
+    fn parse(&mut self, text: &[u8], into: &mut Parsed<Block>, symbols: &mut Symbols, problems: &mut Vec<Problem>) {
+        parse_block(text, &mut into.block, symbols, problems);
+        into.text.extend_from_slice(text);
+    }
+
+    #[inline]
+    fn span(block: &Block) -> Span {
+        block.span
+    }
+
+    #[inline]
+    fn operations(block: &Block) -> usize {
+        block.ops.len()
     }
 }
 
-/// A program file and what is known of it.
-#[derive(Debug)]
-struct Program {
-    source: Source<Block>,
+/// What is known of a program file.
+#[derive(Debug, Default)]
+struct Known {
     labels: Option<Labels>,
     header: Header,
     /// Offset of the first block that did something.
@@ -90,13 +106,11 @@ struct Program {
 
 /// A run of a program.
 struct Run<'a> {
-    job: Job<'a>,
-    out: &'a mut dyn Sink,
+    core: Core<'a, Mtc200>,
     st: State,
-    symbols: Symbols,
     /// Axis of each letter.
     axis_names: [Option<Axis>; 26],
-    variables: Vec<Option<f64>>,
+    variables: Vec<Option<Outcome<f64>>>,
     /// Result of the last assignment: what branches look at.
     result: Option<f64>,
     settled: Settled,
@@ -104,155 +118,71 @@ struct Run<'a> {
     noted: FxHashSet<String>,
     /// Readings that the configuration confirms, and those that were said.
     confirmed: Vec<Reading>,
-    programs: Vec<Program>,
-    levels: Vec<Level>,
-    budget: Budget,
-    stack: Vec<f64>,
+    machine: Machine,
     words: Option<Box<Words>>,
-    here: Here,
-    problems: Vec<Problem>,
-    scratch: Option<Box<Parsed<Block>>>,
-    ended: bool,
 }
 
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
+impl<'a> Deref for Run<'a> {
+    type Target = Core<'a, Mtc200>;
 
-type Outcome<T = ()> = Result<T, Reported>;
+    #[inline]
+    fn deref(&self) -> &Core<'a, Mtc200> {
+        &self.core
+    }
+}
+
+impl<'a> DerefMut for Run<'a> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Core<'a, Mtc200> {
+        &mut self.core
+    }
+}
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink, settled: Settled) -> Run<'a> {
         Run {
-            job: *job,
-            out,
+            core: Core::new(job, out),
             st: State::new(job.settings),
-            symbols: Symbols::default(),
             axis_names: axis_names(job.settings.machine.geometry_axes),
             variables: start_values(&job.settings.variables),
             result: None,
             settled,
             noted: FxHashSet::default(),
             confirmed: job.settings.control.mtc200.confirmed.clone(),
-            programs: Vec::new(),
-            levels: Vec::new(),
-            budget: Budget::new(job.settings.limits.steps),
-            stack: Vec::new(),
+            machine: Machine::new(eval::rules(job.settings.control.mtc200.radians)),
             words: None,
-            here: Here::default(),
-            problems: Vec::new(),
-            scratch: None,
-            ended: false,
         }
     }
 }
 
-impl Run<'_> {
-    /// Runs to the end; false if the main program cannot be opened.
-    fn execute_all(&mut self) -> bool {
-        let start = Loc { file: self.job.main, line: 1, span: Span::default() };
-        let Some(program) = self.open(self.job.main, start) else { return false };
-        self.levels.push(Level::main(program));
-        self.out.begins_at(&self.st.start.position());
-        while !self.ended {
-            self.step();
-        }
-        true
-    }
+impl<'a> Interpreter<'a> for Run<'a> {
+    type Language = Mtc200;
 
-    fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
-        if let Some(at) = self.programs.iter().position(|program| program.source.file == file) {
-            return Some(at);
-        }
-        let source = Source::open(&self.job, file, SPLIT, from)?;
-        let header = Header::Start;
-        self.programs.push(Program { source, labels: None, header, first: None });
-        Some(self.programs.len() - 1)
-    }
-
-    fn level(&mut self) -> &mut Level {
-        self.levels.last_mut().expect("the main level is never popped")
-    }
-
-    fn program(&mut self) -> &mut Program {
-        let at = self.level().program;
-        &mut self.programs[at]
-    }
-
-    /// Executes one block.
-    fn step(&mut self) {
-        let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step(&*self.out) {
-            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
-            self.ended = true;
-            return;
-        }
-        let source = &mut self.programs[at].source;
-        if let Some((parsed, here)) = source.again(call) {
-            let bytes = source.cursor.place().at.saturating_sub(here.at);
-            self.budget.block(bytes, parsed.block.ops.len(), false);
-            self.here = here;
-            self.execute(&parsed.block, &parsed.text);
-            return;
-        }
-        let mut parsed = self.scratch.take().unwrap_or_default();
-        let read = source.read(&self.job, call, &mut parsed, |text, into| {
-            parse_block(text, &mut into.block, &mut self.symbols, &mut self.problems);
-            into.text.extend_from_slice(text);
-        });
-        match read {
-            Read::Block(here) => {
-                let source = &self.programs[at].source;
-                let bytes = source.cursor.place().at.saturating_sub(here.at);
-                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
-                self.here = here;
-                if !self.problems.is_empty() {
-                    self.report_problems();
-                }
-                self.execute(&parsed.block, &parsed.text);
-            }
-            Read::TooLong => {
-                self.st.motion_lost = true;
-                self.lose_all();
-            }
-            Read::End => self.end_of_file(),
-            Read::Broken => self.ended = true,
-        }
-        self.scratch = Some(parsed);
-    }
-
-    fn report_problems(&mut self) {
-        for problem in self.problems.drain(..) {
-            self.job.diags.push(self.here.diagnostic(&self.job, problem));
-        }
+    fn begin(&mut self, program: usize) -> Level<Frame> {
+        self.core.begins_at(&self.st.position.start());
+        Level::main(program, Frame::default())
     }
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        self.here.origin.loc.span = block.span.shifted(self.here.at);
         if let Stmt::Header(first) = block.stmt {
             return self.header_line(first, block, text);
         }
-        if self.program().header != Header::Closed && self.program().header != Header::None {
+        if !matches!(self.program().known.header, Header::Closed | Header::None) {
             self.leave_header(block);
         }
-        if block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1) {
+        if self.skips(block.skip.then_some(0)) {
             return;
         }
-        if self.job.settings.output.comments {
-            for comment in &block.comments {
-                self.comment(comment.of(text));
-            }
+        for comment in &block.comments {
+            self.comment(comment.of(text));
         }
         match block.stmt {
             Stmt::Empty | Stmt::Header(_) => {}
-            Stmt::Bad => {
-                self.st.motion_lost = true;
-                self.lose_all();
-            }
+            Stmt::Bad => self.unread_block(),
             Stmt::Words => {
                 let at = self.here.at;
-                self.program().first.get_or_insert(at);
+                self.program().known.first.get_or_insert(at);
                 if self.words_block(block, text).is_err() {
                     self.keep_modal(block);
                     self.lose_all();
@@ -261,6 +191,17 @@ impl Run<'_> {
         }
     }
 
+    fn end_of_file(&mut self) {
+        self.file_over();
+    }
+
+    fn unread_block(&mut self) {
+        self.st.motion_lost = true;
+        self.lose_all();
+    }
+}
+
+impl Run<'_> {
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.assignments(block)? {
             return self.count_between();
@@ -327,7 +268,7 @@ impl Run<'_> {
         }
         self.m_at_end(w)?;
         match w.flow {
-            Some(flow) if !self.ended => self.go_on(flow, w),
+            Some(flow) if !self.has_ended() => self.go_on(flow, w),
             _ => Ok(()),
         }
     }
@@ -466,7 +407,7 @@ impl Run<'_> {
             if !(0.0..=999.0).contains(&number) || number.fract() != 0.0 {
                 continue;
             }
-            match gfunc::entry(number as u32) {
+            match g_functions::entry(number as u32) {
                 Some((_, G::Motion(motion))) => self.st.motion = Some(motion),
                 Some((_, G::Incremental(on))) => self.st.incremental = on,
                 Some((_, G::Diameter(on))) => self.st.diameter = on,
@@ -513,54 +454,27 @@ impl Run<'_> {
     }
 
     fn comment(&mut self, text: &[u8]) {
-        let text = text.trim_ascii();
-        if !text.is_empty() {
-            self.function(Function::Comment(text.to_vec()));
+        if let Some(comment) = self.core.comment_of(text) {
+            self.function(comment);
         }
     }
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        self.out.movement(mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(mv, &self.st.ctx);
     }
 
     fn send_corner(&mut self, corner: &Corner) {
-        self.out.corner(corner, &self.st.ctx, &self.here.origin);
+        self.core.send_corner(corner, &self.st.ctx);
     }
 
     fn function(&mut self, function: Function) {
-        self.out.function(&function, &self.st.ctx, &self.here.origin);
+        self.core.send_function(&function, &self.st.ctx);
     }
 
     /// Nobody knows where the tool is.
     fn lost(&mut self) {
-        self.out.lost(&self.st.ctx, &self.here.origin);
-    }
-
-    /// Reports an error about the whole block.
-    fn error(&self, code: &'static Code, message: impl Into<String>) {
-        self.report(Diagnostic::new(code, self.here.origin.loc, message));
-    }
-
-    fn report(&self, found: Diagnostic) {
-        self.job.diags.push(found.called(self.here.origin.call));
-    }
-
-    /// Reports an error about `span` of the block and gives up the block.
-    fn fail<T>(&self, code: &'static Code, span: Span, message: impl Into<String>) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(span), message));
-        Err(Reported)
-    }
-
-    /// The same with a line of help.
-    fn fail_help<T>(&self, code: &'static Code, span: Span, message: impl Into<String>, help: &str) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(span), message).help(help));
-        Err(Reported)
-    }
-
-    /// A place in the current block.
-    fn loc(&self, span: Span) -> Loc {
-        self.here.loc(&self.job, span)
+        self.core.send_lost(&self.st.ctx);
     }
 }
 
@@ -578,12 +492,12 @@ fn axis_names(main: [Axis; 3]) -> [Option<Axis>; 26] {
 }
 
 /// Variables with their start values: `@50` and `@050` are the same.
-fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<f64>> {
+fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<Outcome<f64>>> {
     let mut variables = vec![None; eval::VARIABLES];
     for (name, value) in start {
         let number = name.strip_prefix('@').and_then(|digits| digits.parse::<usize>().ok());
         if let Some(slot) = number.and_then(|number| variables.get_mut(number)) {
-            *slot = Some(*value);
+            *slot = Some(Ok(*value));
         }
     }
     variables

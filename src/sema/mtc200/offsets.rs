@@ -10,11 +10,11 @@ use crate::diag::codes;
 use crate::ir::contour::Ctx;
 use crate::ir::{Frame, Function, Pos, Side};
 use crate::machine::axis::AXES;
-use crate::machine::mtc200::{G52, Reading, ShiftedIncrement};
+use crate::machine::options::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
-use super::gfunc::G;
+use super::g_functions::G;
 use super::state::Offset;
 use super::words::Words;
 use super::{Outcome, Run};
@@ -38,19 +38,18 @@ impl Run<'_> {
             return self.fail_help(codes::M2101, span, "G53 while an offset of G50 or G51 is in force", help);
         }
         if self.st.offset != Offset::Start {
-            self.st.start.end();
+            self.st.position.end_start();
         }
         self.st.offset = offset;
         if let Offset::Work(number) = offset {
             self.function(Function::WorkOffset(number));
         }
-        self.st.forget(self.st.pos.known());
+        self.st.forget(self.st.position.at().known());
         if offset != Offset::Machine {
             if self.job.settings.control.mtc200.g91_after_offset == ShiftedIncrement::WithOffset {
-                self.st.shifted = self.st.shifted.union(self.st.programmed.known());
+                self.st.shifted = self.st.shifted.union(self.st.written);
             }
-            let start = self.st.ctx.frame.unapply(&self.st.start.position());
-            self.st.pos.update(&start);
+            self.st.position.take_start(&self.st.ctx.frame);
         }
         self.st.cornerable = false;
         Ok(())
@@ -135,8 +134,8 @@ impl Run<'_> {
         let Some(frame) = Frame::new(Matrix3::identity(), shift) else {
             return self.fail(codes::M2302, span, "the offset is too large");
         };
-        let at = self.st.ctx.frame.apply(&self.st.pos);
-        self.st.pos = frame.unapply(&at);
+        self.st.position.keep_programmed();
+        self.st.position.through_frame(&self.st.ctx.frame, &frame);
         for axis in Axis::ALL {
             if shift[axis.index()] != self.st.shift[axis.index()] {
                 self.st.shifted.insert(axis);
@@ -184,7 +183,7 @@ impl Run<'_> {
     /// A new tool has its tip elsewhere.
     pub(super) fn forget_tip(&mut self) {
         self.st.forget(AxisSet::MAIN);
-        self.st.start.touch(AxisSet::MAIN);
+        self.st.position.leave_start(AxisSet::MAIN);
     }
 }
 

@@ -8,8 +8,9 @@ use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
 };
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::mtc200::{Reading, ShiftedIncrement};
+use crate::machine::options::mtc200::{Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::position::Missing;
 use crate::text::Span;
 
 use super::state::{Motion, Offset};
@@ -110,7 +111,9 @@ impl Run<'_> {
             match self.job.settings.control.mtc200.g91_after_offset {
                 ShiftedIncrement::Increment => {}
                 ShiftedIncrement::WithOffset => {
-                    if let Some(programmed) = self.st.programmed.get(axis) {
+                    if let Some(programmed) =
+                        self.st.position.programmed(axis).filter(|_| self.st.written.contains(axis))
+                    {
                         return Ok(programmed);
                     }
                 }
@@ -137,18 +140,17 @@ impl Run<'_> {
 
     /// Where an axis stands.
     pub(super) fn position_of(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if let Some(at) = self.st.pos.get(axis) {
-            return Ok(at);
-        }
-        if self.st.lost.contains(axis) {
-            return Err(Reported);
+        match self.st.position.require(axis) {
+            Ok(at) => return Ok(at),
+            Err(Missing::Lost) => return Err(Reported),
+            Err(Missing::Unknown) => {}
         }
         let letter = axis.letter();
         self.fail_help(
             codes::M2001,
             span,
             format!("the position of {letter} is not known here"),
-            &self.st.start.help(axis, &format!("program an absolute position of {letter} first")),
+            &self.st.position.help(axis, &format!("program an absolute position of {letter} first")),
         )
     }
 
@@ -162,7 +164,7 @@ impl Run<'_> {
             let message = format!("{letter}{value} is more than a turn");
             return self.fail_help(codes::M2017, span, message, "program it incrementally with G91");
         }
-        let Some(from) = self.st.pos.get(axis) else { return Ok(value) };
+        let Some(from) = self.st.position.get(axis) else { return Ok(value) };
         let ahead = Deg(value - from).normal().0;
         if (ahead - 180.0).abs() <= HALF_TURN {
             let message = format!("{letter} moves exactly half a turn, either way");
@@ -215,10 +217,8 @@ impl Run<'_> {
 
     #[inline]
     fn arrive(&mut self, end: &Pos) {
-        self.st.pos.update(end);
-        self.st.programmed.update(end);
-        self.st.lost = self.st.lost.without(end.known());
-        self.st.start.touch(end.known());
+        self.st.position.move_to(end);
+        self.st.written = self.st.written.union(end.known());
         self.st.shifted = self.st.shifted.without(end.known());
         self.st.corner = None;
     }
@@ -276,7 +276,7 @@ impl Run<'_> {
     pub(super) fn machine_position(&mut self, end: Pos, feed: Option<Feed>) {
         let (path, coords) = (Path::straight(feed), Coords::Machine);
         self.movement(&Move { end, path, side: Side::None, coords });
-        self.st.start.touch(end.known());
+        self.st.position.leave_start(end.known());
         self.st.forget(end.known());
         self.st.cornerable = false;
     }
@@ -482,7 +482,7 @@ impl Run<'_> {
     /// A motion block failed: the axes it would have moved are unknown now.
     #[cold]
     pub(super) fn lose_all(&mut self) {
-        self.st.lose(AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         self.st.corner = None;
         // The block may have held the feed that the next ones need.
         self.st.feed.get_or_insert(Feed::PerMinute(1.0));

@@ -3,7 +3,7 @@
 //! Source: reference section 13.
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::mtc200::Reading;
+use crate::machine::options::mtc200::Reading;
 use crate::text::Span;
 
 use super::Run;

@@ -4,10 +4,11 @@ use std::rc::Rc;
 
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::{Feed, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
-use crate::sema::start::Start;
+use crate::sema::common::position::Position;
+use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::length::Length;
@@ -45,19 +46,16 @@ pub(super) enum Offset {
 /// programmed system.
 #[derive(Debug)]
 pub(super) struct State {
-    pub pos: Pos,
-    /// Axes whose position is unknown because an error was reported: not worth another one.
-    pub lost: AxisSet,
-    /// Axes that stand where the configuration says.
-    pub start: Start,
+    /// The number that the program wrote last is left alone by a changed offset.
+    pub position: Position,
     pub motion: Option<Motion>,
     /// A block was refused that may have named the kind of motion.
     pub motion_lost: bool,
     /// G90 or G91, G94 or G95 was programmed.
     pub dimension_said: bool,
     pub feed_said: bool,
-    /// Last programmed position of each axis: a number of the program, which a changed offset leaves alone.
-    pub programmed: Pos,
+    /// Axes of which the program, or the start, has said a number.
+    pub written: AxisSet,
     pub length: Length,
     pub plane: Plane,
     /// G70.
@@ -112,10 +110,8 @@ impl State {
             start.complete(*axis, *value);
         }
         State {
-            pos: start.position(),
-            programmed: start.position(),
-            start,
-            lost: AxisSet::EMPTY,
+            written: start.position().known(),
+            position: Position::new(start),
             motion: None,
             motion_lost: false,
             dimension_said: false,
@@ -147,18 +143,10 @@ impl State {
         }
     }
 
-    /// Forgets where these axes are, after an error.
-    pub fn lose(&mut self, axes: AxisSet) {
-        self.forget(axes);
-        self.lost = self.lost.union(axes);
-    }
-
     /// The position of these axes is no longer known in the programmed system.
     pub fn forget(&mut self, axes: AxisSet) {
-        for axis in axes.iter() {
-            self.pos.forget(axis);
-            self.lost.remove(axis);
-        }
+        self.position.forget_place(axes);
+        self.position.not_lost(axes);
     }
 
     /// Millimetres in one programmed unit.

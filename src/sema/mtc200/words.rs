@@ -7,7 +7,7 @@ use crate::parser::mtc200::ast::{Block, Target, Value, Word};
 use crate::parser::symbols::Symbol;
 use crate::text::{Span, decode::readable};
 
-use super::gfunc::{self, G, GROUPS};
+use super::g_functions::{self, G, GROUPS};
 use super::{Outcome, Reported, Run};
 
 /// Most M functions and words of the machine of a block.
@@ -211,7 +211,7 @@ impl Run<'_> {
         if matches!(number, 47 | 48) && self.declared(w, &format!("G{number}"), at.span) {
             return Ok(());
         }
-        let Some((group, g)) = gfunc::entry(number) else { return self.unknown_g(w, number, at.span) };
+        let Some((group, g)) = g_functions::entry(number) else { return self.unknown_g(w, number, at.span) };
         let slot = &mut w.g[group as usize];
         match slot {
             Some((_, first)) if *first != number => {
@@ -233,7 +233,7 @@ impl Run<'_> {
         if self.declared(w, &name, span) {
             return Ok(());
         }
-        let what = gfunc::refused(number);
+        let what = g_functions::refused(number);
         let message = match what {
             Some(what) => format!("{name} ({what}) is not supported"),
             None => format!("{name} is no function of the control that is known"),

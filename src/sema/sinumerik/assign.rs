@@ -452,8 +452,8 @@ fn depth(ops: &[Op]) -> u32 {
     for op in ops {
         let used = match op {
             Op::Index(_, n, _) | Op::Call(_, n, _) | Op::List(n) => *n,
-            Op::Unary(_) => 1,
-            Op::Binary(_) => 2,
+            Op::Unary(_) | Op::ToText => 1,
+            Op::Binary(_) | Op::Join | Op::Chain => 2,
             _ => 0,
         };
         depth = (depth + 1).saturating_sub(used);

@@ -6,7 +6,7 @@ use crate::diag::{CallPath, Diagnostic, codes};
 use crate::machine::StandIn;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
-use crate::sema::exec::open_program;
+use crate::sema::run::open_program;
 use crate::text::blocks::Place;
 use crate::text::{FileError, Loc, Request, Span};
 

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Span};
 
@@ -87,10 +87,8 @@ impl Run<'_> {
             corner_open: self.corner_open.take(),
             cut_speed_open: self.cut_speed_open.take(),
         };
-        for axis in Axis::ALL {
-            self.st.forget(axis);
-        }
-        self.st.lost = crate::machine::AxisSet::EMPTY;
+        self.st.position.forget(AxisSet::ALL);
+        self.st.position.not_lost(AxisSet::ALL);
         let below = self.levels.len();
         self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
         self.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.here.origin);

@@ -211,7 +211,7 @@ impl Run<'_> {
 
     pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, span: Span) -> Outcome {
         if let Some(third) =
-            AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.pos.get(*axis).is_none())
+            AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.position.get(*axis).is_none())
         {
             return self.unknown_axis(third, span);
         }
@@ -238,11 +238,12 @@ impl Run<'_> {
 
     /// Where the arc starts.
     pub(super) fn start_in(&mut self, plane: Plane, w: &Words) -> Outcome<Point2> {
-        if let Some(start) = self.st.pos.in_plane(plane) {
+        if let Some(start) = self.st.position.in_plane(plane) {
             return Ok(start);
         }
         let (first, second, _) = plane.axes();
-        let missing = [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.st.pos.get(*axis).is_none());
+        let missing =
+            [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.st.position.get(*axis).is_none());
         let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
         self.unknown_axis(missing.unwrap_or(Axis::X), span)
     }
@@ -360,7 +361,7 @@ impl Run<'_> {
         let usual = self.circle_plane(w, &self.parameters(VIA));
         let [_, _, third] = [usual.axes().0, usual.axes().1, usual.axes().2].map(|i| Axis::ALL[i]);
         let level = |run: &mut Self, axis: Axis| -> Outcome<bool> {
-            let Some(at) = run.st.pos.get(axis) else { return Ok(false) };
+            let Some(at) = run.st.position.get(axis) else { return Ok(false) };
             let via =
                 run.parameters(VIA).into_iter().find(|(_, of)| *of == axis).and_then(|(address, _)| w.get(address));
             for given in [w.axis(axis), via].into_iter().flatten() {
@@ -425,7 +426,7 @@ impl Run<'_> {
                 Some(given) => Some(self.target(*axis, given)?),
                 None => None,
             };
-            if !level(self.st.pos.get(*axis)) || !level(end) {
+            if !level(self.st.position.get(*axis)) || !level(end) {
                 return self.fail_help(
                     codes::S9013,
                     0,

@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
 use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::g_groups::Code;
@@ -83,8 +83,8 @@ impl Run<'_> {
             ),
             ([false, false], None) => {
                 self.pair_lost = true;
-                if self.st.pos.in_plane(plane).is_none() {
-                    let axis = if self.st.pos.get(first).is_none() { first } else { second };
+                if self.st.position.in_plane(plane).is_none() {
+                    let axis = if self.st.position.get(first).is_none() { first } else { second };
                     return self.unknown_axis(axis, given.span);
                 }
                 match self.st.outer {
@@ -140,7 +140,7 @@ impl Run<'_> {
     /// An interpolation that is no line behind the first line of a pair.
     pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
         let Some(pending) = self.pending.take() else { return Ok(()) };
-        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         let message = "the second line of the pair is no straight line (alarm 10792)";
         let found = Diagnostic::new(codes::S2070, self.loc(span), message);
         self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
@@ -149,8 +149,8 @@ impl Run<'_> {
 
     /// One end coordinate and the angle.
     fn one_coordinate(&mut self, end: &Pos, angle: Deg, plane: Plane, axes: [Axis; 2], span: Span) -> Outcome<Pos> {
-        let Some(start) = self.st.pos.in_plane(plane) else {
-            let axis = if self.st.pos.get(axes[0]).is_none() { axes[0] } else { axes[1] };
+        let Some(start) = self.st.position.in_plane(plane) else {
+            let axis = if self.st.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
             return self.unknown_axis(axis, span);
         };
         let u = angle.unit();
@@ -198,7 +198,7 @@ impl Run<'_> {
             run.report(found.also(pending.origin.loc, "the first line").help(help));
             Err(Reported)
         };
-        let (Some(start), Some(to)) = (self.st.pos.in_plane(pending.plane), end.in_plane(pending.plane)) else {
+        let (Some(start), Some(to)) = (self.st.position.in_plane(pending.plane), end.in_plane(pending.plane)) else {
             return Err(Reported);
         };
         let (u, v) = (pending.angle.unit(), angle.unit());
@@ -220,7 +220,7 @@ impl Run<'_> {
         first_end.set_in_plane(pending.plane, corner);
         let mv = Move { end: first_end, path: pending.path, side: pending.side, coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &pending.origin);
-        self.moved_to(&first_end);
+        self.st.position.move_to(&first_end);
         if let Some(corner) = &pending.corner {
             self.out.corner(corner, &self.st.ctx, &pending.origin);
         }
@@ -243,7 +243,7 @@ impl Run<'_> {
                 .also(self.loc(span), "this comes before it")
                 .help("write the second line behind the first: X… Y… ANG=…"),
         );
-        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         Err(Reported)
     }
 
@@ -251,7 +251,7 @@ impl Run<'_> {
     pub(super) fn no_pair_under_a_modal_call(&mut self) -> Outcome {
         let Some(pending) = self.pending.take() else { return Ok(()) };
         self.pair_lost = true;
-        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         let message = "the first line of a pair stands under MCALL, and the call would come before its end is known";
         let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
         self.report(found.help("program the end of the line, or end the modal call before by MCALL"));

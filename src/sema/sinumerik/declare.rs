@@ -6,11 +6,11 @@ use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
-use crate::sema::exec::{open_cursor, refused};
+use crate::sema::run::{open_cursor, refused};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Request};
 
-use super::functions;
+use super::formula_functions;
 use super::value::{MOST_TEXT, Val, whole};
 use super::vars::{MOST_ELEMENTS, Var};
 use super::vocabulary::Meaning;
@@ -101,7 +101,7 @@ impl Run<'_> {
             Meaning::Axis(named) if self.axis_names.is_given(named) => Some("an axis"),
             Meaning::Axis(_) => None,
             Meaning::Unknown if is_address(&word) => Some("an address"),
-            Meaning::Unknown if functions::NAMES.contains(&word.as_str()) => Some("a function"),
+            Meaning::Unknown if formula_functions::find(&word).is_some() => Some("a function"),
             Meaning::Unknown => None,
             // Options of the language, whose names machines without them leave free.
             Meaning::Known(_) => None,
@@ -224,7 +224,7 @@ impl Run<'_> {
                 break;
             }
             parse_block(&text, &mut block, &mut self.symbols, &mut self.problems);
-            self.here = crate::sema::here::Here::new(file, at, line, 1, here.origin.call);
+            self.here = crate::sema::run::Site::new(file, at, line, 1, here.origin.call);
             self.here.origin.loc.span = block.span.shifted(at);
             self.report_problems();
             let _ = match block.stmt {

@@ -6,11 +6,14 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
-use crate::parser::sinumerik::ast::{Base, Binary, Block, Formula, Op, Unary};
+use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
+use crate::sema::value::{At, Fault, Formulas, Rules, Stop, evaluate};
 use crate::text::Span;
 
-use super::functions::{self, NoResult};
+use super::axis_names::NamedAxis;
+use super::formula_functions::{self, FormulaFunction, NoResult};
+use super::frames::FrameValue;
 use super::known_words::Known;
 use super::value::{Val, to_text, whole};
 use super::vars::{MOST_R, Slot};
@@ -19,6 +22,10 @@ use super::{Outcome, Reported, Run};
 
 /// Relative difference up to which two REAL values are equal.
 const EQUAL: f64 = 1e-12;
+
+/// Whole numbers, truth and texts are types of their own.
+pub(super) const RULES: Rules = Rules { equal: EQUAL, typed: true, ..Rules::USUAL };
+
 /// Longest text that a formula makes.
 const MOST_JOINED: usize = 800;
 
@@ -71,6 +78,75 @@ fn byte_constant(text: &[u8]) -> Option<(Option<u8>, usize)> {
     Some((value, len + 3))
 }
 
+pub(super) type Machine = crate::sema::value::Machine<NamedAxis, Rc<FrameValue>>;
+
+impl Formulas for Run<'_> {
+    type Op = Op;
+    type Axis = NamedAxis;
+    type Frame = Rc<FrameValue>;
+
+    fn machine(&mut self) -> &mut Machine {
+        &mut self.machine
+    }
+
+    fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
+        Ok(match *op {
+            Op::Real(v) if v.is_finite() => Val::Real(v),
+            Op::Real(_) => return Ok(self.fail(codes::S2029, 12160, at.span, "the number is too large")?),
+            Op::Int(n) => int_or_real(n),
+            Op::Bool(b) => Val::Bool(b),
+            Op::Char(c) => Val::Char(c),
+            Op::Text(span) => self.text_value(span, at.text)?,
+            Op::Missing => Val::Missing,
+            Op::Name(name, span) => self.name_value(name, span)?,
+            Op::R(n, span) => self.r_value(n, span)?,
+            Op::System(name, span) => self.system_value(name, &[], span)?,
+            Op::Index(base, count, span) => {
+                let value = self.indexed_value(base, machine.last(count), span)?;
+                machine.discard(count);
+                value
+            }
+            Op::Call(name, count, span) => {
+                let value = self.function_value(name, machine.last(count), span)?;
+                machine.discard(count);
+                value
+            }
+            Op::List(count) => {
+                let list = Val::List(machine.last(count).into());
+                machine.discard(count);
+                list
+            }
+            Op::Unary(f) => machine.unary(f)?,
+            Op::Binary(f) => machine.binary(f)?,
+            Op::ToText => {
+                let value = machine.pop()?;
+                Val::Text(to_text(&value).ok_or(Fault::Misfit(value.what()))?.into())
+            }
+            Op::Join => self.joined(machine)?,
+            Op::Chain => match (machine.pop()?, machine.pop()?) {
+                (Val::Frame(b), Val::Frame(a)) => Val::Frame(Rc::new(a.chain(&b))),
+                (b, a) => return Err(Fault::Mismatch(a.what(), b.what()).into()),
+            },
+        })
+    }
+
+    fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
+        let (code, alarm, message) = match fault {
+            Fault::Misfit(what) => (codes::S2005, 12150, format!("the operator does not fit {what}")),
+            Fault::Mismatch(a, b) => (codes::S2005, 12150, format!("{a} and {b} do not go together here")),
+            Fault::Missing => (codes::S2005, 12150, "a value is missing".to_owned()),
+            Fault::Said(why) => (codes::S2030, 14099, why),
+            Fault::Zero(_) => (codes::S2006, 14051, "division by zero".to_owned()),
+            Fault::TooLargeInt => (codes::S2006, 14051, "the result is too large for an INT".to_owned()),
+            Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
+                (codes::S2006, 14051, "the result is too large".to_owned())
+            }
+        };
+        self.report(self.found(code, alarm, at.span, message));
+        Reported
+    }
+}
+
 impl Run<'_> {
     /// The value of a formula.
     pub(super) fn eval(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Val> {
@@ -81,19 +157,7 @@ impl Run<'_> {
             [] => return Ok(Val::Missing),
             _ => {}
         }
-        let mut stack = std::mem::take(&mut self.stack);
-        stack.clear();
-        let mut result = Ok(());
-        for op in ops {
-            result = self.operation(op, &mut stack, formula.span, text);
-            if result.is_err() {
-                break;
-            }
-        }
-        let value = stack.pop();
-        self.stack = stack;
-        result?;
-        value.ok_or(Reported)
+        evaluate(self, ops, At { span: formula.span, text })
     }
 
     /// The value of a formula as a number.
@@ -133,44 +197,6 @@ impl Run<'_> {
                 self.fail_help(codes::S2030, alarm, span, message, "a character has 8 bits: 'H00' to 'HFF'")
             }
         }
-    }
-
-    fn operation(&mut self, op: &Op, stack: &mut Vec<Val>, whole_span: Span, text: &[u8]) -> Outcome {
-        let value = match *op {
-            Op::Real(v) if v.is_finite() => Val::Real(v),
-            Op::Real(_) => return self.fail(codes::S2029, 12160, whole_span, "the number is too large"),
-            Op::Int(n) => int_or_real(n),
-            Op::Bool(b) => Val::Bool(b),
-            Op::Char(c) => Val::Char(c),
-            Op::Text(span) => self.text_value(span, text)?,
-            Op::Missing => Val::Missing,
-            Op::Name(name, span) => self.name_value(name, span)?,
-            Op::R(n, span) => self.r_value(n, span)?,
-            Op::System(name, span) => self.system_value(name, &[], span)?,
-            Op::Index(base, count, span) => {
-                let args = taken(stack, count);
-                self.indexed_value(base, &args, span)?
-            }
-            Op::Call(name, count, span) => {
-                let mut args = taken(stack, count);
-                if args == [Val::Missing] {
-                    args.clear();
-                }
-                self.function_value(name, &args, span)?
-            }
-            Op::List(count) => Val::List(taken(stack, count).into()),
-            Op::Unary(op) => {
-                let value = stack.pop().ok_or(Reported)?;
-                self.unary(op, &value, whole_span)?
-            }
-            Op::Binary(op) => {
-                let right = stack.pop().ok_or(Reported)?;
-                let left = stack.pop().ok_or(Reported)?;
-                self.binary(op, &left, &right, whole_span)?
-            }
-        };
-        stack.push(value);
-        Ok(())
     }
 
     pub(super) fn r_value(&mut self, n: u32, span: Span) -> Outcome<Val> {
@@ -283,13 +309,12 @@ impl Run<'_> {
 
     /// Indices of an array, as whole numbers.
     pub(super) fn indices(&self, args: &[Val], span: Span) -> Outcome<Vec<i32>> {
-        let index = |value: &Val| match value.number().and_then(whole) {
-            Some(n) => Ok(n),
-            None => {
-                self.fail(codes::S2018, 12410, span, format!("an index is a whole number, this is {}", value.what()))
-            }
-        };
-        args.iter().map(index).collect()
+        args.iter().map(|value| self.index(value, span)).collect()
+    }
+
+    fn index(&self, value: &Val, span: Span) -> Outcome<i32> {
+        let message = || format!("an index is a whole number, this is {}", value.what());
+        value.number().and_then(whole).map_or_else(|| self.fail(codes::S2018, 12410, span, message()), Ok)
     }
 
     fn indexed_value(&mut self, base: Base, args: &[Val], span: Span) -> Outcome<Val> {
@@ -337,9 +362,11 @@ impl Run<'_> {
     }
 
     pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
-        let [index] = self.indices(args, span)?[..] else {
+        let [index] = args else {
+            self.indices(args, span)?;
             return self.fail(codes::S2018, 12400, span, "an R parameter has one index");
         };
+        let index = self.index(index, span)?;
         match u32::try_from(index) {
             Ok(n) if n <= MOST_R => Ok(n),
             _ => self.fail(codes::S2018, 17020, span, format!("there is no parameter R{index}")),
@@ -347,14 +374,23 @@ impl Run<'_> {
     }
 
     fn function_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
-        let word = self.symbols.name(name).to_owned();
-        if let Some(result) = self.program_function(&word, args, span) {
-            return result;
-        }
-        let error = match functions::call(&word, args) {
-            Ok(Val::Real(v)) if !v.is_finite() => Domain("the value is infinite"),
+        let Some((word, function)) = formula_functions::find(self.symbols.name(name)) else {
+            if !matches!(self.meaning(name), Meaning::Unknown) {
+                return self.undefined_word(name, span);
+            }
+            let message = format!("there is no function `{}`", self.symbols.name(name));
+            let help = "a program is called in a block of its own, not in a formula";
+            return self.fail_help(codes::S2001, 12550, span, message, help);
+        };
+        let args = if args == [Val::Missing] { &[] } else { args };
+        let made = match function {
+            FormulaFunction::Program => return self.program_function(word, args, span),
+            FormulaFunction::Plain(function) => function(args),
+            FormulaFunction::Number(f) => formula_functions::number(f, args),
+        };
+        let error = match made {
             Ok(value) => {
-                if matches!(word.as_str(), "ROUND" | "RTOI")
+                if matches!(word, "ROUND" | "RTOI")
                     && let (Some(from), Some(made)) = (args.first().and_then(Val::number), value.number())
                 {
                     self.says_negative_half(from, made, span);
@@ -363,20 +399,13 @@ impl Run<'_> {
             }
             Err(error) => error,
         };
-        use NoResult::{Count, Domain, Type, Unknown};
         match error {
-            Unknown if !matches!(self.meaning(name), Meaning::Unknown) => self.undefined_word(name, span),
-            Unknown => self.fail_help(
-                codes::S2001,
-                12550,
-                span,
-                format!("there is no function `{word}`"),
-                "a program is called in a block of its own, not in a formula",
-            ),
-            Count(takes) => self.fail(codes::S2021, 14021, span, format!("{word} takes {takes}")),
-            Type => self.fail(codes::S2005, 12150, span, format!("{word} does not take a value of this type")),
-            Domain(why) => {
-                let alarm = match word.as_str() {
+            NoResult::Count(takes) => self.fail(codes::S2021, 14021, span, format!("{word} takes {takes}")),
+            NoResult::Type => {
+                self.fail(codes::S2005, 12150, span, format!("{word} does not take a value of this type"))
+            }
+            NoResult::Domain(why) => {
+                let alarm = match word {
                     "SPRINT" => 14065,
                     "RTOI" | "BTOI" => 14096,
                     "AXNAME" => 14097,
@@ -388,135 +417,21 @@ impl Run<'_> {
         }
     }
 
-    fn unary(&self, op: Unary, value: &Val, span: Span) -> Outcome<Val> {
-        let made = match (op, value) {
-            (Unary::Negate, Val::Int(n)) => n.checked_neg().map(Val::Int),
-            (Unary::Negate, Val::Real(v)) => Some(Val::Real(-v)),
-            (Unary::Not, value) => value.truth().map(|truth| Val::Bool(!truth)),
-            (Unary::BitNot, Val::Int(n)) => Some(Val::Int(!n)),
-            (Unary::ToText, value) => to_text(value).map(|text| Val::Text(text.into())),
-            _ => None,
+    fn joined(&self, machine: &mut Machine) -> Result<Val, Stop> {
+        let (b, a) = (machine.pop()?, machine.pop()?);
+        let (Some(mut text), Some(rest)) = (to_text(&a), to_text(&b)) else {
+            return Err(Fault::Mismatch(a.what(), b.what()).into());
         };
-        match made {
-            Some(value) => Ok(value),
-            None => self.fail(codes::S2005, 12150, span, format!("the operator does not fit {}", value.what())),
+        text.extend_from_slice(&rest);
+        if text.len() > MOST_JOINED {
+            return Err(Fault::Said("the joined text is too long".to_owned()).into());
         }
+        Ok(Val::Text(text.into()))
     }
-
-    fn binary(&self, op: Binary, a: &Val, b: &Val, span: Span) -> Outcome<Val> {
-        use Binary::*;
-        match op {
-            Add | Subtract | Multiply | Divide | Div | Mod => self.arithmetic(op, a, b, span),
-            BitAnd | BitOr | BitXor => match (a, b) {
-                (Val::Int(a), Val::Int(b)) => Ok(Val::Int(match op {
-                    BitAnd => a & b,
-                    BitOr => a | b,
-                    _ => a ^ b,
-                })),
-                _ => self.mismatch(a, b, span),
-            },
-            And | Or | Xor => match (a.truth(), b.truth()) {
-                (Some(a), Some(b)) => Ok(Val::Bool(match op {
-                    And => a && b,
-                    Or => a || b,
-                    _ => a != b,
-                })),
-                _ => self.mismatch(a, b, span),
-            },
-            Concat => match (to_text(a), to_text(b)) {
-                (Some(mut a), Some(b)) => {
-                    a.extend_from_slice(&b);
-                    if a.len() > MOST_JOINED {
-                        return self.fail(codes::S2030, 14099, span, "the joined text is too long");
-                    }
-                    Ok(Val::Text(a.into()))
-                }
-                _ => self.mismatch(a, b, span),
-            },
-            Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual => self.comparison(op, a, b, span),
-            Chain => match (a, b) {
-                (Val::Frame(a), Val::Frame(b)) => Ok(Val::Frame(Rc::new(a.chain(b)))),
-                _ => self.mismatch(a, b, span),
-            },
-        }
-    }
-
-    fn mismatch<T>(&self, a: &Val, b: &Val, span: Span) -> Outcome<T> {
-        let message = format!("{} and {} do not go together here", a.what(), b.what());
-        self.fail(codes::S2005, 12150, span, message)
-    }
-
-    fn arithmetic(&self, op: Binary, a: &Val, b: &Val, span: Span) -> Outcome<Val> {
-        if let (Val::Int(x), Val::Int(y)) = (a, b)
-            && op != Binary::Divide
-        {
-            let made = match op {
-                Binary::Add => x.checked_add(*y),
-                Binary::Subtract => x.checked_sub(*y),
-                Binary::Multiply => x.checked_mul(*y),
-                _ if *y == 0 => return self.fail(codes::S2006, 14051, span, "division by zero"),
-                Binary::Div => x.checked_div(*y),
-                _ => x.checked_rem(*y),
-            };
-            return match made {
-                Some(n) => Ok(Val::Int(n)),
-                None => self.fail(codes::S2006, 14051, span, "the result is too large for an INT"),
-            };
-        }
-        let (Some(x), Some(y)) = (a.number(), b.number()) else { return self.mismatch(a, b, span) };
-        if y == 0.0 && matches!(op, Binary::Divide | Binary::Div | Binary::Mod) {
-            return self.fail(codes::S2006, 14051, span, "division by zero");
-        }
-        let value = match op {
-            Binary::Add => x + y,
-            Binary::Subtract => x - y,
-            Binary::Multiply => x * y,
-            Binary::Divide => x / y,
-            Binary::Div => libm::trunc(x / y),
-            _ => libm::fmod(x, y),
-        };
-        if !value.is_finite() {
-            return self.fail(codes::S2006, 14051, span, "the result is too large");
-        }
-        Ok(Val::Real(value))
-    }
-
-    fn comparison(&self, op: Binary, a: &Val, b: &Val, span: Span) -> Outcome<Val> {
-        use std::cmp::Ordering;
-        let order = match (a, b) {
-            (Val::Text(a), Val::Text(b)) => a.cmp(b),
-            (Val::Text(a), Val::Char(b)) => a.as_ref().cmp(&[*b]),
-            (Val::Char(a), Val::Text(b)) => [*a].as_slice().cmp(b.as_ref()),
-            (Val::Axis(a), Val::Axis(b)) => a.cmp(b),
-            _ => match (a.number(), b.number()) {
-                (Some(x), Some(y)) if nearly_equal(x, y) => Ordering::Equal,
-                (Some(x), Some(y)) => x.partial_cmp(&y).unwrap_or(Ordering::Equal),
-                _ => return self.mismatch(a, b, span),
-            },
-        };
-        Ok(Val::Bool(match op {
-            Binary::Equal => order.is_eq(),
-            Binary::NotEqual => order.is_ne(),
-            Binary::Less => order.is_lt(),
-            Binary::LessEqual => order.is_le(),
-            Binary::Greater => order.is_gt(),
-            _ => order.is_ge(),
-        }))
-    }
-}
-
-fn nearly_equal(x: f64, y: f64) -> bool {
-    (x - y).abs() <= EQUAL * x.abs().max(y.abs())
 }
 
 fn int_or_real(n: i64) -> Val {
     i32::try_from(n).map_or(Val::Real(n as f64), Val::Int)
-}
-
-/// The last `count` values of the stack.
-fn taken(stack: &mut Vec<Val>, count: u32) -> Vec<Val> {
-    let from = stack.len().saturating_sub(count as usize);
-    stack.split_off(from)
 }
 
 /// Names of frame components, as texts; they are words in `[X,TR]` only.

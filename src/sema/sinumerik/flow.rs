@@ -102,7 +102,7 @@ impl Run<'_> {
         let wrong = self.skeleton()?.wrong_line(line.place.at).cloned();
         if let Some((number, lines, problem)) = wrong {
             let file = self.here.file;
-            let here = crate::sema::here::Here::new(file, line.place.at, number, lines, self.here.origin.call);
+            let here = crate::sema::run::Site::new(file, line.place.at, number, lines, self.here.origin.call);
             let found = here.diagnostic(&self.job, problem);
             if !self.job.diags.knows(&found) {
                 self.job.diags.push(found);

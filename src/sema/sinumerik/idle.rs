@@ -13,8 +13,8 @@ use crate::parser::sinumerik::ast::{
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
-use crate::sema::exec::open_cursor;
-use crate::sema::here::Here;
+use crate::sema::run::Site;
+use crate::sema::run::open_cursor;
 use crate::text::blocks::BlockText;
 use crate::text::{FileError, Loc, Next, Request, Span};
 
@@ -144,7 +144,7 @@ impl<'a> Idle<'a> {
     }
 
     fn look(&mut self, block: &Block, text: &BlockText<'_>) {
-        let here = Here::new(self.job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(self.job.main, text.at, text.line, text.lines, CallPath::MAIN);
         let found = match block.stmt {
             Stmt::Words => self.words(block, &here),
             Stmt::Goto(jump) => self.jump(jump, text.at, &here),
@@ -171,7 +171,7 @@ impl<'a> Idle<'a> {
         self.programs.skeleton(self.job, unit, &mut self.symbols).ok()
     }
 
-    fn jump(&mut self, jump: Jump, at: u32, here: &Here) -> Option<Diagnostic> {
+    fn jump(&mut self, jump: Jump, at: u32, here: &Site) -> Option<Diagnostic> {
         if jump.search == Search::BothQuiet {
             return None;
         }
@@ -201,14 +201,14 @@ impl<'a> Idle<'a> {
         )
     }
 
-    fn label(&mut self, name: Symbol, block: &Block, at: u32, here: &Here) -> Option<Diagnostic> {
+    fn label(&mut self, name: Symbol, block: &Block, at: u32, here: &Site) -> Option<Diagnostic> {
         let jump = Jump { search: Search::Both, target: JumpTarget::Label(name), span: block.span };
         self.jump(jump, at, here)
     }
 
     // Calls.
 
-    fn call(&mut self, form: CallForm, block: &Block, text: &[u8], here: &Here) -> Option<Diagnostic> {
+    fn call(&mut self, form: CallForm, block: &Block, text: &[u8], here: &Site) -> Option<Diagnostic> {
         let written = |formula: Formula| match block.formula(formula) {
             [Op::Text(span)] => Some((String::from_utf8_lossy(span.of(text)).into_owned(), formula.span)),
             _ => None,
@@ -232,7 +232,7 @@ impl<'a> Idle<'a> {
     }
 
     /// A warning for a program that is not here.
-    fn program(&mut self, name: &str, span: Span, here: &Here) -> Option<Diagnostic> {
+    fn program(&mut self, name: &str, span: Span, here: &Site) -> Option<Diagnostic> {
         let upper = name.to_ascii_uppercase();
         let last = upper.rsplit(['/', '\\']).next().unwrap_or(&upper);
         let (bare, _) = bare_name(last);
@@ -264,7 +264,7 @@ impl<'a> Idle<'a> {
 
     // Words.
 
-    fn words(&mut self, block: &Block, here: &Here) -> Option<Diagnostic> {
+    fn words(&mut self, block: &Block, here: &Site) -> Option<Diagnostic> {
         let repeated = repeated_words(self, block, here);
         repeated
             .or_else(|| self.codes(block, here))
@@ -284,7 +284,7 @@ impl<'a> Idle<'a> {
     }
 
     /// G codes that do not exist or exclude each other.
-    fn codes(&self, block: &Block, here: &Here) -> Option<Diagnostic> {
+    fn codes(&self, block: &Block, here: &Site) -> Option<Diagnostic> {
         let mut seen: Vec<(Code, Span)> = Vec::new();
         for word in &block.words {
             let code = match self.code_of(word) {
@@ -317,7 +317,7 @@ impl<'a> Idle<'a> {
     }
 
     /// What would be refused, or is not here.
-    fn refused_word(&mut self, word: &Word, block: &Block, here: &Here) -> Option<Diagnostic> {
+    fn refused_word(&mut self, word: &Word, block: &Block, here: &Site) -> Option<Diagnostic> {
         match (word.target, word.value) {
             (Target::Letter(b'L'), Value::Literal { value, digits, whole: true }) => {
                 let width = usize::from(digits);
@@ -350,7 +350,7 @@ impl<'a> Idle<'a> {
 }
 
 /// A word that may stand once and stands twice.
-fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnostic> {
+fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Site) -> Option<Diagnostic> {
     let once = |word: &Word| match word.target {
         Target::Letter(
             letter @ (b'X' | b'Y' | b'Z' | b'A'..=b'C' | b'U'..=b'W' | b'I'..=b'K' | b'F' | b'T' | b'D' | b'L' | b'P'),
@@ -375,7 +375,7 @@ fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Here) -> Option<Diagnos
     None
 }
 
-fn refused(job: &Job<'_>, here: &Here, span: Span, code: &'static Found) -> Diagnostic {
+fn refused(job: &Job<'_>, here: &Site, span: Span, code: &'static Found) -> Diagnostic {
     let message = format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
     Diagnostic::new(codes::S8040, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
 }

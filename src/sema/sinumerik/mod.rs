@@ -18,8 +18,8 @@ mod eval;
 mod externs;
 mod feed;
 mod flow;
+mod formula_functions;
 mod frames;
-mod functions;
 mod g_groups;
 mod idle;
 mod known_words;
@@ -43,7 +43,7 @@ mod stand_in;
 mod state;
 mod system;
 mod tangent;
-mod tech;
+mod technology;
 mod threads;
 mod tools;
 mod value;
@@ -61,7 +61,7 @@ use crate::diag::{CallPath, Diagnostic, codes};
 use crate::ir::Side;
 use crate::ir::contour::Sink;
 use crate::ir::function::Turn;
-use crate::machine::{Axis, Proposed};
+use crate::machine::{Axis, AxisSet, Proposed};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
@@ -70,9 +70,8 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Next, Span};
 
-use super::Job;
-use super::exec::{Budget, open_cursor};
-use super::here::Here;
+use super::run::{Budget, Site, open_cursor};
+use super::{Job, Outcome, Reported};
 use calls::{Level, Modal};
 use contour::Pending;
 use g_groups::GCodes;
@@ -94,7 +93,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
     let unit = run.main_unit(first);
     run.levels.push(Level::main(unit));
-    run.out.begins_at(&run.st.start.position());
+    run.out.begins_at(&run.st.position.start());
     run.vars.enter();
     while !run.ended.get() {
         run.step();
@@ -114,7 +113,7 @@ pub fn check_form(job: &Job<'_>) {
     while let Ok(Next::Block(text)) = cursor.next(job.sources) {
         parse_block(text.text, &mut block, &mut symbols, &mut problems);
         macros |= matches!(block.stmt, Stmt::Define(_));
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
         for problem in problems.drain(..) {
             // A macro may stand for anything.
             if !macros {
@@ -195,9 +194,9 @@ struct Run<'a> {
     cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
-    stack: Vec<Val>,
+    machine: eval::Machine,
     words: Option<Box<Words>>,
-    here: Here,
+    here: Site,
     expanded: bool,
     problems: Vec<Problem>,
     scratch: Option<Box<Parsed>>,
@@ -211,12 +210,6 @@ struct Run<'a> {
 const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
-
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
-
-type Outcome<T = ()> = Result<T, Reported>;
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
@@ -264,9 +257,9 @@ impl<'a> Run<'a> {
             corner_open: None,
             cut_speed_open: None,
             depth: 0,
-            stack: Vec::new(),
+            machine: eval::Machine::new(eval::RULES),
             words: None,
-            here: Here::default(),
+            here: Site::default(),
             expanded: false,
             problems: Vec::new(),
             scratch: None,
@@ -335,7 +328,7 @@ impl<'a> Run<'a> {
         {
             file.cursor.resume(parsed.next);
             self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
-            self.here = Here::new(file.file, place.at, place.line, parsed.lines, call);
+            self.here = Site::new(file.file, place.at, place.line, parsed.lines, call);
             self.expanded = parsed.expanded;
             self.execute(&parsed.block, &parsed.text);
             return;
@@ -350,7 +343,7 @@ impl<'a> Run<'a> {
         let file = &mut self.programs.files[at];
         match file.cursor.next(self.job.sources) {
             Ok(Next::Block(found)) => {
-                self.here = Here::new(file.file, place.at, place.line, found.lines, call);
+                self.here = Site::new(file.file, place.at, place.line, found.lines, call);
                 parsed.lines = found.lines;
                 parsed.expanded = false;
                 if self.macros.is_empty() {
@@ -454,7 +447,7 @@ impl<'a> Run<'a> {
                 if scan(text, &mut self.symbols).structure.is_some() {
                     self.stop_run();
                 }
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.pending = None;
                 self.lost();
                 return Err(Reported);
@@ -484,7 +477,7 @@ impl<'a> Run<'a> {
                 self.pending_must_be_done(block.span)?;
                 let result = self.call_form(form, block, text);
                 if result.is_err() {
-                    self.st.lose(Axis::ALL.into_iter().collect());
+                    self.st.position.lose(AxisSet::ALL);
                     self.lost();
                 }
                 result

@@ -4,6 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Side;
+use crate::machine::AxisSet;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
@@ -83,7 +84,7 @@ impl Run<'_> {
             let message = "the plane changes between the two lines of a pair (alarm 10790)";
             let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
             self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));
-            self.st.lose(crate::machine::AxisSet::MAIN);
+            self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
         }
         self.set_plane(code);
@@ -96,7 +97,7 @@ impl Run<'_> {
         let what = match code {
             Code::G291 => {
                 self.iso = true;
-                self.st.lose(crate::machine::Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 return self.fail_help(
                     codes::S9003,

@@ -78,7 +78,7 @@ impl Run<'_> {
         }
         self.pair_lost |= words.get(Address::Ang).is_some();
         if !axes.is_empty() {
-            self.st.lose(axes);
+            self.st.position.lose(axes);
             self.pending = None;
             self.lost();
         }
@@ -375,11 +375,11 @@ impl Run<'_> {
 
     /// What an increment counts from: the value last programmed, or where the axis stands (SD 42440).
     pub(super) fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(at) = self.st.pos.get(axis) else { return self.unknown_axis(axis, span) };
-        let programmed = self.st.programmed.get(axis).unwrap_or(at);
+        let Some(at) = self.st.position.get(axis) else { return self.unknown_axis(axis, span) };
+        let programmed = self.st.position.programmed(axis).unwrap_or(at);
         if (programmed - at).abs() <= 1e-9 {
             return Ok(at);
         }
@@ -406,7 +406,7 @@ impl Run<'_> {
     }
 
     pub(super) fn unknown_axis<T>(&self, axis: Axis, span: Span) -> Outcome<T> {
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
         self.fail_help(
@@ -414,7 +414,7 @@ impl Run<'_> {
             0,
             span,
             format!("where {} stands is not known", axis.letter()),
-            &self.st.start.help(axis, "program the axis once in absolute coordinates in front of this block"),
+            &self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
         )
     }
 }

@@ -32,24 +32,14 @@ impl Run<'_> {
         self.note_heading(end, &path);
         let mv = Move { end: *end, path, side: self.side_of_move(), coords: Coords::Frame };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        self.moved_to(end);
-    }
-
-    #[inline]
-    pub(super) fn moved_to(&mut self, end: &Pos) {
-        self.st.pos.update(end);
-        self.st.programmed.update(end);
-        self.st.start.touch(end.known());
-        if !self.st.lost.is_empty() {
-            self.st.lost = self.st.lost.without(end.known());
-        }
+        self.st.position.move_to(end);
     }
 
     /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
     pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path) {
         if self.st.outer == Outer::Unrelated {
             let _: Outcome = self.unrelated(Span::default(), "G500 stands beside");
-            self.st.lose(end.known());
+            self.st.position.lose(end.known());
             return;
         }
         let wrong = if !matches!(path, Path::Rapid | Path::Line(_)) {
@@ -74,7 +64,7 @@ impl Run<'_> {
         }
         let mv = Move { end: machine, path, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        self.moved_to(end);
+        self.st.position.move_to(end);
     }
 
     pub(super) fn in_machine_only_lines<T>(&self, span: Span, message: &str) -> Outcome<T> {
@@ -136,9 +126,7 @@ impl Run<'_> {
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
-        for axis in w.axes.iter() {
-            self.st.forget(axis);
-        }
+        self.st.position.forget(w.axes.iter().collect());
         Ok(())
     }
 

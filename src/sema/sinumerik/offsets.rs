@@ -72,7 +72,7 @@ impl Run<'_> {
         };
         let selected = self.st.offsets_printed || self.st.under_g500;
         if selected && self.st.outer != Outer::Printed(number) {
-            self.st.start.end();
+            self.st.position.end_start();
         }
         self.counts_from(Outer::Printed(number), None);
         self.st.offsets_printed = true;
@@ -81,15 +81,13 @@ impl Run<'_> {
         }
         let moved = std::mem::take(&mut self.st.moved_from_basic);
         if moved == FromBasic::UnderG500 {
-            self.forget_all();
+            self.st.position.clear();
             return self.offset_behind_g500(span, &offset_word(number));
         }
         self.function(Function::WorkOffset(printed));
-        self.forget_all();
+        self.st.position.clear();
         // Axes that never moved stand where the configuration says, in the first work offset.
-        let start = self.st.start.position();
-        self.st.programmed.update(&start);
-        self.st.pos.update(&self.st.ctx.frame.unapply(&start));
+        self.st.position.take_start(&self.st.ctx.frame);
         if moved == FromBasic::AtStart {
             let word = offset_word(number);
             let message = format!(
@@ -137,7 +135,7 @@ impl Run<'_> {
     /// Positions count from another place, or through another frame.
     pub(super) fn counts_from(&mut self, outer: Outer, frame: Option<FrameValue>) {
         if outer != self.st.outer {
-            self.forget_all();
+            self.st.position.clear();
         }
         self.st.outer = outer;
         self.st.settable = frame;
@@ -211,7 +209,7 @@ impl Run<'_> {
     }
 
     pub(super) fn mixed_offsets(&mut self, span: Span) -> Outcome {
-        self.forget_all();
+        self.st.position.clear();
         self.fail_help(
             codes::S9017,
             0,
@@ -219,11 +217,6 @@ impl Run<'_> {
             "the program uses a work offset that it writes itself beside one of the machine",
             "let it write all the offsets it uses, or none",
         )
-    }
-
-    pub(super) fn forget_all(&mut self) {
-        self.st.pos.clear();
-        self.st.programmed.clear();
     }
 
     pub(super) fn resolved_offset_note(&self, span: Span) {

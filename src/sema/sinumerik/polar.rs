@@ -42,10 +42,10 @@ impl Run<'_> {
                 }
                 self.st.pole
             }
-            _ => match self.st.pos.in_plane(plane) {
+            _ => match self.st.position.in_plane(plane) {
                 Some(at) => at,
                 None => {
-                    let axis = if self.st.pos.get(first).is_none() { first } else { second };
+                    let axis = if self.st.position.get(first).is_none() { first } else { second };
                     return self.unknown_axis(axis, span);
                 }
             },
@@ -128,7 +128,7 @@ impl Run<'_> {
             None => match self.st.rp {
                 Some(radius) => radius,
                 None => {
-                    self.st.lose(AxisSet::MAIN);
+                    self.st.position.lose(AxisSet::MAIN);
                     self.lost();
                     let help = "program RP=… in this block";
                     return self.fail_help(codes::S2054, 0, span, "RP= was never programmed", help);
@@ -170,7 +170,7 @@ impl Run<'_> {
     fn polar_word_missing<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
         // What counts on from here is not reported again.
         self.st.pole_lost = true;
-        self.st.lose(AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         self.lost();
         let message = format!("{what} was not programmed since the pole or the plane was set");
         self.fail_help(codes::S2054, 0, span, message, "program AP=… and RP=… in this block")

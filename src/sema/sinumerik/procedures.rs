@@ -4,7 +4,7 @@
 
 use crate::diag::codes;
 use crate::ir::{Function, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
@@ -49,7 +49,7 @@ impl Run<'_> {
         if let Meaning::Known(known) = call.meaning {
             let name = self.symbols.name(call.name).to_owned();
             if !self.own_program(&name) {
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 return self.not_compiled(call.name, known, call.span);
             }
@@ -60,7 +60,7 @@ impl Run<'_> {
             return if self.own_program(&name) { self.call_not_alone(call.span) } else { self.unknown_word(call) };
         }
         let name = self.symbols.name(call.name).to_owned();
-        if (super::functions::NAMES.contains(&name.as_str()) || super::words::is_modifier(&name))
+        if (super::formula_functions::find(&name).is_some() || super::words::is_modifier(&name))
             && !self.own_program(&name)
         {
             let help = format!("give its value to a variable or a word: X={name}(…)");
@@ -68,7 +68,7 @@ impl Run<'_> {
         }
         let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
         if cycle && !self.own_program(&name) {
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
             let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
             let help = "replace it by plain moves, or put its program beside this one";
@@ -165,7 +165,7 @@ impl Run<'_> {
             Ok(unit) => unit,
             Err(reported) => {
                 // What it would have done is not known.
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 return Err(reported);
             }
@@ -293,7 +293,7 @@ impl Run<'_> {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
             Procedure::Refused(what) => {
-                self.st.lose(Axis::ALL.into_iter().collect());
+                self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
                 self.fail_help(
@@ -338,7 +338,7 @@ impl Run<'_> {
             if self.number(*formula, block, text)? == 0.0 {
                 continue;
             }
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
             return self.fail_help(
                 codes::S9006,
@@ -349,7 +349,7 @@ impl Run<'_> {
             );
         }
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
-        if let Some(axis) = turned.into_iter().find(|axis| self.st.pos.get(*axis).is_some_and(|at| at != 0.0)) {
+        if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
             let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
             return self.fail_help(codes::S9006, 0, span, message, "program the rotary axis, and leave CYCLE800 out");
         }
@@ -371,7 +371,7 @@ impl Run<'_> {
         };
         let points = &self.job.settings.machine.swivel_retract;
         if steps.is_empty() || !steps.concat().iter().all(|axis| points.contains_key(axis)) {
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
             return self.fail_help(
                 codes::S9006,

@@ -13,7 +13,7 @@ use crate::parser::sinumerik::ast::Search;
 use crate::parser::sinumerik::scan::{Word, scan, skipped_line};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
-use crate::sema::exec::{Cache, open_cursor};
+use crate::sema::run::{Cache, open_cursor};
 use crate::text::blocks::Place;
 use crate::text::{Cursor, FileId, Loc, Next, Span};
 

@@ -30,7 +30,7 @@ impl Run<'_> {
     fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         self.inside_one_turn(given)?;
         self.st.modulo.insert(axis);
-        let Some(at) = self.st.pos.get(axis) else {
+        let Some(at) = self.st.position.get(axis) else {
             return self.first_rotary_target(axis, given);
         };
         let way = match given.mode {
@@ -44,10 +44,10 @@ impl Run<'_> {
     /// `C20` of a modulo axis: up or down inside the turn in which it stands.
     fn modulo_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         self.inside_one_turn(given)?;
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(at) = self.st.pos.get(axis) else {
+        let Some(at) = self.st.position.get(axis) else {
             let letter = axis.letter();
             let message = format!("where {letter} stands is not known: its way to this position is left to the target");
             self.note_once(codes::S8044, given.span, message);
@@ -84,7 +84,7 @@ impl Run<'_> {
 
     /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
     fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.lost.contains(axis) {
+        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.position.is_lost(axis) {
             return self.unknown_axis(axis, given.span);
         }
         let letter = axis.letter();

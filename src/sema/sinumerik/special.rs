@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::frames::FrameValue;
@@ -144,7 +144,7 @@ impl Run<'_> {
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
         self.out.movement(&mv, &self.st.ctx, &self.here.origin);
         for axis in end.known().iter() {
-            self.st.forget(axis);
+            self.st.position.forget(AxisSet::of(axis));
         }
     }
 

@@ -191,7 +191,7 @@ impl Run<'_> {
         }
         let limits = [self.st.speed_limit, self.st.highest_speed];
         let limit = limits.into_iter().flatten().reduce(f64::min);
-        let radius = self.job.settings.machine.diameter_axis.and_then(|axis| self.st.pos.get(axis)).map(f64::abs);
+        let radius = self.job.settings.machine.diameter_axis.and_then(|axis| self.st.position.get(axis)).map(f64::abs);
         let free = match (self.st.speed, radius) {
             (Some(speed), Some(radius)) if radius > 1e-3 => {
                 Some(libm::round(1000.0 * speed / (2.0 * std::f64::consts::PI * radius)))

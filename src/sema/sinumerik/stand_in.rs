@@ -66,7 +66,7 @@ impl Run<'_> {
         self.st.tool.lost = false;
         self.change_tool()?;
         // Where it leaves the axes is not known.
-        self.forget_all();
+        self.st.position.clear();
         Ok(())
     }
 }

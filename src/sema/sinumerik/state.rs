@@ -6,9 +6,10 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
-use crate::sema::start::Start;
+use crate::sema::common::position::Position;
+use crate::sema::common::start::Start;
 
 use super::Run;
 use super::frames::FrameValue;
@@ -32,18 +33,12 @@ pub(super) struct State {
     pub geometry_axes: [Axis; 3],
     pub lathe: bool,
     pub ctx: CtxRef,
-    /// Programmed position in the workpiece system of the program, mm and radius.
-    pub pos: Pos,
-    /// Axes that stand where the configuration says.
-    pub start: Start,
-    /// Axes whose position was lost by a reported error.
-    pub lost: AxisSet,
+    /// The numbers last programmed count where a frame changed (SD 42440).
+    pub position: Position,
     /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
     pub modulo: AxisSet,
     /// The way of the last block that travelled.
     pub heading: super::tangent::Heading,
-    /// Coordinates as last programmed, before any change of the frame (SD 42440).
-    pub programmed: Pos,
     pub pole: Point2,
     /// The pole was set under an error.
     pub pole_lost: bool,
@@ -142,18 +137,14 @@ impl State {
         let feed_at_start = settings.control.siemens.feed_per_revolution;
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
         let start = Start::new(settings, codes.is(Code::DIAMON));
-        let at = start.position();
         State {
             codes,
             geometry_axes: machine.geometry_axes,
             lathe,
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-            pos: start.position(),
-            start,
-            lost: AxisSet::EMPTY,
+            position: Position::new(start),
             modulo: machine.modulo,
             heading: super::tangent::Heading::None,
-            programmed: at,
             pole: Point2::origin(),
             pole_lost: false,
             ap: None,
@@ -248,22 +239,6 @@ impl State {
         let (first, second, third) = self.plane().axes();
         [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]]
     }
-
-    /// Forgets where an axis is, because of a reported error.
-    pub fn lose(&mut self, axes: AxisSet) {
-        for axis in axes.iter() {
-            self.pos.forget(axis);
-            self.programmed.forget(axis);
-        }
-        self.lost = self.lost.union(axes);
-    }
-
-    /// Forgets where an axis is; the program has to say it.
-    pub fn forget(&mut self, axis: Axis) {
-        self.start.touch(AxisSet::of(axis));
-        self.pos.forget(axis);
-        self.programmed.forget(axis);
-    }
 }
 
 impl Run<'_> {
@@ -330,7 +305,7 @@ impl Run<'_> {
             None => self.st.programmable.clone(),
         };
         let Some(frame) = total.map() else {
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.st.programmable = FrameValue::default();
             let _: super::Outcome = self.fail(
                 codes::S2034,
@@ -342,13 +317,8 @@ impl Run<'_> {
         };
         if frame != self.st.ctx.frame {
             self.st.heading = self.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
-            let tool = self.st.ctx.frame.apply(&self.st.pos);
-            let before = self.st.pos.known();
-            self.st.pos = frame.unapply(&tool);
-            // Under a rotation an axis that a reported error lost takes others with it.
-            if !self.st.lost.is_empty() {
-                self.st.lost = self.st.lost.union(before.without(self.st.pos.known()));
-            }
+            self.st.position.keep_programmed();
+            self.st.position.through_frame(&self.st.ctx.frame, &frame);
             self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });
         }
     }

@@ -191,17 +191,20 @@ impl Run<'_> {
 
     /// Where an axis stands, as the program would write it.
     fn position_value(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.lost.contains(axis) {
+        if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        let Some(value) = self.st.pos.get(axis) else {
+        let Some(value) = self.st.position.get(axis) else {
             let message = format!("where {} stands was not programmed yet", axis.letter());
             return self.fail_help(
                 codes::S2042,
                 0,
                 span,
                 message,
-                &self.st.start.help(axis, "program the axis once in absolute coordinates before reading its position"),
+                &self
+                    .st
+                    .position
+                    .help(axis, "program the axis once in absolute coordinates before reading its position"),
             );
         };
         if axis.is_rotary() {
@@ -361,9 +364,9 @@ impl Run<'_> {
         Ok(frame)
     }
 
-    /// Functions that make frames or ask about the program; `None` for others.
-    pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Option<Outcome<Val>> {
-        Some(match name {
+    /// Functions that make frames or ask about the program.
+    pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
+        match name {
             "CTRANS" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
             "CFINE" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
             "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
@@ -383,7 +386,7 @@ impl Run<'_> {
                 _ => self.fail(codes::S2021, 14021, span, "INVFRAME takes a frame"),
             },
             "AXNAME" => self.axis_of_text(args, span),
-            "ISVAR" | "ISFILE" => return self.is_known(name, args, span),
+            "ISVAR" | "ISFILE" => self.is_known(name, args, span),
             "MODAXVAL" => match args {
                 [_, value] => match value.number() {
                     Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
@@ -391,11 +394,9 @@ impl Run<'_> {
                 },
                 _ => self.fail(codes::S2021, 14021, span, "MODAXVAL takes an axis and an angle"),
             },
-            "SET" | "REP" => {
-                self.fail(codes::S2005, 12150, span, format!("{name} fills an array and is no value of its own"))
-            }
-            _ => return None,
-        })
+            // SET and REP
+            _ => self.fail(codes::S2005, 12150, span, format!("{name} fills an array and is no value of its own")),
+        }
     }
 
     /// `AXNAME("X")`
@@ -411,21 +412,21 @@ impl Run<'_> {
         Ok(Val::Axis(named))
     }
 
-    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Option<Outcome<Val>> {
+    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return Some(self.fail(codes::S2021, 14021, span, format!("{name} takes a text")));
+            return self.fail(codes::S2021, 14021, span, format!("{name} takes a text"));
         };
         let wanted = String::from_utf8_lossy(text).into_owned();
         if name == "ISVAR" {
             if wanted.trim_start().starts_with('$') {
                 let message = format!("whether the control has `{wanted}` is known on the machine only");
-                return Some(self.fail(codes::S2028, 0, span, message));
+                return self.fail(codes::S2028, 0, span, message);
             }
-            return Some(Ok(Val::Bool(self.is_variable(&wanted))));
+            return Ok(Val::Bool(self.is_variable(&wanted)));
         }
         let file = self.programs.units[self.unit()].file;
         if let Err(error) = self.programs.list(&self.job, 0).and_then(|()| self.programs.list(&self.job, file)) {
-            return Some(self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}")));
+            return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}"));
         }
         self.budget.search();
         let identity = self.job.sources.identity(self.job.main);
@@ -433,7 +434,7 @@ impl Run<'_> {
         let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
         let in_archive = without_extension(&bare);
         let here = [0, file].into_iter().any(|file| self.programs.find_in_file(file, in_archive).is_some());
-        Some(Ok(Val::Bool(here || self.job.files.open(&request).is_ok())))
+        Ok(Val::Bool(here || self.job.files.open(&request).is_ok()))
     }
 
     /// A variable, or an element of one that exists.

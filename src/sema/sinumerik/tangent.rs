@@ -146,12 +146,12 @@ impl Run<'_> {
         match self.st.heading {
             Heading::Line(from) => {
                 for (axis, part) in AxisSet::MAIN.iter().zip(&mut way) {
-                    *part = self.st.pos.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
+                    *part = self.st.position.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
                 }
                 Heading::Behind { way, turned }
             }
             Heading::Arc { plane, center, ccw } => {
-                let end = self.st.pos.in_plane(plane);
+                let end = self.st.position.in_plane(plane);
                 let Some(tangent) = end.and_then(|at| tangent_at(at, center, ccw)) else { return Heading::TooLate };
                 let (first, second, _) = plane.axes();
                 way[first] = Some(tangent.x);
@@ -170,7 +170,7 @@ impl Run<'_> {
         match path {
             Path::Arc(arc, _) => self.st.heading = self.heading_of(arc, end),
             _ => {
-                let at = &self.st.pos;
+                let at = self.st.position.at();
                 let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));
                 if travels {
                     self.st.heading = Heading::Line(*at);
@@ -182,7 +182,9 @@ impl Run<'_> {
     /// The direction behind an arc from where the tool stands.
     pub(super) fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
         let plane = arc.plane;
-        let (Some(from), Some(to)) = (self.st.pos.in_plane(plane), end.in_plane(plane)) else { return Heading::Later };
+        let (Some(from), Some(to)) = (self.st.position.in_plane(plane), end.in_plane(plane)) else {
+            return Heading::Later;
+        };
         let found = match arc.shape {
             ArcShape::Center { center, ccw, .. } if closing(to - from) != Closing::Open => Some((center, ccw)),
             // The control moves the centre to the same distance from both ends.

@@ -88,7 +88,7 @@ impl Run<'_> {
             return self.fail_help(codes::S2081, 16720, span, "the thread has no lead", "program K along Z, I along X");
         };
         self.starts_are_known(w, span)?;
-        let way = |axis: Axis| match (end.get(axis), self.st.pos.get(axis)) {
+        let way = |axis: Axis| match (end.get(axis), self.st.position.get(axis)) {
             (Some(to), Some(from)) => (to - from).abs(),
             _ => 0.0,
         };
@@ -140,7 +140,7 @@ impl Run<'_> {
             return self.fail_help(codes::S9012, 0, start.span, message, help);
         }
         let back = lead * start.value / 360.0;
-        let (Some(to), Some(from)) = (end.get(axis), self.st.pos.get(axis)) else { return Err(Reported) };
+        let (Some(to), Some(from)) = (end.get(axis), self.st.position.get(axis)) else { return Err(Reported) };
         if (to - from).abs() <= STILL {
             return self.fail(codes::S2081, 16740, start.span, "the thread does not move along its lead");
         }
@@ -148,7 +148,7 @@ impl Run<'_> {
         let part = back / (to - from).abs();
         let mut shifted = Pos::UNKNOWN;
         for axis in AxisSet::MAIN.iter() {
-            if let (Some(to), Some(from)) = (end.get(axis), self.st.pos.get(axis)) {
+            if let (Some(to), Some(from)) = (end.get(axis), self.st.position.get(axis)) {
                 shifted.set(axis, from - (to - from) * part);
             }
         }
@@ -273,7 +273,7 @@ impl Run<'_> {
 
     /// The tap follows one axis, which the frame leaves as it is.
     fn taps_along(&self, axis: Axis, end: &Pos, w: &Words, span: Span) -> Outcome {
-        let moves = |other: &Axis| match (end.get(*other), self.st.pos.get(*other)) {
+        let moves = |other: &Axis| match (end.get(*other), self.st.position.get(*other)) {
             (Some(to), Some(from)) => (to - from).abs() > STILL,
             (to, _) => to.is_some(),
         };
@@ -315,7 +315,7 @@ impl Run<'_> {
     }
 
     fn starts_are_known(&self, w: &Words, span: Span) -> Outcome {
-        match w.axes.iter().find(|axis| axis.is_main() && self.st.pos.get(*axis).is_none()) {
+        match w.axes.iter().find(|axis| axis.is_main() && self.st.position.get(*axis).is_none()) {
             Some(axis) => self.unknown_axis(axis, span),
             None => Ok(()),
         }

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
-use crate::machine::{Axis, Compensation, Tool};
+use crate::machine::{Axis, AxisSet, Compensation, Tool};
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
@@ -75,10 +75,9 @@ impl Run<'_> {
         // A tool of another length.
         let [_, _, third] = self.st.roles();
         if self.st.lathe {
-            self.st.forget(Axis::X);
-            self.st.forget(Axis::Z);
+            self.st.position.forget([Axis::X, Axis::Z].into_iter().collect());
         } else {
-            self.st.forget(third);
+            self.st.position.forget(AxisSet::of(third));
         }
         Ok(())
     }
@@ -92,7 +91,7 @@ impl Run<'_> {
             let [_, _, third] = self.st.roles();
             let axes = if self.st.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
             for axis in axes {
-                self.st.forget(axis);
+                self.st.position.forget(AxisSet::of(axis));
             }
         }
         if self.st.side() != Side::None && !self.compensation_starts && self.st.tool.edge != Some(edge) {

@@ -5,6 +5,7 @@
 use std::rc::Rc;
 
 use crate::parser::sinumerik::ast::TypeName;
+pub(super) use crate::sema::value::whole;
 
 use super::axis_names::NamedAxis;
 use super::frames::FrameValue;
@@ -13,62 +14,11 @@ use super::frames::FrameValue;
 pub(super) const MOST_TEXT: usize = 400;
 
 /// A value of a formula.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Val {
-    Int(i32),
-    Real(f64),
-    Bool(bool),
-    Char(u8),
-    Text(Rc<[u8]>),
-    Axis(NamedAxis),
-    Frame(Rc<FrameValue>),
-    /// Several values in brackets, for `SET` and `PO`.
-    List(Rc<[Val]>),
-    /// An omitted argument.
-    Missing,
-}
+pub(super) type Val = crate::sema::value::Val<NamedAxis, Rc<FrameValue>>;
 
 impl Val {
-    pub fn text(bytes: &[u8]) -> Val {
-        Val::Text(bytes.into())
-    }
-
-    /// What the value is, for messages.
-    pub fn what(&self) -> &'static str {
-        match self {
-            Val::Int(_) => "an INT",
-            Val::Real(_) => "a REAL",
-            Val::Bool(_) => "a BOOL",
-            Val::Char(_) => "a CHAR",
-            Val::Text(_) => "a text",
-            Val::Axis(_) => "an axis",
-            Val::Frame(_) => "a frame",
-            Val::List(_) => "a list",
-            Val::Missing => "nothing",
-        }
-    }
-
-    /// The value as a number; texts, axes and frames are none.
-    pub fn number(&self) -> Option<f64> {
-        match *self {
-            Val::Int(n) => Some(f64::from(n)),
-            Val::Real(v) => Some(v),
-            Val::Bool(b) => Some(f64::from(u8::from(b))),
-            Val::Char(c) => Some(f64::from(c)),
-            _ => None,
-        }
-    }
-
-    /// The value as a condition.
-    pub fn truth(&self) -> Option<bool> {
-        match self {
-            Val::Text(text) => Some(!text.is_empty()),
-            other => other.number().map(|v| v != 0.0),
-        }
-    }
-
     /// The start value of a type.
-    pub fn zero(kind: TypeName) -> Val {
+    pub(super) fn zero(kind: TypeName) -> Val {
         match kind {
             TypeName::Int => Val::Int(0),
             TypeName::Real => Val::Real(0.0),
@@ -82,7 +32,7 @@ impl Val {
     }
 
     /// The value as one of `kind`.
-    pub fn converted(&self, kind: TypeName) -> Result<Val, NoValue> {
+    pub(super) fn converted(&self, kind: TypeName) -> Result<Val, NoValue> {
         let converted = match (kind, self) {
             (TypeName::Int, Val::Int(_))
             | (TypeName::Real, Val::Real(_))
@@ -127,12 +77,6 @@ pub(super) fn type_name(kind: TypeName) -> &'static str {
         TypeName::Axis => "AXIS",
         TypeName::Frame => "FRAME",
     }
-}
-
-/// A number rounded to an INT: halves go up.
-pub(super) fn whole(value: f64) -> Option<i32> {
-    let rounded = libm::floor(value + 0.5);
-    (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&rounded).then_some(rounded as i32)
 }
 
 /// A value as `<<` writes it.

@@ -6,12 +6,12 @@ use crate::diag::codes;
 use crate::parser::turning::ast::Block;
 use crate::text::{Loc, Span};
 
-use super::super::here::Here;
 use super::contour::{Builder, Outline};
 use super::geometry::note_adjusted;
 use super::sections::Family;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::run::Site;
 
 /// A cycle whose contour is being read.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub(super) struct Capture {
     name: &'static str,
     words: Words,
     /// The block of the cycle.
-    here: Here,
+    here: Site,
     builder: Builder,
     /// The block of the cycle, as its words count.
     function: Span,
@@ -163,7 +163,7 @@ impl Run<'_> {
 
     /// The words of a contour in G80; RI and RK belong to the form of a recess. Source: reference section 12.
     fn known_words(&self, w: &Words, number: u16) -> Outcome {
-        let known = super::functions::find(80).map_or(&[][..], |row| row.longs);
+        let known = super::g_functions::find(80).map_or(&[][..], |row| row.longs);
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if num.unknown {

@@ -39,9 +39,9 @@ impl Run<'_> {
 
     /// Sends a cycle; the tool stands where the cycle leaves it.
     pub(super) fn send_cycle(&mut self, cycle: &Cycle) {
-        self.out.cycle(cycle, &self.st.ctx, &self.here.origin);
-        self.st.pos = cycle.leaves(&self.st.pos);
-        self.st.start.touch(AxisSet::MAIN);
+        self.core.send_cycle(cycle, &self.st.ctx);
+        let end = cycle.leaves(self.st.position.at());
+        self.st.position.cycle_leaves(&end, AxisSet::MAIN);
         self.st.last = None;
         self.st.moved = true;
         self.cycle_cuts(cycle);

@@ -8,7 +8,8 @@ use crate::text::Loc;
 use crate::text::blocks::Place;
 
 use super::sections::Part;
-use super::{Outcome, Parsed, Read, Reported, Run};
+use super::{Outcome, Parsed, Reported, Run};
+use crate::sema::run::Read;
 
 /// Deepest nesting of structures.
 const DEEPEST: usize = 100;
@@ -42,7 +43,7 @@ impl Run<'_> {
             );
         }
         self.sections.settle_family();
-        self.level().begun = true;
+        self.level().frame.begun = true;
         match block.stmt {
             Stmt::Assign(var, formula) => self.assign(var, block, formula),
             Stmt::If(condition) => self.if_block(block, condition),
@@ -58,8 +59,7 @@ impl Run<'_> {
             Stmt::EndWhile => match self.top() {
                 Some(NestKind::While(place)) => {
                     self.close()?;
-                    self.budget.jump(self.here.origin.loc);
-                    self.seek(place)
+                    self.jump_to(place)
                 }
                 _ => self.misplaced("ENDWHILE", "WHILE"),
             },
@@ -84,34 +84,36 @@ impl Run<'_> {
     }
 
     fn top(&mut self) -> Option<NestKind> {
-        self.level().nests.last().map(|nest| nest.kind)
+        self.level().frame.nests.last().map(|nest| nest.kind)
     }
 
     fn close(&mut self) -> Outcome {
-        self.level().nests.pop();
+        self.level().frame.nests.pop();
         Ok(())
     }
 
     fn open_nest(&mut self, kind: NestKind) -> Outcome {
         let loc = self.here.origin.loc;
-        let nests = &mut self.level().nests;
+        let nests = &mut self.level().frame.nests;
         nests.push(Nest { kind, loc });
         if nests.len() <= DEEPEST {
             return Ok(());
         }
-        self.ended = true;
+        self.stop_run();
         self.fail(codes::T1009, self.block_span(), format!("structures are nested deeper than {DEEPEST} levels"))
     }
 
     fn misplaced(&mut self, what: &str, needs: &str) -> Outcome {
-        self.ended = true;
+        self.stop_run();
         self.fail(codes::T1009, self.block_span(), format!("{what} stands outside of {needs}"))
     }
 
     /// A condition; if it cannot be computed, nobody knows which blocks run.
     fn condition(&mut self, block: &Block, formula: Formula) -> Outcome<f64> {
         let value = self.formula(block, formula);
-        self.ended |= value.is_err();
+        if value.is_err() {
+            self.stop_run();
+        }
         value
     }
 
@@ -128,7 +130,7 @@ impl Run<'_> {
         let place = Place { at: self.here.at, line: self.here.line };
         let sources = self.job.sources;
         if self.program().source.cursor.load(sources).is_err() {
-            self.ended = true;
+            self.stop_run();
             return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
         }
         let holds = self.condition(block, condition)? != 0.0;
@@ -145,7 +147,7 @@ impl Run<'_> {
         self.open_nest(NestKind::Switch)?;
         let sources = self.job.sources;
         if self.program().source.cursor.load(sources).is_err() {
-            self.ended = true;
+            self.stop_run();
             return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
         }
         let here = self.here;
@@ -169,13 +171,13 @@ impl Run<'_> {
     }
 
     fn break_block(&mut self) -> Outcome {
-        let nests = &self.level().nests;
+        let nests = &self.level().frame.nests;
         let inner = nests.iter().rev().take_while(|nest| matches!(nest.kind, NestKind::If | NestKind::Else)).count();
         let at = nests.len() - inner;
         if at == 0 || nests[at - 1].kind != NestKind::Switch {
             return self.misplaced("BREAK", "SWITCH");
         }
-        self.level().nests.truncate(at);
+        self.level().frame.nests.truncate(at);
         self.pass(&[Stmt::EndSwitch], inner)
     }
 
@@ -187,7 +189,7 @@ impl Run<'_> {
             let stmt = parsed.block.stmt;
             if depth == 0 && ends.contains(&stmt) {
                 if stmt == Stmt::Else {
-                    if let Some(nest) = self.level().nests.last_mut() {
+                    if let Some(nest) = self.level().frame.nests.last_mut() {
                         nest.kind = NestKind::Else;
                     }
                     return Ok(());
@@ -207,25 +209,12 @@ impl Run<'_> {
 
     /// The next block of a branch that is passed; what is wrong with it does not matter here.
     fn next_passed(&mut self, from: Loc) -> Outcome<Parsed<Block>> {
-        let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step(&*self.out) {
-            self.budget.report_end(&self.job, &*self.out, from, call);
-            self.ended = true;
+        if !self.has_steps_at(from) {
             return Err(Reported);
         }
         let mut parsed = Parsed::default();
-        let read = self.programs[at].source.pass(&self.job, call, &mut parsed, |text, into| {
-            crate::parser::turning::parse_block(text, &mut into.block, &mut Vec::new());
-        });
-        match read {
-            Read::Block(here) => {
-                let source = &self.programs[at].source;
-                let bytes = source.cursor.place().at.saturating_sub(here.at);
-                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
-                self.here = here;
-                self.here.origin.loc.span = parsed.block.span.shifted(self.here.at);
-            }
-            Read::TooLong => {}
+        match self.pass_block(&mut parsed) {
+            Read::Block(_) | Read::TooLong => {}
             Read::End | Read::Broken => return self.unclosed(from),
         }
         match parsed.block.stmt {
@@ -235,21 +224,9 @@ impl Run<'_> {
     }
 
     fn unclosed<T>(&mut self, from: Loc) -> Outcome<T> {
-        self.ended = true;
-        self.report(
+        self.stop(
             Diagnostic::new(codes::T1009, from, "this structure is not closed")
                 .help("close it with ENDIF, ENDWHILE or ENDSWITCH"),
-        );
-        Err(Reported)
-    }
-
-    pub(super) fn seek(&mut self, place: Place) -> Outcome {
-        let sources = self.job.sources;
-        if let Err(error) = self.program().source.cursor.seek(sources, place) {
-            self.error(codes::P0105, format!("the file cannot be read: {error}"));
-            self.ended = true;
-            return Err(Reported);
-        }
-        Ok(())
+        )
     }
 }

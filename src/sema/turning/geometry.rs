@@ -106,7 +106,7 @@ impl Run<'_> {
         }
         let Some(described) = self.geometry.contours.last_mut() else { return };
         let result = described.builder.settle().and_then(|()| described.builder.outline(0));
-        note_adjusted(&self.job, &described.builder);
+        note_adjusted(&self.core.job, &described.builder);
         match result {
             Ok(outline) => described.outline = outline,
             Err(_) if described.broken => {}

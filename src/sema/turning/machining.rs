@@ -8,7 +8,7 @@ use crate::ir::{Function as Item, Side};
 use crate::parser::turning::ast::Block;
 use crate::text::decode::readable;
 
-use super::functions::{Function, Kind, find};
+use super::g_functions::{Function, Kind, find};
 use super::sections::Part;
 use super::state::{FeedMode, SpeedMode};
 use super::words::{Fun, Letters, Words, letters};
@@ -50,7 +50,7 @@ impl Run<'_> {
     /// A block that is executed.
     fn machine(&mut self, w: &Words, text: &[u8]) -> Outcome {
         self.sections.settle_family();
-        self.level().begun = true;
+        self.level().frame.begun = true;
         if let Some(name) = w.text("L") {
             self.settle_chain()?;
             return self.call(w, name, text);
@@ -66,7 +66,7 @@ impl Run<'_> {
             self.named = w.text("ID").map(|span| readable(span.of(text)).into_owned());
             self.motion(function, fun, w)?;
         }
-        if only_moves || self.ended {
+        if only_moves || self.has_ended() {
             return Ok(());
         }
         if !w.m().is_empty() && self.capture.is_none() {

@@ -15,13 +15,13 @@ mod eval;
 mod finishing;
 mod flow;
 mod forms;
-mod functions;
+mod g_functions;
 mod geometry;
 mod geometry_forms;
+mod m_functions;
 mod machining;
 mod modal;
 mod moves;
-mod mwords;
 mod readings;
 mod recess_turning;
 mod roughing;
@@ -40,93 +40,89 @@ mod undercuts;
 mod vars;
 mod words;
 
-use crate::diag::{CallPath, Code, Diagnostic, codes};
+use std::ops::{Deref, DerefMut};
+
+use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
 use crate::parser::problem::Problem;
+use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Block, Stmt};
 use crate::parser::turning::{SPLIT, parse_block};
-use crate::text::{FileId, Loc, Next, Span};
+use crate::text::{Span, SplitRules};
 
-use super::Job;
-use super::exec::{Budget, Parsed, Read, Source, open_cursor};
-use super::here::Here;
+use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::value::Machine;
+use super::{Job, Outcome, Reported};
 use capture::Capture;
 use chain::Chain;
 use geometry::Geometry;
 use moves::Tag;
 use sections::Sections;
 use state::State;
-use subprograms::{Level, Names};
+use subprograms::{Frame, Names};
 use vars::Vars;
 use words::Words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run {
-        job: *job,
-        out,
+        core: Core::new(job, out),
         st: State::new(job.settings),
         vars: Vars::new(&job.settings.variables),
-        programs: Vec::new(),
-        levels: Vec::new(),
-        budget: Budget::new(job.settings.limits.steps),
         calls: 1,
         sections: Sections::new(job.settings),
         geometry: Geometry::default(),
         named: None,
         capture: None,
         chain: Chain::default(),
-        stack: Vec::new(),
+        machine: Machine::new(eval::RULES),
         words: Some(Box::default()),
-        here: Here::default(),
-        problems: Vec::new(),
-        scratch: None,
-        ended: false,
     };
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(program) = run.open(job.main, start) else { return 0 };
-    run.out.begins_at(&run.st.start.position());
-    run.levels.push(Level::main(program));
-    while !run.ended {
-        run.step();
-    }
-    run.finish();
-    run.programs[program].source.cursor.content_hash(job.sources).unwrap_or(0)
+    if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 
 /// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
 pub fn check_form(job: &Job<'_>) {
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
-    let mut block = Block::default();
-    let mut problems = Vec::new();
-    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
-        parse_block(text.text, &mut block, &mut problems);
-        let here = Here::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
-        for problem in problems.drain(..) {
-            job.diags.push(here.diagnostic(job, problem));
-        }
-    }
+    run::unexecuted::check_form::<Turning>(job);
 }
 
-/// A program file and what is known of it.
-#[derive(Debug)]
-struct Program {
-    source: Source<Block>,
+/// How the text of a program is read.
+#[derive(Debug, Default)]
+struct Turning;
+
+impl Language for Turning {
+    type Block = Block;
     /// Local subprograms, once they were looked for.
-    names: Option<Names>,
+    type Known = Option<Names>;
+    type Frame = Frame;
+
+    const SPLIT: SplitRules = SPLIT;
+
+    #[inline]
+    fn parse(&mut self, text: &[u8], into: &mut Parsed<Block>, _: &mut Symbols, problems: &mut Vec<Problem>) {
+        parse_block(text, &mut into.block, problems);
+        if needs_text(&into.block) {
+            into.text.extend_from_slice(text);
+        }
+    }
+
+    #[inline]
+    fn span(block: &Block) -> Span {
+        block.span
+    }
+
+    #[inline]
+    fn operations(block: &Block) -> usize {
+        block.ops.len()
+    }
 }
 
 /// A run of a program.
 struct Run<'a> {
-    job: Job<'a>,
-    out: &'a mut dyn Sink,
+    core: Core<'a, Turning>,
     st: State,
     vars: Vars,
-    programs: Vec<Program>,
-    levels: Vec<Level>,
-    budget: Budget,
     /// Calls made so far, the main program included.
     calls: u32,
     sections: Sections,
@@ -137,110 +133,39 @@ struct Run<'a> {
     capture: Option<Box<Capture>>,
     /// Moves that wait for the next one.
     chain: Chain<Tag>,
-    stack: Vec<f64>,
+    machine: Machine,
     words: Option<Box<Words>>,
-    here: Here,
-    problems: Vec<Problem>,
-    scratch: Option<Box<Parsed<Block>>>,
-    ended: bool,
 }
 
-/// A block that could not be executed; the reason was reported.
-#[derive(Debug, Clone, Copy)]
-struct Reported;
+impl<'a> Deref for Run<'a> {
+    type Target = Core<'a, Turning>;
 
-type Outcome<T = ()> = Result<T, Reported>;
-
-impl Run<'_> {
-    fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
-        if let Some(at) = self.programs.iter().position(|program| program.source.file == file) {
-            return Some(at);
-        }
-        let source = Source::open(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { source, names: None });
-        Some(self.programs.len() - 1)
+    #[inline]
+    fn deref(&self) -> &Core<'a, Turning> {
+        &self.core
     }
+}
 
-    fn level(&mut self) -> &mut Level {
-        self.levels.last_mut().expect("the main level is popped only when the run ends")
+impl<'a> DerefMut for Run<'a> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Core<'a, Turning> {
+        &mut self.core
     }
+}
 
-    fn program(&mut self) -> &mut Program {
-        let at = self.level().program;
-        &mut self.programs[at]
-    }
+impl<'a> Interpreter<'a> for Run<'a> {
+    type Language = Turning;
 
-    /// Executes one block.
-    fn step(&mut self) {
-        let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step(&*self.out) {
-            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
-            self.ended = true;
-            return;
-        }
-        let source = &mut self.programs[at].source;
-        if let Some((parsed, here)) = source.again(call) {
-            let bytes = source.cursor.place().at.saturating_sub(here.at);
-            self.budget.block(bytes, parsed.block.ops.len(), false);
-            self.here = here;
-            self.execute(&parsed.block, &parsed.text);
-            return;
-        }
-        let mut parsed = self.scratch.take().unwrap_or_default();
-        if self.read(&mut parsed, at, call) {
-            self.execute(&parsed.block, &parsed.text);
-        }
-        self.scratch = Some(parsed);
-    }
-
-    /// Reads the next block of the program `at` into `parsed`; false where there is none.
-    fn read(&mut self, parsed: &mut Parsed<Block>, at: usize, call: CallPath) -> bool {
-        let read = self.programs[at].source.read(&self.job, call, parsed, |text, into| {
-            parse_block(text, &mut into.block, &mut self.problems);
-            if needs_text(&into.block) {
-                into.text.extend_from_slice(text);
-            }
-        });
-        match read {
-            Read::Block(here) => {
-                let source = &self.programs[at].source;
-                let bytes = source.cursor.place().at.saturating_sub(here.at);
-                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
-                self.here = here;
-                if !self.problems.is_empty() {
-                    self.report_problems();
-                }
-                return true;
-            }
-            Read::TooLong => {}
-            Read::End => self.end_of_file(),
-            Read::Broken => self.ended = true,
-        }
-        false
-    }
-
-    fn report_problems(&mut self) {
-        // What stands in a section that is not read is of no interest.
-        let unread = self.sections.is_unread();
-        for problem in self.problems.drain(..) {
-            if !unread {
-                self.job.diags.push(self.here.diagnostic(&self.job, problem));
-            }
-        }
+    fn begin(&mut self, program: usize) -> Level<Frame> {
+        self.core.begins_at(&self.st.position.start());
+        Level::main(program, Frame::main())
     }
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        self.here.origin.loc.span = block.span.shifted(self.here.at);
-        // A mark without a level is the one of the first level.
-        if block
-            .skip
-            .is_some_and(|level| self.job.settings.control.skip_blocks.iter().any(|on| (*on).max(1) == level.max(1)))
-        {
+        if self.skips(block.skip) {
             return;
         }
-        if self.job.settings.output.comments
-            && let Some(comment) = block.comment
-        {
+        if let Some(comment) = block.comment {
             self.comment(comment.of(text));
         }
         if block.stmt == Stmt::Empty {
@@ -250,6 +175,27 @@ impl Run<'_> {
         let _ = self.statement(block, text);
     }
 
+    fn end_of_file(&mut self) {
+        self.file_over();
+    }
+
+    fn unread_block(&mut self) {
+        self.lose_all();
+    }
+
+    /// What stands in a section that is not read is of no interest.
+    fn forgive(&mut self, _: &Block) {
+        if self.sections.is_unread() {
+            self.problems.clear();
+        }
+    }
+
+    fn finish(&mut self) {
+        self.report_open();
+    }
+}
+
+impl Run<'_> {
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.sections.is_unread() && !matches!(block.stmt, Stmt::Section(..)) {
             return Ok(());
@@ -278,68 +224,29 @@ impl Run<'_> {
     }
 
     fn comment(&mut self, text: &[u8]) {
-        let text = text.trim_ascii();
-        if !text.is_empty() && !self.sections.is_unread() {
-            self.function(Function::Comment(text.to_vec()));
+        if let Some(comment) = self.core.comment_of(text).filter(|_| !self.sections.is_unread()) {
+            self.function(comment);
         }
     }
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        self.out.movement(mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(mv, &self.st.ctx);
     }
 
     fn function(&mut self, function: Function) {
-        self.out.function(&function, &self.st.ctx, &self.here.origin);
+        self.core.send_function(&function, &self.st.ctx);
     }
 
     /// Nobody knows where the tool is.
     fn lose_all(&mut self) {
         self.chain.clear();
         self.st.lose();
-        self.out.lost(&self.st.ctx, &self.here.origin);
-    }
-
-    /// Reports an error about the whole block.
-    fn error(&self, code: &'static Code, message: impl Into<String>) {
-        self.report(Diagnostic::new(code, self.here.origin.loc, message));
-    }
-
-    fn report(&self, found: Diagnostic) {
-        self.job.diags.push(found.called(self.here.origin.call));
-    }
-
-    /// Reports an error about `span` of the block and gives up the block.
-    fn fail<T>(&self, code: &'static Code, span: Span, message: impl Into<String>) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(span), message));
-        Err(Reported)
-    }
-
-    /// The same with a line of help.
-    fn fail_help<T>(
-        &self,
-        code: &'static Code,
-        span: Span,
-        message: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(span), message).help(help));
-        Err(Reported)
-    }
-
-    /// A place in the current block.
-    fn loc(&self, span: Span) -> Loc {
-        self.here.loc(&self.job, span)
-    }
-
-    /// Span of the whole block, counted from its start.
-    fn block_span(&self) -> Span {
-        let span = self.here.origin.loc.span;
-        Span { start: span.start.saturating_sub(self.here.at), end: span.end.saturating_sub(self.here.at) }
+        self.core.send_lost(&self.st.ctx);
     }
 
     /// End of the whole run: what is still open is worth a word.
-    fn finish(&mut self) {
+    fn report_open(&mut self) {
         if let Some(capture) = self.capture.take() {
             self.report(
                 Diagnostic::new(codes::T3003, capture.loc(), "the contour of this cycle has no end")

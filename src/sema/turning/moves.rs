@@ -9,6 +9,7 @@ use crate::ir::contour::{
 };
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
+use crate::sema::common::position::Missing;
 use crate::text::Span;
 
 use super::chain::{AGREES, Coord, Fault, Partial, Solved};
@@ -49,11 +50,9 @@ impl Run<'_> {
         let from = if corner { Some(self.stand()?) } else { self.st.at() };
         let (side, coords) = (self.st.side, Coords::Frame);
         self.movement(&Move { end, path: Path::straight(feed), side, coords });
-        self.st.pos.update(&end);
-        self.st.start.touch(end.known());
+        self.st.position.move_to(&end);
         self.st.moved = true;
         let to = self.st.at();
-        self.st.lost &= to.is_none();
         if let (false, Some(to)) = (rapid, to) {
             self.cuts(to);
         }
@@ -86,15 +85,15 @@ impl Run<'_> {
 
     /// Where the tool stands on an axis.
     pub(super) fn position_of(&self, axis: Axis, span: Span) -> Outcome<f64> {
-        match self.st.pos.get(axis) {
-            Some(v) => Ok(v),
-            None if self.st.lost => Err(Reported),
-            None => self.fail_help(
+        match self.st.position.require(axis) {
+            Ok(v) => Ok(v),
+            Err(Missing::Lost) => Err(Reported),
+            Err(Missing::Unknown) => self.fail_help(
                 codes::T2002,
                 span,
                 format!("it is not known where the tool stands in {}", axis.letter()),
                 self.st
-                    .start
+                    .position
                     .help(axis, &format!("program {} once as an absolute value after the tool change", axis.letter())),
             ),
         }
@@ -195,12 +194,11 @@ impl Run<'_> {
             (_, feed) => Path::straight(feed),
         };
         let mv = Move { end, path, side: tag.side, coords: Coords::Frame };
-        self.out.movement(&mv, &self.st.ctx, &tag.origin);
+        self.core.out.movement(&mv, &self.st.ctx, &tag.origin);
         if tag.feed.is_some() {
             self.cuts(solved.to);
         }
         self.st.stands(solved.to);
-        self.st.lost = false;
         self.st.moved = true;
         self.follow(solved, tag.transition);
         self.send_corner(tag.transition, tag.corner_feed, &tag.origin);
@@ -212,7 +210,7 @@ impl Run<'_> {
             Transition::Rounding(radius) => CornerShape::Rounding { radius },
             Transition::Chamfer(side) => CornerShape::Chamfer { side },
         };
-        self.out.corner(
+        self.core.out.corner(
             &Corner {
                 shape,
                 feed,
@@ -321,10 +319,7 @@ impl Run<'_> {
     fn machine_move(&mut self, end: Pos) {
         let (side, coords) = (self.st.side, Coords::Machine);
         self.movement(&Move { end, path: Path::Rapid, side, coords });
-        self.st.start.touch(end.known());
-        for axis in end.known().iter() {
-            self.st.pos.forget(axis);
-        }
+        self.st.position.forget(end.known());
         self.st.last = None;
         self.st.moved = true;
     }

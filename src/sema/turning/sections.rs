@@ -98,7 +98,7 @@ impl Sections {
 impl Run<'_> {
     /// `%name.nc`
     pub(super) fn program_line(&mut self) -> Outcome {
-        if self.level().begun {
+        if self.level().frame.begun {
             return self.fail_help(
                 codes::T1008,
                 self.block_span(),
@@ -106,7 +106,7 @@ impl Run<'_> {
                 "one file holds one program: put the second one into a file of its own",
             );
         }
-        self.level().begun = true;
+        self.level().frame.begun = true;
         self.sections.framed = true;
         Ok(())
     }
@@ -197,15 +197,15 @@ impl Run<'_> {
             return self.fail(codes::T1008, self.block_span(), "a section begins inside a subprogram");
         }
         self.enter_din_plus()?;
-        if let Some(nest) = self.level().nests.last() {
+        if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
             self.report(
                 Diagnostic::new(codes::T1009, loc, "this is not closed when the next section begins")
                     .also(self.here.origin.loc, "the section"),
             );
-            self.level().nests.clear();
+            self.level().frame.nests.clear();
         }
-        self.level().begun = true;
+        self.level().frame.begun = true;
         self.finish_contour();
         self.sections.part = match section {
             Section::Head => Part::Head,
@@ -327,7 +327,7 @@ impl Run<'_> {
             self.sections.part = Part::Between;
             return Ok(());
         }
-        match self.level().kind {
+        match self.level().frame.kind {
             LevelKind::Main => self.end_of_job(false),
             _ => self.return_from_subprogram(),
         }
@@ -337,10 +337,10 @@ impl Run<'_> {
     pub(super) fn end_of_job(&mut self, rewind: bool) -> Outcome {
         if self.levels.len() > 1 {
             self.error(codes::T2013, "a subprogram ends the job");
-            self.ended = true;
+            self.stop_run();
             return Err(Reported);
         }
-        if let Some(nest) = self.level().nests.last() {
+        if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
             self.report(Diagnostic::new(codes::T1009, loc, "this is not closed when the program ends"));
         }
@@ -356,8 +356,8 @@ impl Run<'_> {
             );
         }
         self.function(Function::End { rewind });
-        self.ended = true;
-        if !rewind && self.level().kind == LevelKind::Main {
+        self.stop_run();
+        if !rewind && self.level().frame.kind == LevelKind::Main {
             self.look_behind_end();
         }
         Ok(())
@@ -388,7 +388,7 @@ impl Run<'_> {
     }
 
     /// The file ends without END or RETURN.
-    pub(super) fn end_of_file(&mut self) {
+    pub(super) fn file_over(&mut self) {
         let _ = self.settle_chain();
         let called = self.levels.len() > 1;
         if called || self.sections.framed || self.sections.passing {
@@ -400,7 +400,7 @@ impl Run<'_> {
                 Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))
                     .help(format!("the file may have been cut off in transfer; if it is complete, add {what}")),
             );
-            self.ended = true;
+            self.stop_run();
             return;
         }
         let _ = self.end_of_job(false);

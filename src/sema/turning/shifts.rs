@@ -15,7 +15,7 @@ use crate::machine::Axis;
 use crate::machine::axis::AXES;
 
 use super::chain::Coord;
-use super::functions::Kind;
+use super::g_functions::Kind;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -48,7 +48,7 @@ impl Run<'_> {
                             "program G59 before the first move, too",
                         );
                     }
-                    if !self.st.start.position().known().is_empty() {
+                    if !self.st.position.start().known().is_empty() {
                         return self.fail_help(
                             codes::T2016,
                             self.block_span(),
@@ -84,8 +84,7 @@ impl Run<'_> {
         let Some(frame) = Frame::new(Matrix3::identity(), values) else {
             return self.fail(codes::T1007, self.block_span(), "the shift is no number");
         };
-        let workpiece = self.st.ctx.frame.apply(&self.st.pos);
-        self.st.pos = frame.unapply(&workpiece);
+        self.st.position.through_frame(&self.st.ctx.frame, &frame);
         self.st.last = None;
         self.st.ctx = Rc::new(Ctx { plane: Plane::Zx, frame });
         Ok(())

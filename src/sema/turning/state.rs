@@ -5,9 +5,10 @@ use std::rc::Rc;
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::function::Turn;
-use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, AxisSet, Settings, Unit};
-use crate::sema::start::Start;
+use crate::ir::{Feed, Side};
+use crate::machine::{AxisSet, Settings, Unit};
+use crate::sema::common::position::Position;
+use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::chain::Solved;
@@ -51,12 +52,7 @@ impl Oversize {
 #[derive(Debug)]
 pub(super) struct State {
     pub unit: Unit,
-    /// Programmed position.
-    pub pos: Pos,
-    /// Axes that stand where the configuration says.
-    pub start: Start,
-    /// The position is unknown because an error was reported: not worth another one.
-    pub lost: bool,
+    pub position: Position,
     /// The last path element, for its direction.
     pub last: Option<Solved>,
     /// The last element ended in a chamfer, a rounding or B0: nothing is tangential to it.
@@ -117,12 +113,9 @@ impl Shift {
 
 impl State {
     pub fn new(settings: &Settings) -> State {
-        let start = Start::new(settings, true);
         State {
             unit: settings.control.unit.unwrap_or_default(),
-            pos: start.position(),
-            start,
-            lost: false,
+            position: Position::new(Start::new(settings, true)),
             last: None,
             cornered: false,
             feed_mode: None,
@@ -151,27 +144,24 @@ impl State {
     /// Where the tool stands, as (Z, X).
     #[inline]
     pub fn at(&self) -> Option<Point2> {
-        self.pos.in_plane(Plane::Zx)
+        self.position.in_plane(Plane::Zx)
     }
 
     /// The tool stands at `p`.
     #[inline]
     pub fn stands(&mut self, p: Point2) {
-        self.pos.set_in_plane(Plane::Zx, p);
-        self.start.touch(AxisSet::MAIN);
+        self.position.move_in_plane(Plane::Zx, p);
     }
 
     /// The tool stands somewhere, for a good reason.
     pub fn forget(&mut self) {
-        self.pos.forget(Axis::X);
-        self.pos.forget(Axis::Z);
-        self.start.touch(AxisSet::MAIN);
+        self.position.forget(AxisSet::MAIN);
         self.last = None;
     }
 
     /// The tool stands somewhere because an error was reported.
     pub fn lose(&mut self) {
         self.forget();
-        self.lost = true;
+        self.position.lose(AxisSet::MAIN);
     }
 }

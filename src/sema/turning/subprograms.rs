@@ -4,32 +4,29 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::lexer::turning::{Addr, VarKind, VarRef};
-use crate::parser::turning::ast::{Block, Section, Stmt};
-use crate::parser::turning::{SPLIT, parse_block};
+use crate::parser::symbols::Symbols;
+use crate::parser::turning::ast::{Section, Stmt};
+use crate::sema::Job;
+use crate::sema::run::unexecuted::Blocks;
+use crate::sema::run::{Level, Program};
 use crate::text::blocks::Place;
-use crate::text::{FileId, Loc, Next, Span, decode::readable};
+use crate::text::{FileId, Loc, Span, decode::readable};
 
-use super::super::Job;
-use super::super::exec::{open_cursor, open_program};
 use super::flow::Nest;
 use super::sections::{Family, Part};
 use super::vars::Locals;
 use super::words::{Words, letters};
-use super::{Outcome, Reported, Run};
+use super::{Outcome, Reported, Run, Turning};
 
 /// Deepest nesting of calls.
 const DEEPEST: usize = 6;
 
-/// A program or subprogram that is running.
+/// What a program or subprogram that is running holds.
 #[derive(Debug)]
-pub(super) struct Level {
+pub(super) struct Frame {
     pub kind: LevelKind,
-    pub program: usize,
-    /// Where its caller goes on.
-    back: Place,
-    pub call: CallPath,
     pub locals: Locals,
     pub nests: Vec<Nest>,
     /// Tells levels apart: every call gets a new one.
@@ -51,13 +48,10 @@ pub(super) enum LevelKind {
     External,
 }
 
-impl Level {
-    pub fn main(program: usize) -> Level {
-        Level {
+impl Frame {
+    pub fn main() -> Frame {
+        Frame {
             kind: LevelKind::Main,
-            program,
-            back: Place::default(),
-            call: CallPath::MAIN,
             locals: Locals::default(),
             nests: Vec::new(),
             number: 1,
@@ -76,31 +70,26 @@ pub(super) struct Names {
 impl Names {
     fn scan(job: &Job<'_>, file: FileId, from: Loc) -> Names {
         let mut names = Names::default();
-        let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return names };
-        let (mut block, mut ignored) = (Block::default(), Vec::new());
-        loop {
-            let (name, section) = match cursor.next(job.sources) {
-                Ok(Next::Block(found)) => {
-                    let first = found.text.iter().find(|b| !b.is_ascii_whitespace());
-                    if !matches!(first, Some(b'S' | b's' | b'U' | b'u')) {
-                        continue;
-                    }
-                    parse_block(found.text, &mut block, &mut ignored);
-                    ignored.clear();
-                    let Stmt::Section(Section::Subprogram, rest) = block.stmt else { continue };
-                    let name = readable(rest.of(found.text)).trim().trim_matches('"').to_ascii_uppercase();
-                    (name, Loc { file, line: found.line, span: block.span.shifted(found.at) })
-                }
-                Ok(Next::TooLong { .. }) => continue,
-                Ok(Next::End) | Err(_) => return names,
-            };
-            let place = cursor.place();
+        let Some(mut blocks) = Blocks::<Turning>::open(job, file, from) else { return names };
+        let mut symbols = Symbols::default();
+        while let Some(passed) = blocks.next_that(job, &mut symbols, may_be_section) {
+            let Stmt::Section(Section::Subprogram, rest) = passed.block.stmt else { continue };
+            let name = readable(rest.of(passed.text)).trim().trim_matches('"').to_ascii_uppercase();
+            let section = passed.site.loc(job, passed.block.span);
+            let place = blocks.texts.cursor.place();
             if names.places.insert(name.clone(), place).is_some() {
                 let message = format!("the subprogram `{name}` stands twice in this file");
                 job.diags.push(Diagnostic::new(codes::T2011, section, message).help("give one of them another name"));
             }
         }
+        names
     }
+}
+
+/// Could this block begin a section of a subprogram? Looks at its first letter only.
+fn may_be_section(text: &[u8]) -> bool {
+    let first = text.iter().find(|b| !b.is_ascii_whitespace());
+    matches!(first, Some(b'S' | b's' | b'U' | b'u'))
 }
 
 impl Run<'_> {
@@ -167,82 +156,60 @@ impl Run<'_> {
     fn call_section(&mut self, name: &str, locals: Locals) -> Outcome {
         let (job, here) = (self.job, self.here.origin.loc);
         let program = self.level().program;
-        let names = self.program();
-        let file = names.source.file;
-        let names = names.names.get_or_insert_with(|| Names::scan(&job, file, here));
+        let Program { source, known } = self.program();
+        let file = source.file;
+        let names = known.get_or_insert_with(|| Names::scan(&job, file, here));
         let Some(place) = names.places.get(&name.to_ascii_uppercase()).copied() else {
             let mut known: Vec<&str> = names.places.keys().map(String::as_str).collect();
             known.sort_unstable();
             let upper = name.to_ascii_uppercase();
             let like = crate::machine::tree::did_you_mean(&upper, known).map(str::to_owned);
             let found = Diagnostic::new(codes::T2011, here, format!("there is no section SUBPROGRAM \"{name}\""));
-            self.report(match like {
+            return self.stop(match like {
                 Some(like) => found.help(format!("did you mean `{like}`?")),
                 None => found.help("write V1 for a subprogram in a file of its own"),
             });
-            self.ended = true;
-            return Err(Reported);
         };
-        self.enter(LevelKind::Local { at: place.at }, program, place, locals, name)
+        self.call_at(LevelKind::Local { at: place.at }, program, place, locals, name)
     }
 
     fn call_file(&mut self, name: &str, locals: Locals) -> Outcome {
-        let site = self.here.origin.loc;
-        let call = self.here.origin.call;
-        self.budget.search();
-        let opened = open_program(&self.job, name, &["ncs", "NCS", "nc"], site, call);
-        let Some(program) = opened.and_then(|file| self.open(file, site)) else { return Err(Reported) };
+        let program = self.open_called(name, &["ncs", "NCS", "nc"]).ok_or(Reported)?;
         let start = self.programs[program].source.cursor.start();
-        self.enter(LevelKind::External, program, start, locals, name)
+        self.call_at(LevelKind::External, program, start, locals, name)
     }
 
-    fn enter(&mut self, kind: LevelKind, program: usize, to: Place, locals: Locals, name: &str) -> Outcome {
-        let site = self.here.origin.loc;
-        let runs = |level: &Level| {
-            level.program == program
-                && (level.kind == kind || (kind == LevelKind::External && level.kind == LevelKind::Main))
+    fn call_at(&mut self, kind: LevelKind, program: usize, to: Place, locals: Locals, name: &str) -> Outcome {
+        let runs = |level: &Level<Frame>| {
+            let known = level.frame.kind;
+            level.program == program && (known == kind || (kind == LevelKind::External && known == LevelKind::Main))
         };
         if self.levels.iter().any(runs) {
-            self.error(codes::T2012, format!("`{name}` calls itself"));
-            self.ended = true;
-            return Err(Reported);
+            return self.fatal(codes::T2012, format!("`{name}` calls itself"));
         }
         let limit = self.job.settings.limits.call_depth.min(DEEPEST);
         if self.levels.len() > limit {
-            self.error(codes::P4003, format!("subprograms are nested deeper than {limit} levels"));
-            self.ended = true;
-            return Err(Reported);
+            return self.too_deep(format!("subprograms are nested deeper than {limit} levels"));
         }
-        let sources = self.job.sources;
-        // The way back needs the caller in memory.
-        if self.program().source.cursor.load(sources).is_err() {
-            self.ended = true;
-            return Err(Reported);
-        }
-        let back = self.program().source.cursor.place();
-        let call = self.job.trail.enter(self.level().call, site);
-        let number = self.budget_number();
+        let number = self.next_number();
         let part = std::mem::replace(&mut self.sections.part, Part::Machining);
-        self.levels.push(Level { kind, program, back, call, locals, nests: Vec::new(), number, begun: false, part });
-        self.budget.jump(site);
-        self.seek(to)
+        self.enter(program, to, Frame { kind, locals, nests: Vec::new(), number, begun: false, part })
     }
 
     /// A number that no level had before.
-    fn budget_number(&mut self) -> u32 {
+    fn next_number(&mut self) -> u32 {
         self.calls = self.calls.saturating_add(1);
         self.calls
     }
 
     /// RETURN.
     pub(super) fn return_from_subprogram(&mut self) -> Outcome {
-        if let Some(nest) = self.level().nests.last() {
+        if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
             self.report(Diagnostic::new(codes::T1009, loc, "this is not closed when the subprogram ends"));
         }
-        if let Some(level) = self.levels.pop() {
-            self.sections.part = level.part;
-            return self.seek(level.back);
+        if let Some(frame) = self.leave()? {
+            self.sections.part = frame.part;
         }
         Ok(())
     }

@@ -17,17 +17,17 @@ use crate::geo::{Plane, Point2};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::text::Span;
 
-use super::super::here::Here;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
+use crate::sema::run::Site;
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
@@ -38,7 +38,7 @@ pub(super) struct ModalCycle {
     hole: Drilling,
     args: Arguments,
     /// Where MCALL stands.
-    here: Here,
+    here: Site,
     /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
     spindle: SpindleState,
     /// The feed is the one that is modal when the hole is drilled.
@@ -155,7 +155,7 @@ impl Run<'_> {
         let result =
             self.cycle_arguments(name, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
         if result.is_err() {
-            self.st.lose(Axis::ALL.into_iter().collect());
+            self.st.position.lose(AxisSet::ALL);
             self.lost();
         }
         Some(result)
@@ -353,11 +353,11 @@ impl Run<'_> {
 
     fn send_cycle(&mut self, cycle: Cycle) {
         self.length_acts_along_z();
-        let end = cycle.leaves(&self.st.pos);
+        let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.thread_chain = None;
         self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
-        self.moved_to(&end);
+        self.st.position.move_to(&end);
         if let Cycle::Drilling(hole) = &cycle
             && let Some(after) = hole.spindle_after()
         {
@@ -487,10 +487,10 @@ impl Run<'_> {
     /// Where the tool stands in the turning plane: Z and the radius.
     fn turning_position(&mut self, span: Span) -> Outcome<Point2> {
         let plane = crate::geo::Plane::Zx;
-        match self.st.pos.in_plane(plane) {
+        match self.st.position.in_plane(plane) {
             Some(at) => Ok(at),
             None => {
-                let axis = if self.st.pos.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
+                let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
                 self.unknown_axis(axis, span)
             }
         }

@@ -98,7 +98,7 @@ impl Run<'_> {
             axis = self.axis_at(args, modes.display, plane, modes.axis)?;
         }
         self.digits_are_known(args)?;
-        if axis == Axis::Y && self.st.lathe && self.st.pos.get(axis).is_none() {
+        if axis == Axis::Y && self.st.lathe && self.st.position.get(axis).is_none() {
             let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
             let help =
                 "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";

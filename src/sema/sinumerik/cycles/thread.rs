@@ -7,7 +7,7 @@ use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
-use crate::machine::settings::FlankReference;
+use crate::machine::options::sinumerik::FlankReference;
 
 use super::super::g_groups::Group;
 use super::super::value::whole;

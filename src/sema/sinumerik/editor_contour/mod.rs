@@ -15,6 +15,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
+use crate::machine::AxisSet;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
 use crate::text::{Loc, Span};
 
@@ -117,7 +118,7 @@ impl Run<'_> {
             ));
             return Ok(());
         }
-        self.st.lose(crate::machine::AxisSet::MAIN);
+        self.st.position.lose(AxisSet::MAIN);
         let message = format!("the contour has no blocks, and its records are not complete: {what}");
         self.report(
             Diagnostic::new(codes::S9019, stored.begin, message)
@@ -159,7 +160,7 @@ impl Run<'_> {
     /// Notes a move of a stored contour.
     pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
         let plane = self.st.plane();
-        let mut all = self.st.pos;
+        let mut all = *self.st.position.at();
         all.update(end);
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();

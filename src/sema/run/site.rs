@@ -5,26 +5,38 @@ use crate::ir::Origin;
 use crate::parser::problem::Problem;
 use crate::text::{FileId, Loc, Span};
 
-use super::Job;
+use crate::sema::Job;
 
 /// The block that is being executed.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Here {
+pub struct Site {
     pub file: FileId,
     /// Offset of the block in its file.
     pub at: u32,
     pub line: u32,
     pub lines: u32,
+    /// The text was written anew before it was parsed: only the block as a whole has a place.
+    pub rewritten: bool,
     pub origin: Origin,
 }
 
-impl Here {
-    pub fn new(file: FileId, at: u32, line: u32, lines: u32, call: CallPath) -> Here {
-        Here { file, at, line, lines, origin: Origin { loc: Loc { file, line, span: Span::at(at, 0) }, call } }
+impl Site {
+    pub fn new(file: FileId, at: u32, line: u32, lines: u32, call: CallPath) -> Site {
+        let origin = Origin { loc: Loc { file, line, span: Span::at(at, 0) }, call };
+        Site { file, at, line, lines, rewritten: false, origin }
+    }
+
+    /// Marks the words of the block, for findings about all of it.
+    #[inline]
+    pub fn mark(&mut self, words: Span) {
+        self.origin.loc.span = if self.rewritten { Span::at(self.at, 1) } else { words.shifted(self.at) };
     }
 
     /// A place in the block.
     pub fn loc(&self, job: &Job<'_>, span: Span) -> Loc {
+        if self.rewritten {
+            return self.origin.loc;
+        }
         let mut line = self.line;
         if self.lines > 1 {
             let feed = job.sources.line_end(self.file);
@@ -35,7 +47,7 @@ impl Here {
     }
 
     pub fn diagnostic(&self, job: &Job<'_>, problem: Problem) -> Diagnostic {
-        let found = Diagnostic::new(problem.code, self.loc(job, problem.span), problem.message);
+        let found = Diagnostic::new(problem.raised(), self.loc(job, problem.span), problem.message);
         let found = match problem.help {
             Some(help) => found.help(help),
             None => found,

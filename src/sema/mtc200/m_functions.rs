@@ -7,10 +7,10 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{Function, Side};
 use crate::machine::Compensation;
-use crate::machine::mtc200::{InchSpeed, Reading};
+use crate::machine::options::mtc200::{InchSpeed, Reading};
 use crate::text::Span;
 
-use super::gfunc::{G, Group};
+use super::g_functions::{G, Group};
 use super::words::{At, Words};
 use super::{Outcome, Run};
 

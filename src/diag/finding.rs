@@ -1,0 +1,91 @@
+//! A finding as plain data: everything resolved, for programs that use the library, and for JSON.
+
+use serde::Serialize;
+
+use crate::text::Sources;
+
+use super::{Diagnostic, Severity, Trail};
+
+/// One finding, as `--format json` shows it. Lines and columns count from 1, columns in characters.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    /// Stable code, `K2101`; `partc explain` has its text.
+    pub code: &'static str,
+    /// Stable name, `pole-missing`.
+    pub name: &'static str,
+    #[serde(serialize_with = "word")]
+    pub severity: Severity,
+    /// What is wrong, in a machinist's words.
+    pub message: String,
+    /// What to do.
+    pub help: Option<String>,
+    pub file: String,
+    pub line: u32,
+    pub column: u32,
+    pub end_line: u32,
+    pub end_column: u32,
+    /// Number of the block, where it has one.
+    pub block: Option<String>,
+    /// How often the same was found at the same place.
+    pub times: u32,
+    /// Places that explain it.
+    pub related: Vec<Related>,
+    /// The calls that led there, the innermost first.
+    pub stack: Vec<Site>,
+    /// Number of the alarm that the control shows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alarm: Option<u32>,
+}
+
+/// A place that explains a finding.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Related {
+    pub message: String,
+    pub file: String,
+    pub line: u32,
+    pub column: u32,
+}
+
+/// The block of a call.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Site {
+    pub file: String,
+    pub line: u32,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
+fn word<S: serde::Serializer>(severity: &Severity, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(severity.word())
+}
+
+impl Finding {
+    /// The finding with its places looked up.
+    pub fn new(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Finding {
+        let loc = found.label.loc;
+        let line = sources.line(loc);
+        let related = found.more.iter().map(|label| {
+            let line = sources.line(label.loc);
+            let file = sources.name(label.loc.file);
+            Related { message: label.text.clone(), file, line: line.number, column: line.column }
+        });
+        let stack = trail.sites(found.call);
+        let stack = stack.iter().map(|site| Site { file: sources.name(site.file), line: site.line });
+        Finding {
+            code: found.code.id,
+            name: found.code.name,
+            severity: found.code.severity,
+            message: found.text().into_owned(),
+            help: found.help.clone(),
+            file: sources.name(loc.file),
+            line: line.number,
+            column: line.column,
+            end_line: line.end_line,
+            end_column: line.end_column,
+            block: sources.block_number(loc),
+            times: found.times,
+            related: related.collect(),
+            stack: stack.collect(),
+            alarm: found.alarm,
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! HEIDENHAIN Klartext: what the manuals and the machine leave to the user to say.
+
+use crate::machine::keys::{Key, Kind, key};
+use crate::machine::values::{is, number, put, text};
+
+pub const KEYS: &[Key] = &[
+    key("cc_missing", Kind::Choice(&["position", "previous"]), "missing coordinate of a CC block", |s, v| {
+        put(&mut s.control.cc_missing, if is(v, "previous") { CcMissing::Previous } else { CcMissing::Position })
+    })
+    .or(r#""position""#),
+    key(
+        "polar_missing",
+        Kind::Choice(&["same-pole", "position", "programmed"]),
+        "missing PR or PA after a block that is not polar; same-pole: from the position, but no PA about a new pole",
+        |s, v| {
+            s.control.polar_missing = match text(v) {
+                "programmed" => PolarMissing::Programmed,
+                "position" => PolarMissing::Position,
+                _ => PolarMissing::SamePole,
+            };
+            Ok(())
+        },
+    )
+    .or(r#""same-pole""#),
+    key("pattern_feed", Kind::Choice(&["last", "rapid"]), "CYCL CALL PAT and CYCL CALL POS without F", |s, v| {
+        put(&mut s.control.klartext_readings.pattern_at_rapid, is(v, "rapid"))
+    })
+    .or(r#""last""#),
+    key(
+        "mirror",
+        Kind::Choice(&["first", "last"]),
+        "Klartext: mirror before or after the rotation of cycle 10",
+        |s, v| put(&mut s.control.klartext_readings.mirror_last, is(v, "last")),
+    )
+    .or(r#""first""#),
+    key(
+        "scaling_center",
+        Kind::Choice(&["datum", "kept"]),
+        "centre of a cycle 26 that names none where one before did",
+        |s, v| put(&mut s.control.klartext_readings.keep_scaling_center, is(v, "kept")),
+    )
+    .or(r#""datum""#),
+    key(
+        "shift_axes",
+        Kind::Choice(&["original", "transformed"]),
+        "axes of a datum shift under rotation, mirror or scaling",
+        |s, v| {
+            put(
+                &mut s.control.shift_axes,
+                if is(v, "transformed") { ShiftAxes::Transformed } else { ShiftAxes::Original },
+            )
+        },
+    )
+    .or(r#""original""#),
+    key("cp_sign", Kind::Choice(&["refuse", "dr"]), "CP block whose IPA and DR disagree", |s, v| {
+        put(&mut s.control.cp_sign, if is(v, "dr") { CpSign::Dr } else { CpSign::Refuse })
+    })
+    .or(r#""refuse""#),
+    key(
+        "modulo",
+        Kind::Choice(&["refuse", "truncate", "floor"]),
+        "% with a negative operand: refused, sign of the left or of the right operand",
+        |s, v| {
+            s.control.modulo = match text(v) {
+                "truncate" => Modulo::Truncate,
+                "floor" => Modulo::Floor,
+                _ => Modulo::Refuse,
+            };
+            Ok(())
+        },
+    )
+    .or(r#""refuse""#),
+    key(
+        "repeat_count",
+        Kind::Choice(&["refuse", "truncate", "round"]),
+        "number of repeats (CALL LBL REP) with decimals",
+        |s, v| {
+            s.control.repeat_count = match text(v) {
+                "truncate" => RepeatCount::Truncate,
+                "round" => RepeatCount::Round,
+                _ => RepeatCount::Refuse,
+            };
+            Ok(())
+        },
+    )
+    .or(r#""refuse""#),
+    key(
+        "open_subprogram",
+        Kind::Choice(&["refuse", "end"]),
+        "END PGM inside a called label without LBL 0: refused, or the end of the program file",
+        |s, v| put(&mut s.control.klartext_choices.open_subprogram_ends, is(v, "end")),
+    )
+    .or(r#""refuse""#),
+    key("probing", Kind::Choice(&["refuse", "leave-out"]), "touch probe cycles", |s, v| {
+        put(&mut s.control.klartext_choices.probing_left_out, is(v, "leave-out"))
+    })
+    .or(r#""refuse""#),
+    key("cycle_19", Kind::Choice(&["space", "axes"]), "angles of cycle 19: space angles, or rotary axes", |s, v| {
+        put(&mut s.control.klartext_choices.cycle_19_axes, is(v, "axes"))
+    })
+    .or(r#""space""#),
+    key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)", |s, v| {
+        put(&mut s.control.scaling_in_plane, is(v, "plane"))
+    })
+    .or(r#""all""#),
+    key("retract_max", Kind::Number, "machine coordinate of the tool axis for M140 MB MAX, in mm", |s, v| {
+        put(&mut s.control.retract_max, number(v))
+    }),
+];
+
+/// HEIDENHAIN control generations, in order of age.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Generation {
+    Tnc426,
+    #[default]
+    Itnc530,
+    Tnc640,
+    Tnc7,
+}
+
+/// What a missing coordinate of a CC block is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CcMissing {
+    #[default]
+    Position,
+    Previous,
+}
+
+/// What a missing PR or PA is after a block that was not polar.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PolarMissing {
+    /// From the position, and refused where PA about a new pole is missing.
+    #[default]
+    SamePole,
+    Position,
+    Programmed,
+}
+
+/// Along which axes a datum shift counts while a rotation, mirror or scaling is active.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ShiftAxes {
+    #[default]
+    Original,
+    Transformed,
+}
+
+/// What happens when IPA and DR of a CP block disagree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CpSign {
+    #[default]
+    Refuse,
+    Dr,
+}
+
+/// What `%` of a formula gives where an operand is negative.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Modulo {
+    #[default]
+    Refuse,
+    /// The sign of the left operand: -400 % 360 = -40.
+    Truncate,
+    /// The sign of the right operand: -400 % 360 = 320.
+    Floor,
+}
+
+/// What CALL LBL REP makes of a number with decimals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RepeatCount {
+    #[default]
+    Refuse,
+    Truncate,
+    Round,
+}
+
+/// Klartext: what the machine or the manuals leave to the user to say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KlartextChoices {
+    /// END PGM inside a called label ends the program file instead of being refused.
+    pub open_subprogram_ends: bool,
+    /// Probing cycles are left out instead of being refused.
+    pub probing_left_out: bool,
+    /// Angles of cycle 19 are positions of the rotary axes, not space angles.
+    pub cycle_19_axes: bool,
+}
+
+/// Klartext: further readings that manuals leave open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KlartextReadings {
+    /// CYCL CALL PAT and CYCL CALL POS without F go at rapid traverse, not at the last feed.
+    pub pattern_at_rapid: bool,
+    /// The mirror acts on what cycle 10 has turned.
+    pub mirror_last: bool,
+    /// A cycle 26 without a centre keeps the one before.
+    pub keep_scaling_center: bool,
+}

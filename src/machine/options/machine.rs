@@ -1,0 +1,85 @@
+//! `[machine]`: the machine the program was written for.
+
+use std::collections::BTreeMap;
+
+use crate::machine::axis::Axis;
+use crate::machine::keys::{Key, Kind, key};
+use crate::machine::settings::{MachineKind, Settings};
+use crate::machine::tree::{ConfigError, Node};
+use crate::machine::values::{
+    axis, axis_names, flag, geometry_axes, is, named_axis, number, put, range, rotary_axes, table_of, text,
+};
+
+/// The keys of a file come in the order of the alphabet, so `axes` is known where others use its names.
+pub const KEYS: &[Key] = &[
+    key("kind", Kind::Choice(&["mill", "lathe"]), "lathe: turning technology on, power-on plane G18", |s, v| {
+        put(&mut s.machine.kind, if is(v, "lathe") { MachineKind::Lathe } else { MachineKind::Mill })
+    })
+    .or(r#""mill""#),
+    key(
+        "geometry_axes",
+        Kind::Texts,
+        "names of the first, second and third geometry axis (MD 20050, MD 20080)",
+        |s, v| put(&mut s.machine.geometry_axes, geometry_axes(v, &s.machine.axes)?),
+    )
+    .or(r#"["X", "Y", "Z"]"#),
+    key(
+        "axes",
+        Kind::Free,
+        "SINUMERIK: names of channel axes (MD 20080) and the axis that is printed, or \"leave-out\": B1 = \"B\"",
+        |s, v| put(&mut s.machine.axes, axis_names(v)?),
+    ),
+    key("diameter_axis", Kind::Text, "axis programmed in diameters (MD 20100); empty for none", diameter_axis)
+        .or(r#""""#),
+    key("md20100", Kind::Text, "same as diameter_axis", diameter_axis),
+    key("power_on_diameter", Kind::Flag, "diameter programming is on at the start (lathe)", |s, v| {
+        put(&mut s.machine.power_on_diameter, flag(v))
+    })
+    .or("true"),
+    key("limits", Kind::Free, "smallest and largest printed coordinate of an axis: X = [-10.0, 800.0]", |s, v| {
+        for (name, node) in table_of(v) {
+            s.machine.limits.insert(axis(name, node)?, range(node)?);
+        }
+        Ok(())
+    }),
+    key("kinematics", Kind::Choice(&["3axis"]), "kinematics of the machine", |s, v| {
+        put(&mut s.machine.kinematics, text(v).to_owned())
+    })
+    .or(r#""3axis""#),
+    key("reference_point", Kind::Free, "machine coordinates of the reference point (G74): X = 0.0", |s, v| {
+        coordinates(&mut s.machine.reference_point, v)
+    }),
+    key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0", |s, v| {
+        coordinates(&mut s.machine.swivel_retract, v)
+    }),
+    key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0", |s, v| {
+        coordinates(&mut s.machine.fixed_point[0], v)
+    }),
+    key("fixed_point_2", Kind::Free, "the same of the second fixed point (G75 FP=2)", |s, v| {
+        coordinates(&mut s.machine.fixed_point[1], v)
+    }),
+    key("fixed_point_3", Kind::Free, "the same of the third fixed point (G75 FP=3)", |s, v| {
+        coordinates(&mut s.machine.fixed_point[2], v)
+    }),
+    key("fixed_point_4", Kind::Free, "the same of the fourth fixed point (G75 FP=4)", |s, v| {
+        coordinates(&mut s.machine.fixed_point[3], v)
+    }),
+    key("modulo", Kind::Texts, "SINUMERIK: rotary axes that count modulo 360 degrees", |s, v| {
+        put(&mut s.machine.modulo, rotary_axes(v)?)
+    })
+    .or("[]"),
+];
+
+fn diameter_axis(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {
+    let name = text(node);
+    let known = &settings.machine.axes;
+    settings.machine.diameter_axis = if name.is_empty() { None } else { Some(named_axis(name, node, known)?) };
+    Ok(())
+}
+
+fn coordinates(into: &mut BTreeMap<Axis, f64>, node: &Node) -> Result<(), ConfigError> {
+    for (name, node) in table_of(node) {
+        into.insert(axis(name, node)?, number(node).ok_or_else(|| node.fail("needs a number"))?);
+    }
+    Ok(())
+}

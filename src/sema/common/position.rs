@@ -1,0 +1,407 @@
+//! Where the tool stands, as far as the program says.
+//!
+//! An axis is *known*; or *lost*, because a reported error hides where it stands, which is worth no second report; or
+//! *unknown*, until the program says it. Before its first move it may stand where `[start]` says.
+
+use crate::geo::{Plane, Point2};
+use crate::ir::{Frame, Pos};
+use crate::machine::{Axis, AxisSet};
+
+use super::start::Start;
+
+/// The position that one block leaves to the next: mm (X: radius) and degrees in the programmed system.
+#[derive(Debug, Clone)]
+pub struct Position {
+    at: Pos,
+    /// Numbers that the program wrote last, of axes that stand elsewhere in the programmed system: the frame moved
+    /// under them, or the tool was left beside them.
+    programmed: Pos,
+    lost: AxisSet,
+    start: Start,
+}
+
+/// Why the position of an axis cannot be said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Missing {
+    /// An error was reported for it.
+    Lost,
+    /// The program has not said it.
+    Unknown,
+}
+
+impl Position {
+    /// The axes stand where `[start]` says.
+    pub fn new(start: Start) -> Position {
+        Position { at: start.position(), programmed: Pos::UNKNOWN, lost: AxisSet::EMPTY, start }
+    }
+
+    // Questions.
+
+    #[inline]
+    pub fn get(&self, axis: Axis) -> Option<f64> {
+        self.at.get(axis)
+    }
+
+    /// All that is known.
+    #[inline]
+    pub fn at(&self) -> &Pos {
+        &self.at
+    }
+
+    /// Where the tool stands in a plane, if both axes are known.
+    #[inline]
+    pub fn in_plane(&self, plane: Plane) -> Option<Point2> {
+        self.at.in_plane(plane)
+    }
+
+    /// Where an axis stands, or why that is not known.
+    #[inline]
+    pub fn require(&self, axis: Axis) -> Result<f64, Missing> {
+        match self.at.get(axis) {
+            Some(at) => Ok(at),
+            None if self.lost.contains(axis) => Err(Missing::Lost),
+            None => Err(Missing::Unknown),
+        }
+    }
+
+    /// The number that the program wrote last, or where the axis stands.
+    #[inline]
+    pub fn programmed(&self, axis: Axis) -> Option<f64> {
+        self.programmed.get(axis).or(self.at.get(axis))
+    }
+
+    /// Does the tool stand elsewhere than at the numbers written last?
+    pub fn stands_beside(&self, axes: AxisSet) -> bool {
+        !self.programmed.known().common(axes).is_empty()
+    }
+
+    #[inline]
+    pub fn is_lost(&self, axis: Axis) -> bool {
+        self.lost.contains(axis)
+    }
+
+    /// The positions of `[start]` that still hold.
+    pub fn start(&self) -> Pos {
+        self.start.position()
+    }
+
+    /// What to do where an axis is not known: `usual`, and the key where it would say it.
+    pub fn help(&self, axis: Axis, usual: &str) -> String {
+        self.start.help(axis, usual)
+    }
+
+    // Moves.
+
+    /// The axes that `end` names move there.
+    #[inline]
+    pub fn move_to(&mut self, end: &Pos) {
+        self.at.update(end);
+        self.arrived(end.known());
+    }
+
+    /// The tool moves to a point of a plane.
+    #[inline]
+    pub fn move_in_plane(&mut self, plane: Plane, to: Point2) {
+        self.at.set_in_plane(plane, to);
+        let (first, second, _) = plane.axes();
+        self.arrived([Axis::ALL[first], Axis::ALL[second]].into_iter().collect());
+    }
+
+    /// A cycle leaves the tool at `end` after moving these axes.
+    pub fn cycle_leaves(&mut self, end: &Pos, moved: AxisSet) {
+        self.at = *end;
+        self.arrived(moved);
+    }
+
+    #[inline]
+    fn arrived(&mut self, axes: AxisSet) {
+        if !self.programmed.known().is_empty() {
+            for axis in axes.iter() {
+                self.programmed.forget(axis);
+            }
+        }
+        self.lost = self.lost.without(axes);
+        self.start.touch(axes);
+    }
+
+    /// The tool was left beside the number that the program wrote.
+    pub fn leave_beside(&mut self, axis: Axis, programmed: f64) {
+        self.programmed.set(axis, programmed);
+    }
+
+    // Losses.
+
+    /// Forgets where these axes are, because of a reported error.
+    pub fn lose(&mut self, axes: AxisSet) {
+        for axis in axes.iter() {
+            self.at.forget(axis);
+            self.programmed.forget(axis);
+        }
+        self.lost = self.lost.union(axes);
+    }
+
+    /// Forgets where these axes are: they moved to where the program cannot say, or their tip is another one.
+    pub fn forget(&mut self, axes: AxisSet) {
+        for axis in axes.iter() {
+            self.at.forget(axis);
+            self.programmed.forget(axis);
+        }
+        self.start.touch(axes);
+    }
+
+    /// Forgets where these axes are, but not the numbers that the program wrote last.
+    pub fn forget_place(&mut self, axes: AxisSet) {
+        self.keep_programmed();
+        for axis in axes.iter() {
+            self.at.forget(axis);
+        }
+    }
+
+    /// Forgets everything but what was lost; `[start]` still says where axes stand that never moved.
+    pub fn clear(&mut self) {
+        self.at.clear();
+        self.programmed.clear();
+    }
+
+    /// These axes are unknown for another reason than a reported error: that they are is worth a report.
+    pub fn not_lost(&mut self, axes: AxisSet) {
+        self.lost = self.lost.without(axes);
+    }
+
+    // Systems.
+
+    /// The numbers that were written last stay what they are when the frame changes.
+    pub fn keep_programmed(&mut self) {
+        for (axis, at) in self.at.iter() {
+            if self.programmed.get(axis).is_none() {
+                self.programmed.set(axis, at);
+            }
+        }
+    }
+
+    /// The frame changes under the tool, which stays where it is. A lost axis takes those with it that it turns into.
+    pub fn through_frame(&mut self, from: &Frame, to: &Frame) {
+        let known = self.at.known();
+        self.at = to.unapply(&from.apply(&self.at));
+        if !self.lost.is_empty() {
+            self.lost = self.lost.union(known.without(self.at.known()));
+        }
+    }
+
+    /// Forgets every axis that was left beside its number.
+    pub fn forget_beside(&mut self) {
+        for axis in self.programmed.known().iter() {
+            self.at.forget(axis);
+        }
+        self.programmed.clear();
+    }
+
+    /// These axes went to machine coordinates: what of `frame` depends on them is unknown.
+    pub fn moved_by_machine(&mut self, axes: AxisSet, frame: &Frame) {
+        let mut at = frame.apply(&self.at);
+        for axis in axes.iter() {
+            at.forget(axis);
+            self.programmed.forget(axis);
+        }
+        self.at = frame.unapply(&at);
+        self.lost = self.lost.without(axes);
+        self.start.touch(axes);
+    }
+
+    // The start.
+
+    /// These axes do not stand where `[start]` says any more.
+    pub fn leave_start(&mut self, axes: AxisSet) {
+        self.start.touch(axes);
+    }
+
+    /// Another work offset is selected in place of the one that `[start]` counts in.
+    pub fn end_start(&mut self) {
+        self.start.end();
+    }
+
+    /// A work offset was selected: axes that never moved stand in it where `[start]` says.
+    pub fn take_start(&mut self, frame: &Frame) {
+        let start = self.start.position();
+        if start.known().is_empty() {
+            return;
+        }
+        self.at.update(&frame.unapply(&start));
+        self.programmed.update(&start);
+    }
+
+    /// A new system: nothing is known but where axes stand that never moved.
+    pub fn stand_at_start(&mut self) {
+        self.at = self.start.position();
+        self.programmed.clear();
+        self.lost = AxisSet::EMPTY;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Matrix3;
+
+    use super::*;
+    use crate::machine::Settings;
+
+    fn nowhere() -> Position {
+        Position::new(Start::default())
+    }
+
+    fn at(values: &[(Axis, f64)]) -> Pos {
+        let mut pos = Pos::UNKNOWN;
+        for (axis, value) in values {
+            pos.set(*axis, *value);
+        }
+        pos
+    }
+
+    fn shifted(x: f64) -> Frame {
+        let mut shift = [0.0; 9];
+        shift[0] = x;
+        Frame::new(Matrix3::identity(), shift).expect("a shift is a frame")
+    }
+
+    /// A quarter turn about Z.
+    fn turned() -> Frame {
+        Frame::new(Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), [0.0; 9]).expect("a turn is a frame")
+    }
+
+    fn with_start(axis: Axis, value: f64) -> Position {
+        let mut settings = Settings::default();
+        settings.start.insert(axis, value);
+        Position::new(Start::new(&settings, false))
+    }
+
+    #[test]
+    fn an_axis_is_unknown_until_the_program_moves_it() {
+        let mut position = nowhere();
+        assert_eq!(position.require(Axis::X), Err(Missing::Unknown));
+        position.move_to(&at(&[(Axis::X, 5.0)]));
+        assert_eq!(position.require(Axis::X), Ok(5.0));
+        assert_eq!(position.in_plane(Plane::Xy), None);
+        position.move_in_plane(Plane::Xy, Point2::new(1.0, 2.0));
+        assert_eq!((position.get(Axis::X), position.get(Axis::Y)), (Some(1.0), Some(2.0)));
+    }
+
+    #[test]
+    fn a_lost_axis_stays_lost_until_it_moves() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 5.0), (Axis::Y, 6.0)]));
+        position.lose(AxisSet::of(Axis::X));
+        assert_eq!(position.require(Axis::X), Err(Missing::Lost));
+        assert_eq!(position.require(Axis::Y), Ok(6.0));
+        position.forget(AxisSet::of(Axis::X));
+        assert_eq!(position.require(Axis::X), Err(Missing::Lost), "what follows an error is not worth another one");
+        position.move_to(&at(&[(Axis::X, 1.0)]));
+        position.forget(AxisSet::of(Axis::X));
+        assert_eq!(position.require(Axis::X), Err(Missing::Unknown));
+        position.lose(AxisSet::of(Axis::X));
+        position.not_lost(AxisSet::of(Axis::X));
+        assert_eq!(position.require(Axis::X), Err(Missing::Unknown));
+    }
+
+    #[test]
+    fn a_frame_moves_under_the_tool_and_leaves_the_numbers() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 50.0)]));
+        position.keep_programmed();
+        position.through_frame(&Frame::default(), &shifted(10.0));
+        assert_eq!((position.get(Axis::X), position.programmed(Axis::X)), (Some(40.0), Some(50.0)));
+        // A second change still counts from the number that was written.
+        position.keep_programmed();
+        position.through_frame(&shifted(10.0), &shifted(30.0));
+        assert_eq!((position.get(Axis::X), position.programmed(Axis::X)), (Some(20.0), Some(50.0)));
+        position.move_to(&at(&[(Axis::X, 7.0)]));
+        assert_eq!(position.programmed(Axis::X), Some(7.0));
+        assert!(!position.stands_beside(AxisSet::MAIN));
+    }
+
+    #[test]
+    fn a_rotation_hides_what_an_unknown_axis_turns_into() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 5.0), (Axis::Z, 1.0)]));
+        position.through_frame(&Frame::default(), &turned());
+        assert_eq!(position.require(Axis::X), Err(Missing::Unknown));
+        assert_eq!(position.require(Axis::Z), Ok(1.0));
+    }
+
+    #[test]
+    fn a_lost_axis_takes_its_partner_along_in_a_rotation() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 5.0), (Axis::Y, 6.0)]));
+        position.lose(AxisSet::of(Axis::Y));
+        position.through_frame(&Frame::default(), &turned());
+        assert_eq!(position.require(Axis::X), Err(Missing::Lost));
+    }
+
+    #[test]
+    fn a_tool_beside_its_number_counts_from_the_number() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 55.0)]));
+        position.leave_beside(Axis::X, 50.0);
+        assert!(position.stands_beside(AxisSet::MAIN));
+        assert_eq!((position.get(Axis::X), position.programmed(Axis::X)), (Some(55.0), Some(50.0)));
+        position.forget_beside();
+        assert_eq!(position.programmed(Axis::X), None);
+    }
+
+    #[test]
+    fn machine_coordinates_hide_what_depends_on_them() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 5.0), (Axis::Y, 6.0), (Axis::Z, 7.0)]));
+        position.moved_by_machine(AxisSet::of(Axis::X), &turned());
+        // Under the quarter turn the X of the machine is the Y of the program.
+        assert_eq!(position.at().known(), [Axis::X, Axis::Z].into_iter().collect());
+    }
+
+    #[test]
+    fn a_place_may_go_while_the_number_stays() {
+        let mut position = nowhere();
+        position.move_to(&at(&[(Axis::X, 5.0)]));
+        position.forget_place(AxisSet::MAIN);
+        assert_eq!((position.get(Axis::X), position.programmed(Axis::X)), (None, Some(5.0)));
+        position.clear();
+        assert_eq!(position.programmed(Axis::X), None);
+    }
+
+    #[test]
+    fn the_start_holds_until_its_axis_moves() {
+        let mut position = with_start(Axis::X, 5.0);
+        assert_eq!(position.require(Axis::X), Ok(5.0));
+        position.clear();
+        position.take_start(&shifted(2.0));
+        assert_eq!((position.get(Axis::X), position.programmed(Axis::X)), (Some(3.0), Some(5.0)));
+        position.move_to(&at(&[(Axis::X, 1.0)]));
+        position.stand_at_start();
+        assert_eq!(position.require(Axis::X), Err(Missing::Unknown));
+    }
+
+    #[test]
+    fn another_work_offset_ends_the_start() {
+        let mut position = with_start(Axis::X, 5.0);
+        position.end_start();
+        position.clear();
+        position.take_start(&Frame::default());
+        assert_eq!(position.require(Axis::X), Err(Missing::Unknown));
+    }
+
+    #[test]
+    fn the_help_names_the_start_only_while_it_could_help() {
+        let mut position = nowhere();
+        assert!(position.help(Axis::X, "write X").contains("[start]"));
+        position.move_to(&at(&[(Axis::X, 1.0)]));
+        assert_eq!(position.help(Axis::X, "write X"), "write X");
+        position.leave_start(AxisSet::of(Axis::Z));
+        assert_eq!(position.help(Axis::Z, "write Z"), "write Z");
+    }
+
+    #[test]
+    fn a_cycle_moves_its_own_axes_only() {
+        let mut position = with_start(Axis::X, 5.0);
+        position.cycle_leaves(&at(&[(Axis::X, 5.0), (Axis::Z, 2.0)]), AxisSet::of(Axis::Z));
+        assert_eq!(position.at(), &at(&[(Axis::X, 5.0), (Axis::Z, 2.0)]));
+        assert_eq!(position.start(), at(&[(Axis::X, 5.0)]));
+    }
+}

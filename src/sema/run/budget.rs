@@ -1,0 +1,117 @@
+//! What a run costs, and where it ends when it costs too much.
+
+use rustc_hash::FxHashMap;
+
+use crate::diag::{CallPath, Diagnostic, codes};
+use crate::ir::contour::Sink;
+use crate::sema::Job;
+use crate::text::Loc;
+
+/// Moves of one block that cost nothing while a program runs straight on.
+const FREE_MOVES: u64 = 16;
+/// Bytes of a block, and operations of its formulas, that are one step.
+const BYTES_A_STEP: u32 = 64;
+const OPERATIONS_A_STEP: usize = 8;
+/// Steps that parsing a block costs.
+const PARSING: u64 = 5;
+/// Steps that looking for a called program on the disk costs.
+const SEARCH: u64 = 250;
+
+/// Counts what a run costs in steps, and knows which jump ran most often.
+///
+/// A step is a block, a move or a long stretch of text: each takes about the same time, so that the limit of steps is
+/// one of time, too.
+#[derive(Debug)]
+pub struct Budget {
+    left: u64,
+    limit: u64,
+    jumps: FxHashMap<Loc, u64>,
+    /// Moves that the sink had taken at the last look.
+    moves: u64,
+    /// Other things than blocks were counted.
+    mixed: bool,
+}
+
+impl Budget {
+    pub fn new(limit: u64) -> Budget {
+        Budget { left: limit, limit, jumps: FxHashMap::default(), moves: 0, mixed: false }
+    }
+
+    /// Takes the steps of the block before and one for the next; false when none is left, or when `out` is full. Up to
+    /// the first jump nothing can run for ever: a file that is read once may have any length.
+    #[inline]
+    pub fn step(&mut self, out: &dyn Sink) -> bool {
+        let load = out.load();
+        if self.left == 0 || load.full {
+            return false;
+        }
+        let made = load.moves - self.moves;
+        self.moves = load.moves;
+        if made > 1 && (made > FREE_MOVES || !self.jumps.is_empty()) {
+            self.mixed = true;
+            self.left = self.left.saturating_sub(made);
+        } else if !self.jumps.is_empty() {
+            self.left -= 1;
+        }
+        true
+    }
+
+    /// The same between two places of a pattern, or wherever one block does much: is there anything left?
+    pub fn goes_on(&mut self, out: &dyn Sink) -> bool {
+        let load = out.load();
+        self.mixed = true;
+        self.left = self.left.saturating_sub(load.moves - self.moves);
+        self.moves = load.moves;
+        self.left > 0 && !load.full
+    }
+
+    /// Takes `n` steps, for work that grows with a number of the program; false when fewer are left.
+    pub fn take(&mut self, n: u64) -> bool {
+        self.mixed |= n > 0;
+        let enough = self.left >= n;
+        self.left = self.left.saturating_sub(n);
+        enough
+    }
+
+    /// Takes what a block costs over the one step that every block has: its length in bytes, the operations of its
+    /// formulas, and that it was parsed although it ran before.
+    #[inline]
+    pub fn block(&mut self, bytes: u32, operations: usize, parsed_again: bool) {
+        if (bytes > BYTES_A_STEP || operations > OPERATIONS_A_STEP || parsed_again) && !self.jumps.is_empty() {
+            let parsing = if parsed_again { PARSING } else { 0 };
+            self.take(u64::from(bytes / BYTES_A_STEP) + (operations / OPERATIONS_A_STEP) as u64 + parsing);
+        }
+    }
+
+    /// Takes the steps of looking for a called program.
+    pub fn search(&mut self) {
+        if !self.jumps.is_empty() {
+            self.take(SEARCH);
+        }
+    }
+
+    /// Notes a jump, repeat or call at `from`.
+    pub fn jump(&mut self, from: Loc) {
+        *self.jumps.entry(from).or_default() += 1;
+    }
+
+    /// Reports a run that has no steps left; `here` is where it stopped. That the output is full was reported.
+    pub fn report_end(&self, job: &Job<'_>, out: &dyn Sink, here: Loc, call: CallPath) {
+        if !out.load().full {
+            job.diags.push(self.exceeded(here, call));
+        }
+    }
+
+    fn exceeded(&self, here: Loc, call: CallPath) -> Diagnostic {
+        let busiest = self.jumps.iter().max_by_key(|(loc, n)| (**n, std::cmp::Reverse((loc.file, loc.span.start))));
+        let what = if self.mixed { "steps (blocks, moves and long lines)" } else { "blocks" };
+        let stopped = format!("stopped after {} {what}", self.limit);
+        let found = match busiest {
+            Some((&loc, n)) => Diagnostic::new(codes::P4001, loc, stopped)
+                .here(format!("taken {n} times"))
+                .also(here, "the run stopped here"),
+            None => Diagnostic::new(codes::P4001, here, stopped).called(call),
+        };
+        found.help("check the condition that ends this loop, or raise `[limits] steps`")
+    }
+}

@@ -1,0 +1,85 @@
+//! Opening program files, and what is said when that fails.
+
+use crate::diag::{CallPath, Diagnostic, codes};
+use crate::sema::Job;
+use crate::text::blocks::OpenError;
+use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
+use crate::text::{Cursor, FileError, FileId, Loc, Request, SplitRules};
+
+/// Opens a file for reading from its start; reports what is wrong with it.
+pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) -> Option<Cursor> {
+    let error = match Cursor::open(job.sources, file, rules) {
+        Ok(cursor) => return Some(cursor),
+        Err(error) => error,
+    };
+    let name = job.sources.shown(file);
+    let found = match error {
+        OpenError::Utf16 => Diagnostic::new(codes::P0001, from, format!("`{name}` is a UTF-16 file"))
+            .help("save it as UTF-8 or Windows-1252"),
+        OpenError::TooLarge => Diagnostic::new(codes::P0002, from, format!("`{name}` is over 4 GiB")),
+        OpenError::Empty => Diagnostic::new(codes::P0004, from, format!("`{name}` is empty"))
+            .help("check whether the file was transferred completely"),
+        OpenError::Io(error) => Diagnostic::new(codes::P0105, from, format!("`{name}` cannot be read: {error}")),
+    };
+    job.diags.push(found);
+    None
+}
+
+/// Finds and opens the program `name` that the block at `from` calls.
+pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, call: CallPath) -> Option<FileId> {
+    let caller = job.sources.identity(from.file);
+    let error = match job.files.open(&Request { from: &caller, name, extensions }) {
+        Ok(opened) => match job.sources.add(opened) {
+            Ok(id) => return Some(id),
+            Err(too_much) => {
+                job.diags.push(refused(too_much, name, from).called(call));
+                return None;
+            }
+        },
+        Err(error) => error,
+    };
+    let found = match error {
+        FileError::NotFound { tried, similar } => {
+            let found = Diagnostic::new(codes::P0101, from, format!("program `{name}` is not found"))
+                .here(format!("looked for {}", tried.join(", ")));
+            match similar.first() {
+                Some(like) => found.help(format!("did you mean `{like}`?")),
+                None => found.help("put the file beside the program, or name its folder under `[include] roots`"),
+            }
+        }
+        FileError::Forbidden { why } => {
+            Diagnostic::new(codes::P0102, from, format!("program `{name}` may not be opened: {why}"))
+                .help("name its folder under `[include] roots`")
+        }
+        FileError::Ambiguous { names } => {
+            Diagnostic::new(codes::P0103, from, format!("program `{name}` may be any of {}", names.join(", ")))
+                .help("rename all but one")
+        }
+        FileError::NoRoot { prefix } => {
+            Diagnostic::new(codes::P0104, from, format!("no folder is known for `{prefix}`"))
+                .help(format!("add `[include] roots = {{ \"{prefix}\" = \"folder\" }}` to partc.toml"))
+        }
+        FileError::Io { why } => Diagnostic::new(codes::P0105, from, format!("program `{name}` cannot be read: {why}")),
+    };
+    job.diags.push(found.called(call));
+    None
+}
+
+/// The finding for a called file that is not taken.
+pub fn refused(too_much: TooMuch, name: &str, from: Loc) -> Diagnostic {
+    let mib = |bytes: u64| bytes.div_ceil(1 << 20);
+    match too_much {
+        TooMuch::Files => Diagnostic::new(codes::P0106, from, "too many programs are called"),
+        TooMuch::Bytes(size) => {
+            let (size, most) = (mib(size), mib(MAX_CALLED));
+            let message =
+                format!("called program `{name}` has {size} MiB, more than the {most} MiB of one called file");
+            Diagnostic::new(codes::P0120, from, message).help("compile it as a main program, or split it")
+        }
+        TooMuch::AllBytes(all) => {
+            let (all, most) = (mib(all), mib(MAX_ALL_CALLED));
+            let message = format!("with `{name}` the called programs have {all} MiB, more than {most} MiB together");
+            Diagnostic::new(codes::P0121, from, message).help("compile the large ones as main programs")
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The call stack: which program runs, where its caller goes on.
+
+use crate::diag::{CallPath, codes};
+use crate::sema::Outcome;
+use crate::text::blocks::Place;
+use crate::text::{FileId, Loc};
+
+use super::Language;
+use super::core::Core;
+use super::files::open_program;
+use super::source::Source;
+
+/// A program file and what is known of it.
+#[derive(Debug)]
+pub struct Program<L: Language> {
+    pub source: Source<L::Block>,
+    pub known: L::Known,
+}
+
+/// A level of the call stack.
+#[derive(Debug)]
+pub struct Level<F> {
+    /// Index of the program that runs on this level.
+    pub program: usize,
+    /// Where the caller goes on.
+    pub back: Place,
+    pub call: CallPath,
+    /// The block that called.
+    pub site: Loc,
+    /// What the language knows of it.
+    pub frame: F,
+}
+
+impl<F> Level<F> {
+    pub fn main(program: usize, frame: F) -> Level<F> {
+        Level { program, back: Place::default(), call: CallPath::MAIN, site: Loc::default(), frame }
+    }
+}
+
+impl<L: Language> Core<'_, L> {
+    #[inline]
+    pub fn level(&mut self) -> &mut Level<L::Frame> {
+        self.levels.last_mut().expect("the main level is popped only when the run ends")
+    }
+
+    /// The program that runs.
+    pub fn program(&mut self) -> &mut Program<L> {
+        let at = self.level().program;
+        &mut self.programs[at]
+    }
+
+    /// Index of the program that runs, and how it was reached.
+    #[inline]
+    pub(super) fn running(&mut self) -> (usize, CallPath) {
+        let level = self.level();
+        (level.program, level.call)
+    }
+
+    /// Does the program run already, on any level?
+    pub fn is_running(&self, program: usize) -> bool {
+        self.levels.iter().any(|level| level.program == program)
+    }
+
+    /// Finds and opens the program that the block in hand calls.
+    pub fn open_called(&mut self, name: &str, extensions: &[&str]) -> Option<usize> {
+        let origin = self.here.origin;
+        self.budget.search();
+        let file: FileId = open_program(&self.job, name, extensions, origin.loc, origin.call)?;
+        self.open(file, origin.loc)
+    }
+
+    /// Goes on at `to` in `program`, until [`Core::leave`] comes back.
+    pub fn enter(&mut self, program: usize, to: Place, frame: L::Frame) -> Outcome {
+        let site = self.here.origin.loc;
+        // The place to come back to needs the caller in memory.
+        let sources = self.job.sources;
+        if let Err(error) = self.program().source.cursor.load(sources) {
+            return self.unreadable(&error);
+        }
+        let back = self.program().source.cursor.place();
+        let call = self.job.trail.enter(self.level().call, site);
+        self.levels.push(Level { program, back, call, site, frame });
+        self.budget.jump(site);
+        self.seek(to)
+    }
+
+    /// Goes back to where the level was called, and hands out what it held.
+    pub fn leave(&mut self) -> Outcome<Option<L::Frame>> {
+        let Some(level) = self.levels.pop() else { return Ok(None) };
+        self.seek(level.back)?;
+        Ok(Some(level.frame))
+    }
+
+    /// Goes on at `to` in the program that runs.
+    pub fn seek(&mut self, to: Place) -> Outcome {
+        let sources = self.job.sources;
+        match self.program().source.cursor.seek(sources, to) {
+            Ok(()) => Ok(()),
+            Err(error) => self.unreadable(&error),
+        }
+    }
+
+    /// The same for a jump of the block in hand.
+    pub fn jump_to(&mut self, to: Place) -> Outcome {
+        self.note_jump();
+        self.seek(to)
+    }
+
+    /// The block in hand goes on elsewhere, and may come here again.
+    pub fn note_jump(&mut self) {
+        self.budget.jump(self.here.origin.loc);
+    }
+
+    /// Calls are nested deeper than `message` says it is possible.
+    pub fn too_deep<T>(&self, message: impl Into<String>) -> Outcome<T> {
+        self.fatal(codes::P4003, message)
+    }
+}

@@ -1,0 +1,135 @@
+//! Executes a program: what is the same in every language.
+//!
+//! [`Core`] is the machine: files, call stack, step budget, the block in hand, findings. A [`Language`] says how text
+//! becomes blocks, an [`Interpreter`] what a block does, and [`run`] drives both.
+
+mod budget;
+mod core;
+mod files;
+mod level;
+mod report;
+mod site;
+mod source;
+pub mod unexecuted;
+
+use std::ops::DerefMut;
+
+use crate::diag::Code;
+use crate::parser::problem::Problem;
+use crate::parser::symbols::Symbols;
+use crate::text::{Span, SplitRules};
+
+pub use self::budget::Budget;
+pub use self::core::Core;
+pub use self::files::{open_cursor, open_program, refused};
+pub use self::level::{Level, Program};
+pub use self::report::Where;
+pub use self::site::Site;
+pub use self::source::{Cache, Parsed, Read, Source};
+
+/// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
+/// need nothing.
+pub trait Language: Default {
+    type Block: Clone + Default;
+    /// What is known of a program file besides its text.
+    type Known: Default;
+    /// What a level of the call stack holds besides the way back.
+    type Frame;
+
+    const SPLIT: SplitRules;
+    /// Errors after which a run ends.
+    const MOST_ERRORS: u32 = u32::MAX;
+
+    /// Fills `into` from the text of a block. The text is kept only where executing the block needs it.
+    fn parse(
+        &mut self,
+        text: &[u8],
+        into: &mut Parsed<Self::Block>,
+        symbols: &mut Symbols,
+        problems: &mut Vec<Problem>,
+    );
+
+    /// The words of the block, without the blanks around them.
+    fn span(block: &Self::Block) -> Span;
+
+    /// Operations of its formulas, for the budget.
+    fn operations(block: &Self::Block) -> usize;
+
+    /// What to do about a finding that brings no help of its own.
+    fn usual_help(_code: &'static Code) -> Option<&'static str> {
+        None
+    }
+
+    /// Is a problem of this kind said once for the whole program?
+    fn said_once(_code: &'static Code) -> bool {
+        false
+    }
+}
+
+/// What the blocks of a language do.
+pub trait Interpreter<'a>: DerefMut<Target = Core<'a, Self::Language>> {
+    type Language: Language;
+
+    /// The main program is open, and nothing of it was read. Says where the machine stands.
+    fn begin(&mut self, program: usize) -> Level<<Self::Language as Language>::Frame>;
+
+    fn execute(&mut self, block: &<Self::Language as Language>::Block, text: &[u8]);
+
+    /// The file has no further block.
+    fn end_of_file(&mut self);
+
+    /// A block too long to be read was reported: nobody knows what it would have done.
+    fn unread_block(&mut self);
+
+    /// True if a level ended in front of the next block, which is not the end of its file.
+    #[inline]
+    fn level_ends(&mut self) -> bool {
+        false
+    }
+
+    /// Drops the problems in the form of `block` that do not matter where it stands.
+    fn forgive(&mut self, _block: &<Self::Language as Language>::Block) {}
+
+    /// The run is over: what is still open is worth a word.
+    fn finish(&mut self) {}
+}
+
+/// Runs the main program to its end; false if it cannot be opened.
+pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
+    let Some(program) = run.open_main() else { return false };
+    let level = run.begin(program);
+    run.levels.push(level);
+    while !run.has_ended() {
+        step(run);
+    }
+    run.finish();
+    true
+}
+
+/// Executes one block.
+#[inline]
+fn step<'a, I: Interpreter<'a>>(run: &mut I) {
+    if !run.has_steps() || run.level_ends() {
+        return;
+    }
+    if let Some(parsed) = run.read_before() {
+        run.here.mark(I::Language::span(&parsed.block));
+        return run.execute(&parsed.block, &parsed.text);
+    }
+    let mut parsed = run.scratch.take().unwrap_or_default();
+    match run.read(&mut parsed) {
+        Read::Block(site) => {
+            run.here = site;
+            if !run.problems.is_empty() {
+                run.forgive(&parsed.block);
+                run.report_problems();
+            }
+            run.here.mark(I::Language::span(&parsed.block));
+            run.execute(&parsed.block, &parsed.text);
+        }
+        Read::TooLong => run.unread_block(),
+        Read::End => run.end_of_file(),
+        Read::Broken => run.stop_run(),
+    }
+    run.scratch = Some(parsed);
+}

@@ -1,0 +1,110 @@
+//! Findings about the block in hand.
+
+use crate::diag::{Code, Diagnostic, Raised, Severity};
+use crate::parser::problem::Problem;
+use crate::sema::{Job, Outcome, Reported};
+use crate::text::{Loc, Span};
+
+use super::Language;
+use super::core::Core;
+use super::site::Site;
+
+/// What of the block a finding is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Where {
+    Block,
+    /// Words of it, counted from its start.
+    Words(Span),
+}
+
+impl From<Span> for Where {
+    fn from(span: Span) -> Where {
+        Where::Words(span)
+    }
+}
+
+/// Reports what is wrong with the form of the block at `site`.
+pub(super) fn report_problem<L: Language>(job: &Job<'_>, site: &Site, problem: Problem) {
+    let once = L::said_once(problem.code);
+    let found = site.diagnostic(job, problem);
+    if once { job.diags.push_once(found) } else { job.diags.push(found) }
+}
+
+impl<L: Language> Core<'_, L> {
+    /// A place in the block.
+    pub fn loc(&self, place: impl Into<Where>) -> Loc {
+        match place.into() {
+            Where::Block => self.here.origin.loc,
+            Where::Words(span) => self.here.loc(&self.job, span),
+        }
+    }
+
+    /// Span of the whole block, counted from its start.
+    pub fn block_span(&self) -> Span {
+        let span = self.here.origin.loc.span;
+        Span { start: span.start.saturating_sub(self.here.at), end: span.end.saturating_sub(self.here.at) }
+    }
+
+    pub fn report(&self, mut found: Diagnostic) {
+        if found.code.severity == Severity::Error {
+            self.errors.set(self.errors.get().saturating_add(1));
+            // Nothing is written any more; a loop would report without end.
+            if self.errors.get() > L::MOST_ERRORS {
+                self.stop_run();
+            }
+        }
+        found.help = found.help.or_else(|| L::usual_help(found.code).map(str::to_owned));
+        self.job.diags.push(found.called(self.here.origin.call));
+    }
+
+    /// Reports what is wrong with the form of the block.
+    pub fn report_problems(&mut self) {
+        for problem in self.problems.drain(..) {
+            report_problem::<L>(&self.job, &self.here, problem);
+        }
+    }
+
+    /// Reports an error about the whole block.
+    pub fn error(&self, code: impl Into<Raised>, message: impl Into<String>) {
+        self.report(Diagnostic::new(code, self.here.origin.loc, message));
+    }
+
+    /// Reports an error about the whole block and ends the run: nobody knows where the program goes on.
+    pub fn fatal<T>(&self, code: impl Into<Raised>, message: impl Into<String>) -> Outcome<T> {
+        self.error(code, message);
+        self.stop_run();
+        Err(Reported)
+    }
+
+    /// Reports a finding and ends the run.
+    pub fn stop<T>(&self, found: Diagnostic) -> Outcome<T> {
+        self.report(found);
+        self.stop_run();
+        Err(Reported)
+    }
+
+    /// Reports an error about words of the block, or about all of it, and gives up the block.
+    pub fn fail<T>(&self, code: impl Into<Raised>, place: impl Into<Where>, message: impl Into<String>) -> Outcome<T> {
+        self.report(Diagnostic::new(code, self.loc(place), message));
+        Err(Reported)
+    }
+
+    /// The same with a line of help.
+    pub fn fail_help<T>(
+        &self,
+        code: impl Into<Raised>,
+        place: impl Into<Where>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Outcome<T> {
+        self.report(Diagnostic::new(code, self.loc(place), message).help(help));
+        Err(Reported)
+    }
+
+    /// A note that is made once for the whole program.
+    pub fn note_once(&self, code: &'static Code, place: impl Into<Where>, message: impl Into<String>) {
+        if self.job.diags.first_time(code) {
+            self.report(Diagnostic::new(code, self.loc(place), message));
+        }
+    }
+}

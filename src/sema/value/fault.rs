@@ -1,0 +1,49 @@
+//! Why a formula has no value. A dialect has one table from these to its codes and words.
+
+use crate::lexer::formula::{Function, Operator};
+use crate::sema::Reported;
+
+/// A computation without a result.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Fault {
+    /// The function does not exist there.
+    Domain(Function, f64),
+    /// Controls differ in what the function gives there, or no manual says it.
+    Open(Function, f64),
+    /// The operator does not exist there.
+    Outside(Operator, f64, f64),
+    /// As [`Fault::Open`].
+    OpenBetween(Operator, f64, f64),
+    /// The first number is divided by zero.
+    Zero(f64),
+    TooLarge,
+    /// More than an INT holds.
+    TooLargeInt,
+    /// The function or operator takes no value of this kind.
+    Misfit(&'static str),
+    /// The operator takes no two values of these kinds.
+    Mismatch(&'static str, &'static str),
+    /// An operand is missing.
+    Missing,
+    /// Said in words of its dialect.
+    Said(String),
+}
+
+/// Why an operation made no value: a fault still to be reported, or something that was.
+#[derive(Debug)]
+pub enum Stop {
+    Fault(Fault),
+    Reported,
+}
+
+impl From<Fault> for Stop {
+    fn from(fault: Fault) -> Stop {
+        Stop::Fault(fault)
+    }
+}
+
+impl From<Reported> for Stop {
+    fn from(_: Reported) -> Stop {
+        Stop::Reported
+    }
+}
