@@ -61,6 +61,15 @@ impl Modal {
         self.stale = self.stale.without(axes);
     }
 
+    /// Where a move that is not printed leads, so that what follows is judged by itself.
+    #[cold]
+    pub fn pretend(&mut self, axis: Axis, units: Option<i64>) {
+        match units {
+            Some(units) => self.begins(axis, units),
+            None => self.known.remove(axis),
+        }
+    }
+
     /// `axis` stands there although nothing printed says so.
     pub fn begins(&mut self, axis: Axis, units: i64) {
         self.at[axis.index()] = units;

@@ -36,6 +36,16 @@ impl Places {
         Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
     }
 
+    /// Digits of `units` as it is written.
+    #[cold]
+    pub fn digits(self, units: i64) -> u32 {
+        let (mut units, mut places) = (units.unsigned_abs(), self.0);
+        while places > 0 && units % 10 == 0 {
+            (units, places) = (units / 10, places - 1);
+        }
+        units.checked_ilog10().map_or(1, |log| log + 1).max(u32::from(places) + 1)
+    }
+
     /// Appends `lead` and `units` as a decimal number.
     #[inline]
     pub fn write(self, lead: &[u8; 2], units: i64, out: &mut Vec<u8>) {

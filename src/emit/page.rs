@@ -46,7 +46,7 @@ impl<'a> Page<'a> {
             diags,
             out,
             map,
-            text: Text::with_capacity(CHUNK + 4096),
+            text: Text::new(CHUNK + 4096, limits.digits),
             limits,
             feed,
             chunk: FIRST_CHUNK,
@@ -80,6 +80,9 @@ impl<'a> Page<'a> {
     pub fn end_line(&mut self, origin: &Origin) {
         if self.text.line().len() > self.limits.length {
             self.split_feed(origin);
+        }
+        if self.text.take_too_long() {
+            self.too_many_digits(origin);
         }
         self.count_line(origin);
         if self.text.bytes().len() >= self.chunk {
@@ -125,6 +128,15 @@ impl<'a> Page<'a> {
         if self.lines > self.most_lines {
             self.too_many(origin);
         }
+    }
+
+    /// The target would read the number without its last digits.
+    #[cold]
+    fn too_many_digits(&mut self, origin: &Origin) {
+        let line = String::from_utf8_lossy(self.text.line());
+        let message = format!("the target reads {} digits of a number, and `{line}` has more", self.limits.digits);
+        let found = Diagnostic::new(codes::O9314, origin.loc, message).called(origin.call);
+        self.diags.push(found.help("print fewer places with `[output] decimals`"));
     }
 
     #[cold]

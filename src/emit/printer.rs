@@ -2,6 +2,7 @@
 
 mod functions;
 mod moves;
+mod refusals;
 
 use std::io;
 
@@ -10,7 +11,7 @@ use crate::geo::Plane;
 use crate::ir::function::CutterData;
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
-use crate::machine::{Axis, MachineKind, OutputSettings, Settings, Tools};
+use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::target::Target;
 
 use super::compensation::{Before, Compensation, Way};
@@ -35,6 +36,8 @@ pub struct Printer<'a> {
     /// Where the hash of the source stands in the output.
     hash_at: u64,
     modal: Modal,
+    /// Axes that the target has, and those whose lack was reported.
+    axes: AxisSet,
     compensation: Compensation,
     ended: bool,
 }
@@ -67,6 +70,7 @@ impl<'a> Printer<'a> {
             page,
             hash_at: 0,
             modal: Modal::new(if lathe { Plane::Zx } else { Plane::Xy }),
+            axes: target.axes.bytes().filter_map(Axis::of).collect(),
             compensation: Compensation::default(),
             ended: false,
         };
@@ -96,7 +100,10 @@ impl<'a> Printer<'a> {
         let modes = match (lathe, self.diameter) {
             (false, _) => frame.mill,
             (true, false) => frame.lathe,
-            (true, true) => frame.lathe_diameter.unwrap_or(frame.lathe),
+            (true, true) => frame.lathe_diameter.unwrap_or_else(|| {
+                self.lacks_diameters();
+                frame.lathe
+            }),
         };
         self.page.plain(modes.as_bytes());
     }
@@ -126,8 +133,10 @@ impl<'a> Printer<'a> {
         if !self.compensation.is_idle(mv.side) {
             let way =
                 Way { in_plane: self.changes_plane(mv), length: self.way_in_plane(mv), radius: self.known_radius() };
-            let planes = self.target.compensation.as_ref().map_or(&[][..], |words| words.planes);
-            match self.compensation.before(mv, origin, self.modal.plane, planes, way) {
+            let Some(words) = &self.target.compensation else {
+                return self.lacks_compensation(mv, origin);
+            };
+            match self.compensation.before(mv, origin, self.modal.plane, words.planes, way) {
                 Before::Nothing => {}
                 Before::Switch => self.switch_side(mv, origin),
                 Before::Refuse(found) => {

@@ -187,6 +187,16 @@ pub enum Compensation {
     Control,
 }
 
+/// How a tool change is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ToolChange {
+    /// By the word of the target.
+    #[default]
+    Change,
+    /// Spindle stop, a comment and a program stop: somebody changes by hand.
+    Stop,
+}
+
 /// `[output]`
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputSettings {
@@ -199,6 +209,7 @@ pub struct OutputSettings {
     pub pass_m: Vec<u32>,
     /// `G43 H` behind a tool change.
     pub tool_length: bool,
+    pub tool_change: ToolChange,
 }
 
 impl Default for OutputSettings {
@@ -211,6 +222,7 @@ impl Default for OutputSettings {
             comments: true,
             pass_m: Vec::new(),
             tool_length: false,
+            tool_change: ToolChange::Change,
         }
     }
 }

@@ -124,6 +124,18 @@ pub struct Arcs {
     pub least_chord: f64,
 }
 
+impl Arcs {
+    /// Blocks that an arc of this sweep takes.
+    #[inline]
+    pub fn blocks(&self, sweep: f64) -> u32 {
+        let blocks = libm::ceil(sweep.abs() / self.most_sweep - ROUNDING);
+        blocks.clamp(1.0, f64::from(u32::MAX)) as u32
+    }
+}
+
+/// What a sweep may exceed the largest one by, as a part of it.
+const ROUNDING: f64 = 1e-9;
+
 #[derive(Debug)]
 pub struct SpindleWords {
     pub clockwise: &'static str,

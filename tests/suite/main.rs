@@ -20,6 +20,7 @@ mod diagnostics;
 mod endless;
 mod fuzz;
 mod golden;
+mod grbl_reader;
 mod hostile;
 mod hostile_turning;
 mod idle;

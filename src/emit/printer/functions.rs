@@ -1,8 +1,9 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
+use crate::machine::settings::ToolChange;
 
 use super::super::comment;
 use super::Printer;
@@ -16,7 +17,7 @@ impl Printer<'_> {
         match function {
             Function::ToolChange { number } => self.tool_change(*number, origin),
             Function::ToolPrepare { number } => {
-                self.page.text.whole(self.target.tool.address, u64::from(*number));
+                self.tool_word(*number, origin);
                 self.page.end_line(origin);
             }
             Function::Cutter(cutter) => self.compensation.cutter = *cutter,
@@ -29,6 +30,9 @@ impl Printer<'_> {
                 self.modal.may_have_moved();
             }
             Function::OptionalStop => {
+                if flow.optional_stop_is_idle {
+                    self.optional_stop_is_idle(origin);
+                }
                 self.page.words(flow.optional_stop, origin);
                 self.modal.may_have_moved();
             }
@@ -46,31 +50,51 @@ impl Printer<'_> {
         }
     }
 
-    /// Refuses what the target has no word for.
-    #[cold]
-    pub(super) fn lacks(&mut self, code: &'static Code, origin: &Origin, what: &str) {
-        self.page.text.drop_line();
-        let message = format!("the target {} has no word for {what}", self.target.name);
-        self.diags.push(Diagnostic::new(code, origin.loc, message).called(origin.call));
+    fn tool_word(&mut self, number: u32, origin: &Origin) {
+        let words = &self.target.tool;
+        if number > words.most {
+            let message = format!("tool {number}: the target {} counts tools to {}", self.target.name, words.most);
+            let help = "give the tool a smaller number in the program or with `number` in `[tools]`";
+            self.diags.push(Diagnostic::new(codes::O9306, origin.loc, message).help(help).called(origin.call));
+        }
+        self.page.text.whole(words.address, u64::from(number));
     }
 
     fn tool_change(&mut self, number: u32, origin: &Origin) {
-        let words = &self.target.tool;
-        let Some(change) = words.change else { return self.lacks(codes::O9001, origin, "a tool change") };
-        self.page.text.whole(words.address, u64::from(number)).word(change);
-        self.page.end_line(origin);
         // The change may have moved any axis.
         self.modal.may_have_moved();
+        if self.settings.tool_change == ToolChange::Stop {
+            self.change_by_hand(number, origin);
+        } else if let Some(change) = self.target.tool.change {
+            self.tool_word(number, origin);
+            self.page.text.word(change);
+            self.page.end_line(origin);
+        } else {
+            let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
+            self.lacks(codes::O9305, origin, "a tool change", help);
+        }
         if !self.settings.tool_length {
             return;
         }
-        let Some(length) = &words.length else { return self.lacks(codes::O9001, origin, "the length of a tool") };
-        if number == 0 {
-            self.page.words(length.off, origin);
-        } else {
-            self.page.text.word(length.on).whole(length.number, u64::from(number));
-            self.page.end_line(origin);
+        match &self.target.tool.length {
+            None => {
+                let help = "leave `[output] tool_length` at \"off\", and set the length up on the target";
+                self.lacks(codes::O9307, origin, "the length of a tool in its table", help);
+            }
+            Some(length) if number == 0 => self.page.words(length.off, origin),
+            Some(length) => {
+                self.page.text.word(length.on).whole(length.number, u64::from(number));
+                self.page.end_line(origin);
+            }
         }
+    }
+
+    /// The spindle stops, as under a change by the machine, and the program waits.
+    fn change_by_hand(&mut self, number: u32, origin: &Origin) {
+        self.page.words(self.target.spindle.stop, origin);
+        let text = if number == 0 { "take the tool out".to_owned() } else { format!("change to tool {number}") };
+        self.comment(text.as_bytes(), origin);
+        self.page.words(self.target.flow.stop, origin);
     }
 
     fn coolant(&mut self, coolant: Coolant, origin: &Origin) {
@@ -82,7 +106,10 @@ impl Printer<'_> {
         };
         match word {
             Some(word) => self.page.words(word, origin),
-            None => self.lacks(codes::O9001, origin, "mist"),
+            None => {
+                let help = "cool with M8, or leave the mist out and switch it by hand";
+                self.lacks(codes::O9311, origin, "mist", help);
+            }
         }
     }
 
@@ -99,8 +126,19 @@ impl Printer<'_> {
         self.page.end_line(origin);
     }
 
+    #[cold]
+    fn optional_stop_is_idle(&self, origin: &Origin) {
+        let message = format!("the target {} reads the optional stop and does not stop", self.target.name);
+        let help = "program M0 where the operator has to act";
+        self.diags.push(Diagnostic::new(codes::O9312, origin.loc, message).help(help).called(origin.call));
+    }
+
     fn m_function(&mut self, number: u32, origin: &Origin) {
         let words = &self.target.m;
+        if !words.open {
+            let help = "take it out of `[output] pass_m`, and leave it out of the program";
+            return self.lacks(codes::O9313, origin, &format!("M{number}"), help);
+        }
         if let Some((_, does)) = words.own.iter().find(|(own, _)| *own == number) {
             self.report(
                 codes::O2001,
@@ -115,7 +153,10 @@ impl Printer<'_> {
     fn work_offset(&mut self, number: u8, origin: &Origin) {
         match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
             Some(word) => self.page.words(word, origin),
-            None => return self.lacks(codes::O9001, origin, "this work offset"),
+            None => {
+                let help = "set the part up in one of the first work offsets, G54 to G59";
+                self.lacks(codes::O9310, origin, &format!("work offset {number}"), help);
+            }
         }
         self.modal.forget_all();
     }
@@ -140,7 +181,8 @@ impl Printer<'_> {
             }
             Spindle::CuttingSpeed { speed, limit } => {
                 let Some(cutting) = &words.cutting_speed else {
-                    return self.lacks(codes::O9001, origin, "constant cutting speed");
+                    let help = "program a constant speed with G97 in the source, or take another target";
+                    return self.lacks(codes::O9302, origin, "constant cutting speed", help);
                 };
                 self.modal.cutting_speed = true;
                 text.word(cutting.on);
@@ -152,14 +194,18 @@ impl Printer<'_> {
             }
             Spindle::Orient(angle) => {
                 let Some((word, address)) = words.orient else {
-                    return self.lacks(codes::O9001, origin, "a spindle stop at an angle");
+                    let help = "leave M19 out where nothing depends on the angle, or take another target";
+                    return self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
                 };
                 let Some(units) = self.places.units(angle) else { return self.unprintable(origin) };
                 text.word(word).number(address, units, self.places)
             }
         };
         if let Some(number) = number {
-            let Some(address) = words.other else { return self.lacks(codes::O9001, origin, "another spindle") };
+            let Some(address) = words.other else {
+                let help = "program the first spindle, or take another target";
+                return self.lacks(codes::O9304, origin, &format!("spindle {number}"), help);
+            };
             self.page.text.whole(address, u64::from(number.saturating_sub(1)));
         }
         self.page.end_line(origin);

@@ -12,7 +12,7 @@ use super::super::modal::FeedKind;
 use super::Printer;
 
 /// Most lines that replace an arc.
-const MOST_CHORDS: f64 = 10_000.0;
+const MOST_CHORDS: f64 = 1e6;
 
 impl Printer<'_> {
     /// The axes of a straight move that change, or nothing. `lead` in units.
@@ -29,6 +29,10 @@ impl Printer<'_> {
         }
         if changed.is_empty() {
             return;
+        }
+        let lacking = changed.without(self.axes);
+        if !lacking.is_empty() {
+            return self.lacks_axes(lacking, mv, origin);
         }
         let Ok(feed) = mv.path.feed().map_or(Ok(None), |feed| self.feed_word(feed, origin)) else { return };
         if mv.machine {
@@ -63,7 +67,9 @@ impl Printer<'_> {
     /// A line in step with the spindle.
     pub(super) fn thread(&mut self, lead: f64, mv: &Move, origin: &Origin) {
         let Some((word, address)) = self.target.motion.thread else {
-            return self.lacks(codes::O9001, origin, "threads");
+            let help = "cut the thread another way, or take a target that turns the spindle in step";
+            self.lacks(codes::O9300, origin, "a thread in step with the spindle", help);
+            return self.pretend(mv);
         };
         let lead = self.places.units(lead).filter(|units| *units > 0);
         let Some(lead) = lead else {
@@ -92,11 +98,13 @@ impl Printer<'_> {
         };
         let kind = FeedKind::of(feed);
         if self.modal.feed_kind_changes(kind) {
-            let Some(word) = kind.word(&self.target.feed) else {
-                self.lacks(codes::O9001, origin, "this kind of feed");
-                return Err(());
-            };
-            self.page.words(word, origin);
+            match kind.word(&self.target.feed) {
+                Some(word) => self.page.words(word, origin),
+                None => {
+                    let what = if kind == FeedKind::PerRevolution { "feed per revolution" } else { "feed by time" };
+                    self.lacks(codes::O9301, origin, what, "program the feed in mm/min, or take another target");
+                }
+            }
         }
         Ok(self.modal.feed_changes(kind, units).then_some(units))
     }
@@ -127,7 +135,13 @@ impl Printer<'_> {
             sweep: arc.sweep,
             tolerance: words.tolerance,
             least_radius: words.least_radius * scale,
+            most_radius: words.most_radius * scale,
+            least_chord: words.least_chord * scale,
         };
+        let blocks = words.blocks(arc.sweep);
+        if blocks > 1 {
+            return self.divided_arc(&request, blocks, arc, feed, mv, origin);
+        }
         let (offset, turns) = match arc::fit(&request) {
             Printed::Arc { offset, turns } => (offset, turns),
             Printed::Nothing => {
@@ -137,24 +151,59 @@ impl Printer<'_> {
             }
             Printed::Lines => return self.chords(arc, feed, mv, origin),
         };
+        let Some((printed, ends)) = self.arc_ends(&request, arc, mv, origin) else { return };
         self.select_plane(arc.plane, origin);
         let Ok(feed) = self.feed_word(feed, origin) else { return };
+        self.arc_block(arc, printed, ends, offset, turns, feed, origin);
+    }
+
+    /// The axes that an arc prints, and their ends.
+    fn arc_ends(
+        &mut self,
+        request: &arc::Request,
+        arc: &Arc,
+        mv: &Move,
+        origin: &Origin,
+    ) -> Option<(AxisSet, [i64; AXES])> {
+        let (first, second, _) = arc.plane.axes();
         let mut ends = *self.modal.at();
-        let mut printed = AxisSet::of(x).union(AxisSet::of(y));
+        let mut printed = AxisSet::of(Axis::ALL[first]).union(AxisSet::of(Axis::ALL[second]));
         for axis in mv.axes.without(printed).iter() {
             let Some(units) = mv.end.get(axis).and_then(|value| self.places.units(value)) else {
-                return self.unprintable(origin);
+                self.unprintable(origin);
+                return None;
             };
             if !self.modal.says(axis, units) {
                 ends[axis.index()] = units;
                 printed.insert(axis);
             }
         }
-        (ends[first], ends[second]) = (to_x, to_y);
+        let lacking = printed.without(self.axes);
+        if !lacking.is_empty() {
+            self.lacks_axes(lacking, mv, origin);
+            return None;
+        }
+        [ends[first], ends[second]] = request.to;
+        Some((printed, ends))
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn arc_block(
+        &mut self,
+        arc: &Arc,
+        printed: AxisSet,
+        ends: [i64; AXES],
+        offset: [i64; 2],
+        turns: u32,
+        feed: Option<i64>,
+        origin: &Origin,
+    ) {
+        let words = &self.target.arcs;
         self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
         for axis in printed.iter() {
             self.axis_word(axis, ends[axis.index()]);
         }
+        let (first, second, _) = arc.plane.axes();
         let mut offsets = [(first, offset[0]), (second, offset[1])];
         offsets.sort_by_key(|(axis, _)| *axis);
         for (axis, units) in offsets {
@@ -170,11 +219,57 @@ impl Printer<'_> {
         self.modal.reach(printed, &ends);
     }
 
+    /// An arc in several blocks of equal sweep, each with a printed start and end of its own.
+    fn divided_arc(&mut self, request: &arc::Request, blocks: u32, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        // All blocks have to fit before the first one is printed.
+        let mut from = request.from;
+        for block in 1..=blocks {
+            let Some(part) = self.part(request, arc, from, block, blocks) else { return self.unprintable(origin) };
+            if !matches!(arc::fit(&part), Printed::Arc { turns: 1, .. }) {
+                return self.chords(arc, feed, mv, origin);
+            }
+            from = part.to;
+        }
+        let Some((printed, last)) = self.arc_ends(request, arc, mv, origin) else { return };
+        self.select_plane(arc.plane, origin);
+        let feed = shared(feed, f64::from(blocks));
+        let (first, second, _) = arc.plane.axes();
+        let start = *self.modal.at();
+        let mut from = request.from;
+        for block in 1..=blocks {
+            let Some(part) = self.part(request, arc, from, block, blocks) else { return };
+            let Printed::Arc { offset, .. } = arc::fit(&part) else { return };
+            let Ok(feed) = self.feed_word(feed, origin) else { return };
+            let share = f64::from(block) / f64::from(blocks);
+            let mut ends = last;
+            for axis in printed.iter() {
+                let (from, to) = (start[axis.index()], last[axis.index()]);
+                ends[axis.index()] = from + libm::round((to - from) as f64 * share) as i64;
+            }
+            [ends[first], ends[second]] = part.to;
+            self.arc_block(arc, printed, ends, offset, 1, feed, origin);
+            from = part.to;
+        }
+    }
+
+    /// One of the `blocks` parts of an arc; it starts where the one in front of it was printed to end.
+    fn part(&self, whole: &arc::Request, arc: &Arc, from: [i64; 2], block: u32, blocks: u32) -> Option<arc::Request> {
+        let share = f64::from(block) / f64::from(blocks);
+        let end = arc.center + turned(arc.from - arc.center, arc.sweep * share);
+        let to = if block == blocks { whole.to } else { [self.places.units(end.x)?, self.places.units(end.y)?] };
+        Some(arc::Request { from, to, sweep: arc.sweep / f64::from(blocks), ..*whole })
+    }
+
     /// Straight lines instead of an arc that does not fit the printed grid.
     #[cold]
     fn chords(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
-        self.report(codes::O4001, origin, "the arc is too small for its printed numbers and is printed as lines");
         let radius = crate::geo::distance(arc.from, arc.center);
+        let message = if radius > self.target.arcs.most_radius {
+            "the arc is flatter than the target computes exactly and is printed as lines"
+        } else {
+            "the arc is too small for its printed numbers and is printed as lines"
+        };
+        self.report(codes::O4001, origin, message);
         let unit = 1.0 / self.places.scale();
         // A chord leaves the arc by r·(1 - cos(a/2)).
         let step = 2.0 * libm::acos((1.0 - unit / (2.0 * radius)).max(0.0));
@@ -185,11 +280,7 @@ impl Printer<'_> {
         for i in 1..=count as u32 {
             let t = f64::from(i) / count;
             let mut point = *mv;
-            // Equal chords share the time.
-            point.path = Path::Line(match feed {
-                Feed::InverseTime(f) => Feed::InverseTime(f * count),
-                Feed::PerMinute(_) | Feed::PerRevolution(_) => feed,
-            });
+            point.path = Path::Line(shared(feed, count));
             if t < 1.0 {
                 let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
                 for &(axis, from) in &start {
@@ -205,5 +296,13 @@ impl Printer<'_> {
             }
             self.straight(self.target.motion.line, &point, None, origin);
         }
+    }
+}
+
+/// The feed of one of `parts` equal parts: they share the time.
+fn shared(feed: Feed, parts: f64) -> Feed {
+    match feed {
+        Feed::InverseTime(f) => Feed::InverseTime(f * parts),
+        Feed::PerMinute(_) | Feed::PerRevolution(_) => feed,
     }
 }

@@ -1,7 +1,7 @@
 //! `[output]`, `[limits]` and `[include]`: what is printed, how long a run may be, and what it may open.
 
 use crate::machine::keys::{Key, Kind, key};
-use crate::machine::settings::{Compensation, Settings};
+use crate::machine::settings::{Compensation, Settings, ToolChange};
 use crate::machine::tree::{ConfigError, Node, Value};
 use crate::machine::values::{flag, is, put, table_of, text, whole, wholes};
 use crate::target;
@@ -31,6 +31,13 @@ pub const KEYS: &[Key] = &[
         put(&mut s.output.tool_length, is(v, "G43"))
     })
     .or(r#""off""#),
+    key(
+        "tool_change",
+        Kind::Choice(&["change", "stop"]),
+        "change by the target, or a stop to change by hand",
+        |s, v| put(&mut s.output.tool_change, if is(v, "stop") { ToolChange::Stop } else { ToolChange::Change }),
+    )
+    .or(r#""change""#),
 ];
 
 pub const LIMITS: &[Key] = &[
