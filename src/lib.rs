@@ -20,5 +20,6 @@ pub mod lower;
 pub mod machine;
 pub mod parser;
 pub mod sema;
+pub mod standard;
 pub mod target;
 pub mod text;

@@ -4,22 +4,16 @@ use core::fmt;
 
 use crate::geo::Deg;
 use crate::geo::undercut::Shape;
-use crate::machine::undercut::{
-    Din76, Din509, InternalDepth, Lengths, ThreadLength, Undercuts, coarse_pitch, proposed_pitch,
-};
+use crate::machine::undercut::{InternalDepth, ThreadLength, Undercuts};
+use crate::standard::din13::{CORE, coarse_pitch, proposed_pitch};
+use crate::standard::din76::{Lengths, Row};
+use crate::standard::din509::Size;
+use crate::standard::{din76, din509};
 
 pub use crate::geo::undercut::{Allowance, Orientation};
 
-/// Core diameter of a metric internal thread: nominal diameter less this much of the pitch (DIN 13-1).
-pub const CORE: f64 = 1.08253;
-
 /// How much a bore may be off the core of its thread, in mm: drills come in tenths.
 const BORE: f64 = 0.25;
-
-/// Angle between the entry slope and the cylinder in DIN 509.
-const ENTRY_509: Deg = Deg(15.0);
-/// Angle between the relief of the face and the face in DIN 509, form F.
-const FACE_509: Deg = Deg(8.0);
 
 /// Side of a turned part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,26 +45,26 @@ impl Undercut {
 }
 
 /// Form E of a size: the cylinder is relieved.
-pub fn form_e(size: &Din509) -> Shape {
+pub fn form_e(size: &Size) -> Shape {
     Shape::Square {
         length: size.length,
         depth: size.depth,
-        entry: ENTRY_509,
+        entry: Deg(din509::ENTRY),
         entry_radius: size.radius,
         corner_radius: size.radius,
     }
 }
 
 /// Form F of a size: cylinder and face are relieved.
-pub fn form_f(size: &Din509) -> Shape {
+pub fn form_f(size: &Size) -> Shape {
     Shape::Recessed {
         length: size.length,
         depth: size.depth,
-        entry: ENTRY_509,
+        entry: Deg(din509::ENTRY),
         entry_radius: size.radius,
         corner_radius: size.radius,
         face_depth: size.face_depth,
-        face_angle: FACE_509,
+        face_angle: Deg(din509::FACE),
     }
 }
 
@@ -152,21 +146,29 @@ pub fn usual_pitch(tables: &Undercuts, surface: Surface, diameter: f64) -> Optio
     tables.threads().iter().map(|row| row.pitch).filter(fits).min_by(|a, b| off(*a).total_cmp(&off(*b)))
 }
 
-/// Thread undercut of a pitch. `entry` lies between 30 and 90 degrees on controls.
-pub fn thread(tables: &Undercuts, row: &Din76, form: ThreadForm, entry: Deg) -> (Shape, Doubts) {
+/// Depth of an internal thread undercut under the bore.
+pub fn internal_depth(rule: InternalDepth, row: &Row) -> f64 {
+    match rule {
+        InternalDepth::Core => (CORE * row.pitch + row.internal) / 2.0,
+        InternalDepth::Bore => row.internal / 2.0,
+    }
+}
+
+/// Thread undercut of a pitch; where the user says nothing of its length and depth, as a control was seen to make
+/// it. `entry` lies between 30 and 90 degrees on controls.
+pub fn thread(tables: &Undercuts, row: &Row, form: ThreadForm, entry: Deg) -> (Shape, Doubts) {
     let lengths = match form {
         ThreadForm::A => row.a,
         ThreadForm::B => row.b,
         ThreadForm::C => row.c,
         ThreadForm::D => row.d,
     };
-    let depth = match (form.surface(), tables.internal_depth) {
-        (Surface::External, _) => row.external / 2.0,
-        (Surface::Internal, InternalDepth::Core) => (CORE * row.pitch + row.internal) / 2.0,
-        (Surface::Internal, InternalDepth::Bore) => row.internal / 2.0,
+    let depth = match form.surface() {
+        Surface::External => row.external / 2.0,
+        Surface::Internal => internal_depth(tables.internal_depth.unwrap_or(InternalDepth::Core), row),
     };
     let shape = Shape::Square {
-        length: length(tables.thread_length, lengths, depth, entry),
+        length: thread_length(tables.thread_length.unwrap_or(ThreadLength::Middle), lengths, depth, entry),
         depth,
         entry,
         entry_radius: row.radius,
@@ -174,13 +176,14 @@ pub fn thread(tables: &Undercuts, row: &Din76, form: ThreadForm, entry: Deg) -> 
     };
     let doubts = Doubts {
         short_form: matches!(form, ThreadForm::B | ThreadForm::D),
-        entry: entry != Deg(30.0),
+        entry: entry != Deg(din76::ENTRY),
         internal: form.surface() == Surface::Internal,
     };
     (shape, doubts)
 }
 
-fn length(rule: ThreadLength, lengths: Lengths, depth: f64, entry: Deg) -> f64 {
+/// Length of a thread undercut from the corner to the start of its slope.
+pub fn thread_length(rule: ThreadLength, lengths: Lengths, depth: f64, entry: Deg) -> f64 {
     let (sin, cos) = entry.sin_cos();
     let slope = depth * cos / sin;
     match rule {
@@ -191,7 +194,7 @@ fn length(rule: ThreadLength, lengths: Lengths, depth: f64, entry: Deg) -> f64 {
 }
 
 /// A thread undercut whose form follows from the contour: A or B outside, C or D inside.
-pub fn thread_by_contour(tables: &Undercuts, row: &Din76, short: bool, entry: Deg) -> Undercut {
+pub fn thread_by_contour(tables: &Undercuts, row: &Row, short: bool, entry: Deg) -> Undercut {
     let shape = |surface| thread(tables, row, ThreadForm::of(surface, short), entry).0;
     Undercut {
         external: shape(Surface::External),
@@ -290,7 +293,7 @@ mod tests {
     #[test]
     fn g_of_form_f_is_what_din_509_prints() {
         let g = [0.8, 0.9, 1.1, 1.4, 2.1, 2.3, 1.8, 3.2, 2.0, 3.4, 3.1, 4.8, 6.4];
-        for (size, g) in Undercuts::default().sizes().iter().zip(g) {
+        for (size, g) in din509::SIZES.iter().zip(g) {
             let corner = Corner { from: Point2::new(20.0, 0.0), at: Point2::origin(), to: Point2::new(0.0, 20.0) };
             let placed = place(&form_f(size), &corner, Reference::First, Allowance::default()).expect("it fits");
             assert!((placed.join.y + size.depth - g).abs() < 0.05, "{size:?} {placed:?}");
@@ -300,7 +303,7 @@ mod tests {
     #[test]
     fn the_length_grows_with_the_pitch() {
         let tables = Undercuts::default();
-        let path = |row: &Din76, form| {
+        let path = |row: &Row, form| {
             let corner = Corner { from: Point2::new(60.0, 0.0), at: Point2::origin(), to: Point2::new(0.0, 40.0) };
             let shape = thread(&tables, row, form, Deg(30.0)).0;
             let placed = place(&shape, &corner, Reference::First, Allowance::default()).expect("it fits");

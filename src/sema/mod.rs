@@ -4,6 +4,7 @@
 //! of modal state. One folder per dialect; what they share stands here.
 
 pub mod common;
+pub mod cycle_table;
 pub mod klartext;
 pub mod mtc200;
 pub mod run;
@@ -31,6 +32,18 @@ pub struct Job<'a> {
     pub settings: &'a Settings,
     /// The program to run.
     pub main: FileId,
+}
+
+impl Job<'_> {
+    /// Does the control skip a block for its `/`? `mark` is the number behind it, 0 for none, which is the mark of the
+    /// first level.
+    #[inline]
+    pub fn skips(&self, mark: Option<u8>) -> bool {
+        match mark {
+            None => false,
+            Some(mark) => self.settings.control.skip_blocks.iter().any(|on| *on == mark || mark == 0 && *on == 1),
+        }
+    }
 }
 
 impl std::fmt::Debug for Job<'_> {

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use partc::machine::Settings;
 
-use super::common::{Beside, compile_bytes, settings};
+use super::common::{compile_bytes, settings};
 
 const MILL: &str = "T1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\n";
 const HOLES: &str = "T1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\nMCALL CYCLE81(10,0,2,-15)\n";
@@ -88,8 +88,7 @@ fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
         Settings::default()
     };
     let text = format!("{head}{}\nM30\n", call.replace('#', value));
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf();
-    let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &Beside(folder));
+    let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &partc::text::files::NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (moves, said)

@@ -5,11 +5,13 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use partc::machine::Settings;
+use partc::text::files::NoFiles;
 
-use super::common::{Beside, Compiled, compile_bytes, settings};
+use super::book::find;
+use super::common::{Compiled, compile_bytes};
 
 struct Row {
     cycle: String,
@@ -73,13 +75,6 @@ fn without(text: &str, cycle: &str, place: usize) -> Option<String> {
     Some(text.replacen(line, &changed, 1))
 }
 
-fn compile(path: &Path, text: &str) -> Compiled {
-    let toml = path.with_extension("toml");
-    let settings = fs::read_to_string(toml).map_or_else(|_| Settings::default(), |text| settings(&text));
-    let folder = path.parent().expect("a folder").to_path_buf();
-    compile_bytes("PART.MPF", text.as_bytes().to_vec(), "sinumerik", &settings, &Beside(folder))
-}
-
 /// What the machine would do, and what is said; comments of the source are neither.
 fn result(compiled: &Compiled) -> (Vec<String>, Vec<String>) {
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
@@ -92,17 +87,16 @@ fn no_parameter_is_ignored() {
     let mut bad = Vec::new();
     for row in rows() {
         let Some(case) = &row.case else { continue };
-        let path: PathBuf = root().join("tests/golden/sinumerik").join(format!("{case}.MPF"));
         let what = format!("{} {}: {case}", row.cycle, row.place);
-        let Ok(text) = fs::read_to_string(&path) else {
+        let Some(case) = find(&format!("sinumerik/{case}")) else {
             bad.push(format!("{what} does not exist"));
             continue;
         };
-        let Some(changed) = without(&text, &row.cycle, row.place) else {
+        let Some(changed) = without(case.text().expect("a program in UTF-8"), &row.cycle, row.place) else {
             bad.push(format!("{what} has no such argument"));
             continue;
         };
-        if result(&compile(&path, &text)) == result(&compile(&path, &changed)) {
+        if result(&case.compile()) == result(&case.compile_instead(&changed)) {
             bad.push(format!("{what} is the same without it"));
         }
     }
@@ -121,7 +115,8 @@ fn all_parameters_are_in_the_table() {
         assert_eq!(list, (1..=list.len()).collect::<Vec<_>>(), "{cycle}");
         let too_many = |count: usize| {
             let text = format!("G0 X0 Y0 Z20 F200\n{cycle}({}1)\nM30\n", ",".repeat(count - 1));
-            compile(Path::new("PART.MPF"), &text).codes().contains(&"S2021")
+            let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &Settings::default(), &NoFiles);
+            compiled.codes().contains(&"S2021")
         };
         assert!(!too_many(list.len()) && too_many(list.len() + 1), "{cycle} takes {} arguments", list.len());
     }

@@ -1,11 +1,10 @@
 //! Every diagnostic code fires where it should, and is silent where it should be.
 //!
-//! `tests/golden/errors/<dialect>` holds a program that shows the mistake (`K2101_fires.H`) and the same program with
-//! the mistake mended (`K2101_silent.H`). Inputs that no file of the tree can show are built in [`BUILT`].
+//! The books under `tests/golden/errors/<dialect>` have a chapter for each code, with programs that show the mistake
+//! (`fires`) and the same programs with the mistake mended (`silent`). Inputs that no book can show are built in [`BUILT`].
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
-use std::path::{Path, PathBuf};
 
 use partc::diag::{Diagnostic, Severity, codes};
 use partc::driver::Session;
@@ -14,7 +13,8 @@ use partc::text::files::NoFiles;
 use partc::text::sources::{MAX_ALL_CALLED, MAX_CALLED};
 use partc::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
-use super::common::{Compiled, cases, check_klartext, check_program, compile_bytes, compile_case, settings};
+use super::book::{Case, cases, find};
+use super::common::{Compiled, check_klartext, check_program, compile_bytes, settings};
 
 /// A code whose input is made by the test: a wide file, a huge one, a file system that refuses.
 struct Built {
@@ -89,8 +89,8 @@ const BUILT: &[Built] = &[
     },
     Built {
         code: "O9308",
-        fires: || on_grbl("G41 G1 X5 F100", CONTROL),
-        silent: || on_grbl("G40 G1 X5 F100", CONTROL),
+        fires: || on_grbl("T1 M6\nD1\nG41 G1 X5 F100", CONTROL),
+        silent: || on_grbl("T1 M6\nD1\nG40 G1 X5 F100", CONTROL),
     },
     Built { code: "O9309", fires: || on_grbl("G1 A90 F100", ""), silent: || on_grbl("G1 Y90 F100", "") },
     Built { code: "O9310", fires: || on_grbl("G505", EIGHTH), silent: || on_grbl("G55", EIGHTH) },
@@ -121,7 +121,7 @@ const NEVER: &[(&str, &str)] = &[
 ];
 
 const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"";
-const CONTROL: &str = "[output]\ncompensation = \"control\"\n[tools.1]\nradius = 2.0";
+const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
 
 /// A SINUMERIK block on a target that says little.
@@ -152,7 +152,7 @@ fn siemens_idle(block: &str) -> Compiled {
 fn of_findings(findings: Vec<Diagnostic>) -> Compiled {
     let failed = findings.iter().any(|found| found.code.severity == Severity::Error);
     let output = if failed { String::new() } else { "%\n".to_owned() };
-    Compiled { output, attempt: String::new(), findings, rendered: Vec::new(), lines: Vec::new() }
+    Compiled { output, attempt: String::new(), findings, rendered: Vec::new(), lines: Vec::new(), found_in: Vec::new() }
 }
 
 fn behind_m30(block: &str) -> String {
@@ -249,15 +249,15 @@ fn siemens_tool(numbers: &[u32]) -> Compiled {
 }
 
 /// The cases of each code: `(fires, silent)`.
-fn by_code() -> BTreeMap<String, (Vec<PathBuf>, Vec<PathBuf>)> {
-    let mut map: BTreeMap<String, (Vec<PathBuf>, Vec<PathBuf>)> = BTreeMap::new();
-    for path in cases("errors") {
-        let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
+fn by_code() -> BTreeMap<String, (Vec<&'static Case>, Vec<&'static Case>)> {
+    let mut map: BTreeMap<String, (Vec<&Case>, Vec<&Case>)> = BTreeMap::new();
+    for case in cases("errors") {
+        let stem = case.stem();
         let (code, rest) = stem.split_once('_').unwrap_or_else(|| panic!("{stem}: CODE_fires or CODE_silent"));
         let entry = map.entry(code.to_owned()).or_default();
         match rest.split('_').next() {
-            Some("fires") => entry.0.push(path),
-            Some("silent") => entry.1.push(path),
+            Some("fires") => entry.0.push(case),
+            Some("silent") => entry.1.push(case),
             _ => panic!("{stem}: CODE_fires or CODE_silent"),
         }
     }
@@ -289,11 +289,11 @@ fn every_code_fires_and_is_silent() {
         }
         let none = (Vec::new(), Vec::new());
         let (fires, silent) = cases.get(code.id).unwrap_or(&none);
-        for path in fires {
-            check_fires(&path.display().to_string(), code, &compile_case(path));
+        for case in fires {
+            check_fires(&case.name, code, &case.compile());
         }
-        for path in silent {
-            check_silent(&path.display().to_string(), code, &compile_case(path));
+        for case in silent {
+            check_silent(&case.name, code, &case.compile());
         }
         let never = NEVER.iter().any(|(id, _)| *id == code.id);
         let shown = !built.is_empty() || (!fires.is_empty() && !silent.is_empty());
@@ -309,11 +309,8 @@ fn every_code_fires_and_is_silent() {
 fn every_case_belongs_to_a_code_and_has_its_counterpart() {
     for (id, (fires, silent)) in by_code() {
         assert!(codes::find(&id).is_some(), "{id} is no code");
-        let suffixes = |paths: &[PathBuf], kind: &str| -> BTreeSet<String> {
-            paths
-                .iter()
-                .map(|path| path.file_stem().expect("a name").to_string_lossy().replace(&format!("{id}_{kind}"), ""))
-                .collect()
+        let suffixes = |cases: &[&Case], kind: &str| -> BTreeSet<String> {
+            cases.iter().map(|case| case.stem().replace(&format!("{id}_{kind}"), "")).collect()
         };
         assert_eq!(suffixes(&fires, "fires"), suffixes(&silent, "silent"), "cases of {id} come in pairs");
     }
@@ -327,8 +324,8 @@ fn every_case_belongs_to_a_code_and_has_its_counterpart() {
 fn mended_programs_differ_in_few_lines() {
     for (id, (fires, silent)) in by_code() {
         for (fires, silent) in fires.iter().zip(&silent) {
-            let lines = |path: &Path| -> Vec<String> {
-                let text = std::fs::read_to_string(path).expect("a readable case");
+            let lines = |case: &Case| -> Vec<String> {
+                let text = case.text().expect("a program in UTF-8");
                 // Block numbers move when a block is added.
                 text.lines()
                     .map(|line| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim().to_owned())
@@ -338,19 +335,18 @@ fn mended_programs_differ_in_few_lines() {
             let lost = a.iter().filter(|line| !b.contains(line)).count();
             // The title comment, the mistake, and for long definitions what replaces them.
             let most = if matches!(id.as_str(), "K9001" | "K9003") { 12 } else { 3 };
-            assert!(lost <= most, "{id}: {lost} lines of {} changed", fires.display());
+            assert!(lost <= most, "{id}: {lost} lines of {} changed", fires.name);
         }
     }
 }
 
 #[test]
 fn every_finding_has_a_place_and_a_plain_message() {
-    for path in cases("errors") {
-        let main = std::fs::read(&path).expect("a readable case");
-        let compiled = compile_case(&path);
+    for case in cases("errors") {
+        let compiled = case.compile();
         for (found, rendered) in compiled.findings.iter().zip(&compiled.rendered) {
-            let what = format!("{}: {rendered}", path.display());
-            check_place(&what, &path, &main, found, rendered);
+            let what = format!("{}: {rendered}", case.name);
+            check_place(&what, case, found, rendered);
             check_text(&what, &found.text());
             if let Some(help) = &found.help {
                 check_text(&what, help);
@@ -369,20 +365,18 @@ fn every_finding_has_a_place_and_a_plain_message() {
 }
 
 /// The span lies in its file, on the line that is shown.
-fn check_place(what: &str, path: &Path, main: &[u8], found: &Diagnostic, rendered: &str) {
+fn check_place(what: &str, case: &Case, found: &Diagnostic, rendered: &str) {
     let loc = found.label.loc;
     let mut parts = rendered.splitn(4, ':');
     let (name, line, column) = (parts.next().expect("a name"), parts.next(), parts.next());
     let number =
         |part: Option<&str>| part.and_then(|part| part.parse::<usize>().ok()).unwrap_or_else(|| panic!("{what}"));
     let (line, column) = (number(line), number(column));
-    let called;
     let text = if loc.file.0 == 0 {
-        assert_eq!(Path::new(name), path.file_name().expect("a name"), "{what}");
-        main
+        assert_eq!(name, case.file, "{what}");
+        &case.program
     } else {
-        called = std::fs::read(path.parent().expect("a folder").join("called").join(name)).expect("a called program");
-        &called
+        case.called.get(name).expect("a called program")
     };
     let (start, end) = (loc.span.start as usize, loc.span.end as usize);
     assert!(start <= end && end <= text.len(), "{what}: span {start} to {end} of {} bytes", text.len());
@@ -430,9 +424,7 @@ fn titles_and_explanations_read_alike() {
 
 #[test]
 fn a_finding_in_a_called_subprogram_says_how_the_program_got_there() {
-    let path =
-        cases("errors").into_iter().find(|path| path.ends_with("G3001_fires_in_subprogram.H")).expect("the case");
-    let compiled = compile_case(&path);
+    let compiled = find("errors/klartext/G3001_fires_in_subprogram").expect("the case").compile();
     assert!(compiled.rendered[0].ends_with("(called from G3001_fires_in_subprogram.H:5)"), "{:?}", compiled.rendered);
 }
 

@@ -1,39 +1,38 @@
 //! The fuzz targets without a fuzzer: each takes nothing, its seeds, and damaged seeds, the same ones in each run.
 
-use std::fs;
-use std::path::PathBuf;
-
-use super::common::cases;
+use super::book::cases;
 use super::damage::{Dice, KINDS, damage};
 use super::targets::ALL;
 
 /// Damaged inputs for each target.
 const DAMAGED: usize = 300;
 
-/// The golden programs that are seeds of a target, or their configurations and listings.
-fn seeds(target: &str) -> Vec<PathBuf> {
+/// The golden programs that are seeds of a target, or their configurations.
+fn seeds(target: &str) -> Vec<&'static [u8]> {
     let folder = match target {
         "parse_klartext" | "compile_klartext" => "klartext",
         "parse_turning" | "compile_turning" => "heidenhain-turning",
         "mtc200" => "mtc200",
         _ => "sinumerik",
     };
-    let beside = |extension: &str| -> Vec<PathBuf> {
-        cases(folder).iter().map(|path| path.with_extension(extension)).filter(|path| path.exists()).collect()
-    };
-    if target == "tables" { beside("toml") } else { cases(folder) }
+    let all = cases(folder).into_iter();
+    if target == "tables" {
+        all.map(|case| case.config.as_bytes()).filter(|config| !config.is_empty()).collect()
+    } else {
+        all.map(|case| &case.program[..]).collect()
+    }
 }
 
 #[test]
 fn every_target_takes_seeds_and_damaged_seeds() {
     for (name, target) in ALL {
         target(b"");
-        let seeds: Vec<Vec<u8>> = seeds(name).iter().filter_map(|path| fs::read(path).ok()).collect();
+        let seeds = seeds(name);
         assert!(seeds.len() > 10, "{} seeds for {name}", seeds.len());
         let blocks = name.starts_with("parse_");
         let mut dice = Dice(0xf022_0000 ^ seeds.len() as u64);
         for n in 0..DAMAGED {
-            let mut bytes = seeds[dice.roll(seeds.len())].clone();
+            let mut bytes = seeds[dice.roll(seeds.len())].to_vec();
             if n >= seeds.len() || n % 2 == 1 {
                 (0..=dice.roll(3)).for_each(|_| damage(&mut bytes, dice.roll(KINDS), &mut dice));
             }

@@ -1,93 +1,189 @@
-//! Golden cases: each program under `tests/golden` has its listing beside it.
+//! Golden books: each book under `tests/golden` has its snapshot beside it, and a test of its own.
 //!
-//! The listing shows every output line next to the block that caused it, then the findings. Numbers are
-//! checked against the manual or a derivation before a listing is accepted (see the comment in the case).
+//! Numbers are checked against the manual or a derivation before a listing is accepted (see the comments in the cases).
 
-use std::fmt::Write as _;
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::fs;
 
-use super::common::{Compiled, cases, compile_case};
+use super::book;
+use super::listing;
 
-/// Width of the source column.
-const WIDTH: usize = 44;
-
-fn listing(compiled: &Compiled) -> String {
-    let mut text = String::new();
-    if !compiled.has_errors() {
-        let mut last = "";
-        for (number, output) in (1..).zip(compiled.output.lines()) {
-            let source = compiled.lines.iter().find(|(line, _)| *line == number).map(|(_, source)| source.as_str());
-            // The head and the frame come from no block.
-            let Some(source) = source else { continue };
-            let shown = if source == last { "" } else { source };
-            let cut: String = shown.chars().take(WIDTH).collect();
-            let _ = writeln!(text, "{cut:WIDTH$} | {output}");
-            last = source;
-        }
-    }
-    for line in &compiled.rendered {
-        let _ = writeln!(text, "{line}");
-    }
-    text
+/// A test for each book, in a module for each folder.
+macro_rules! books {
+    ($($module:ident = $folder:literal: $($book:ident)+;)+) => {
+        const BOOKS: &[&str] = &[$($(concat!($folder, "/", stringify!($book)),)+)+];
+        $(
+            #[allow(non_snake_case, reason = "books of codes bear the names of codes")]
+            mod $module {
+                $(#[test] fn $book() { super::check(concat!($folder, "/", stringify!($book))); })+
+            }
+        )+
+    };
 }
 
-fn check(folder: &str) {
+books! {
+    errors_heidenhain_turning = "errors/heidenhain-turning":
+        G T0 T1 T200 T201 T202 T205 T207 T3 T8 T9;
+    errors_klartext = "errors/klartext":
+        G K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K8 K900 K901 O P;
+    errors_mtc200 = "errors/mtc200":
+        G M0 M100 M1006 M101 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O;
+    errors_sinumerik = "errors/sinumerik":
+        G O S0 S1 S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S21 S3 S4 S800 S801 S802 S803 S804 S805
+        S81 S900 S901 S902 S91;
+    heidenhain_turning = "heidenhain-turning":
+        angles arcs calls contours corners drilling finishing flow modal moves program recess recess_turning
+        roughing shifts threads tools undercut variables;
+    heidenhain_turning_finishing = "heidenhain-turning/finishing":
+        ends;
+    heidenhain_turning_recess_turning = "heidenhain-turning/recess_turning":
+        blanks words;
+    heidenhain_turning_threads = "heidenhain-turning/threads":
+        examples simple;
+    klartext = "klartext":
+        approach arcs corners cycles drilling flow frames functions manual output parameters path planes polar
+        text tools units;
+    klartext_arcs = "klartext/arcs":
+        centres radius tangential;
+    klartext_corners = "klartext/corners":
+        chamfers;
+    klartext_flow = "klartext/flow":
+        cycle_12 jumps programs repeats;
+    klartext_frames = "klartext/frames":
+        datum_shifts mirrors rotations scaling;
+    klartext_functions = "klartext/functions":
+        m116_to_m140 m91;
+    klartext_parameters = "klartext/parameters":
+        functions system_data texts;
+    klartext_path = "klartext/path":
+        m_functions paraxial rotary;
+    klartext_polar = "klartext/polar":
+        arcs helices increments missing_words;
+    klartext_text = "klartext/text":
+        bytes continuation numbers;
+    klartext_tools = "klartext/tools":
+        compensation m6 oversizes;
+    mtc200 = "mtc200":
+        arcs corners flow functions manual offsets path text tools units variables;
+    sinumerik = "sinumerik":
+        angles axes calls circles contour_cycles contours corners diameter drilling examples feeds flow frames
+        functions lexical machine_coordinates offsets output patterns polar rotary settings tapping threads
+        tools undercut_corners undercut_cycles units variables;
+    sinumerik_calls = "sinumerik/calls":
+        external parameters passes save;
+    sinumerik_circles = "sinumerik/circles":
+        cip_and_ct helices;
+    sinumerik_contour_cycles = "sinumerik/contour_cycles":
+        cycle95 cycle952 other_cycles refused;
+    sinumerik_contour_lines = "sinumerik/contour_lines":
+        g17 g18 g19;
+    sinumerik_contours = "sinumerik/contours":
+        ang records records_arcs records_lines records_undercuts records_units;
+    sinumerik_corners = "sinumerik/corners":
+        chamfers rounding;
+    sinumerik_drilling = "sinumerik/drilling":
+        boring cycle81 cycle82 cycle83 cycle84 cycle840 lathe;
+    sinumerik_examples = "sinumerik/examples":
+        arcs corners faults frames language;
+    sinumerik_feeds = "sinumerik/feeds":
+        g96;
+    sinumerik_flow = "sinumerik/flow":
+        jumps repeats;
+    sinumerik_frames = "sinumerik/frames":
+        mirror_and_scale rotation;
+    sinumerik_lexical = "sinumerik/lexical":
+        skip words;
+    sinumerik_offsets = "sinumerik/offsets":
+        g500 g53;
+    sinumerik_patterns = "sinumerik/patterns":
+        cycle801 cycle802 holes1 holes2 mcall;
+    sinumerik_thread_cycles = "sinumerik/thread_cycles":
+        cycle97 cycle98 cycle99;
+    sinumerik_undercut_corners = "sinumerik/undercut_corners":
+        form_e form_f threads;
+    sinumerik_undercut_cycles = "sinumerik/undercut_cycles":
+        cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96;
+    sinumerik_variables = "sinumerik/variables":
+        arrays;
+}
+
+fn check(book: &str) {
+    let listing = listing::of(&book::of(book));
+    let (folder, name) = book.rsplit_once('/').expect("a folder");
+    let snapshot = book::root().join(format!("{book}.snap"));
+    // The difference that is shown does not reach up to the headings.
+    for heading in different(&fs::read_to_string(&snapshot).unwrap_or_default(), &listing) {
+        println!("{book}: {heading}");
+    }
     let mut settings = insta::Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for path in cases(folder) {
-        let compiled = compile_case(&path);
-        let name = Path::new(&path).file_name().expect("a file").to_string_lossy().into_owned();
-        settings.set_snapshot_path(path.parent().expect("a folder"));
-        settings.set_input_file(&path);
-        settings.bind(|| insta::assert_snapshot!(name, listing(&compiled)));
+    settings.set_snapshot_path(book::root().join(folder));
+    settings.bind(|| insta::assert_snapshot!(name, listing));
+}
+
+/// Chapters and headings of the cases that are not listed alike.
+fn different(before: &str, now: &str) -> Vec<String> {
+    fn listed(text: &str) -> BTreeSet<(&str, &str)> {
+        let cases = text.split("=== ").skip(1).flat_map(|chapter| {
+            let title = chapter.lines().next().unwrap_or_default();
+            chapter.split("\n== ").skip(1).map(move |case| (title, case.trim_end()))
+        });
+        cases.collect()
     }
+    let (before, now) = (listed(before), listed(now));
+    let heading = |(chapter, case): &(&str, &str)| format!("{chapter}: {}", case.lines().next().unwrap_or_default());
+    let mut headings: Vec<String> = before.symmetric_difference(&now).map(heading).collect();
+    headings.dedup();
+    headings
 }
 
 #[test]
-fn klartext() {
-    check("klartext");
+fn every_book_has_its_test_and_its_snapshot() {
+    let books = book::files("book");
+    let only = |here: &[String], there: &[String]| -> Vec<String> {
+        here.iter().filter(|book| !there.contains(book)).cloned().collect()
+    };
+    let tests: Vec<String> = BOOKS.iter().map(|book| (*book).to_owned()).collect();
+    assert_eq!(only(&books, &tests), [""; 0], "books that are missing in the list above");
+    assert_eq!(only(&tests, &books), [""; 0], "tests without a book");
+    assert_eq!(only(&book::files("snap"), &books), [""; 0], "snapshots without a book");
+    let configs: Vec<String> = book::files("toml").iter().map(|path| path.replacen("configs/", "", 1)).collect();
+    let text: String = books
+        .iter()
+        .map(|book| fs::read_to_string(book::root().join(format!("{book}.book"))).expect("a book"))
+        .collect();
+    let unused = configs.iter().filter(|name| !text.contains(&format!("-- config {name}\n")));
+    assert_eq!(unused.collect::<Vec<_>>(), [""; 0], "configurations that no case names");
 }
 
 #[test]
-fn heidenhain_turning() {
-    check("heidenhain-turning");
-}
-
-#[test]
-fn mtc200() {
-    check("mtc200");
-}
-
-#[test]
-fn sinumerik() {
-    check("sinumerik");
-}
-
-#[test]
-fn errors() {
-    check("errors");
-}
-
-#[test]
-fn there_are_enough_cases() {
-    assert!(cases("klartext").len() >= 120, "{} Klartext cases", cases("klartext").len());
-    assert!(cases("sinumerik").len() >= 150, "{} SINUMERIK cases", cases("sinumerik").len());
-    let turning = cases("heidenhain-turning").len();
-    assert!(turning >= 70, "{turning} HEIDENHAIN turning cases");
-    assert!(cases("mtc200").len() >= 100, "{} MTC200 cases", cases("mtc200").len());
+fn every_case_has_a_name_of_its_own() {
+    let mut names = BTreeSet::new();
+    for case in book::cases("") {
+        assert!(names.insert(&case.name), "{} stands in two places", case.name);
+        // A case of a book of codes stands where its code is looked for.
+        if case.name.starts_with("errors/") {
+            let code = case.stem().split('_').next().unwrap_or_default();
+            let fitting = BOOKS.iter().filter(|book| {
+                book.rsplit_once('/')
+                    .is_some_and(|(folder, prefix)| case.book.starts_with(folder) && code.starts_with(prefix))
+            });
+            assert_eq!(fitting.max_by_key(|book| book.len()), Some(&&case.book[..]), "{}", case.name);
+        }
+    }
+    println!("{} cases in {} books", names.len(), BOOKS.len());
 }
 
 #[test]
 fn output_is_the_same_on_every_run() {
-    for path in cases("klartext").into_iter().step_by(7) {
-        assert_eq!(compile_case(&path).attempt, compile_case(&path).attempt, "{}", path.display());
+    for case in book::cases("klartext").into_iter().step_by(7) {
+        assert_eq!(case.compile().attempt, case.compile().attempt, "{}", case.name);
     }
 }
 
 /// The head of every output, once.
 #[test]
 fn head_and_frame() {
-    let path = cases("klartext").into_iter().find(|path| path.ends_with("path/line.H")).expect("the case path/line.H");
-    insta::assert_snapshot!(compile_case(&path).output);
+    insta::assert_snapshot!(book::find("klartext/path/line").expect("the case").compile().output);
 }

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 use partc::machine::Settings;
 use partc::text::files::NoFiles;
 
-use super::common::{Compiled, cases, compile_bytes, settings};
+use super::book::cases;
+use super::common::{Compiled, compile_bytes, settings};
 use super::damage::{Dice, KINDS, damage};
 
 /// What one small program may take, even unoptimized.
@@ -53,11 +54,7 @@ fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
 pub fn victims_of(dialect: &str, count: usize) -> Vec<(String, Vec<u8>)> {
     let all = cases(dialect);
     let step = (all.len() / count).max(1);
-    all.into_iter()
-        .step_by(step)
-        .take(count)
-        .map(|path| (path.display().to_string(), std::fs::read(&path).expect("a readable case")))
-        .collect()
+    all.into_iter().step_by(step).take(count).map(|case| (case.name.clone(), case.program.clone())).collect()
 }
 
 #[test]

@@ -47,12 +47,12 @@ fn blocks_that_run_are_left_alone() {
 
 #[test]
 fn every_golden_case_that_compiles_passes_the_check() {
-    for path in super::common::cases("klartext") {
-        let Ok(text) = std::fs::read_to_string(&path) else { continue };
-        if path.with_extension("toml").exists() || super::common::compile_case(&path).has_errors() {
+    for case in super::book::cases("klartext") {
+        let Some(text) = case.text() else { continue };
+        if !case.config.is_empty() || case.compile().has_errors() {
             continue;
         }
-        let findings = check_klartext(&text);
+        let findings = check_klartext(text);
         // The check of this test has no files to call.
         if findings.iter().any(|found| found.code.id == "P0101") {
             continue;
@@ -60,7 +60,7 @@ fn every_golden_case_that_compiles_passes_the_check() {
         let errors: Vec<String> = findings
             .iter()
             .filter(|found| found.code.severity == partc::diag::Severity::Error)
-            .map(|found| format!("{}:{} {}", path.display(), found.label.loc.line, found.text()))
+            .map(|found| format!("{}:{} {}", case.name, found.label.loc.line, found.text()))
             .collect();
         assert!(errors.is_empty(), "{errors:?}");
     }
@@ -144,12 +144,12 @@ fn siemens_blocks_that_run_are_left_alone() {
 
 #[test]
 fn every_siemens_case_that_compiles_passes_the_check() {
-    for path in super::common::cases("sinumerik") {
-        let Ok(text) = std::fs::read_to_string(&path) else { continue };
-        if path.with_extension("toml").exists() || super::common::compile_case(&path).has_errors() {
+    for case in super::book::cases("sinumerik") {
+        let Some(text) = case.text() else { continue };
+        if !case.config.is_empty() || case.compile().has_errors() {
             continue;
         }
-        let findings = check_program("sinumerik", "PART.MPF", &text);
+        let findings = check_program("sinumerik", "PART.MPF", text);
         // The check of this test has no files to call.
         if findings.iter().any(|found| found.code.id == "S2002") {
             continue;
@@ -159,6 +159,6 @@ fn every_siemens_case_that_compiles_passes_the_check() {
             .filter(|found| found.code.severity == partc::diag::Severity::Error)
             .map(|found| format!("{} {}", found.code.id, found.text()))
             .collect();
-        assert!(errors.is_empty(), "{}: {errors:?}", path.display());
+        assert!(errors.is_empty(), "{}: {errors:?}", case.name);
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod book;
 mod boundaries;
 mod captured;
 mod cli;
@@ -28,6 +29,7 @@ mod klartext_bounds;
 mod klartext_words;
 mod layering;
 mod line_ends;
+mod listing;
 mod meant;
 mod mtc200;
 mod mtc200_words;
@@ -53,5 +55,6 @@ mod turning_parameters;
 mod turning_words;
 mod undercut;
 mod undercut_conditions;
+mod undercut_tables;
 mod vocabulary;
 mod worked_examples;

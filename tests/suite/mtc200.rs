@@ -8,7 +8,8 @@ use partc::machine::Settings;
 use partc::text::files::NoFiles;
 use partc::text::{FileError, Files, Memory, Opened, Request};
 
-use super::common::{Compiled, cases, compile_bytes, settings};
+use super::book::cases;
+use super::common::{Compiled, compile_bytes, settings};
 use super::damage::{Dice, KINDS, damage};
 
 /// What one small program may take, even unoptimized.
@@ -50,8 +51,7 @@ fn codes(program: &str, settings: &Settings) -> Vec<&'static str> {
 fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
     let all = cases("mtc200");
     let step = (all.len() / count).max(1);
-    let read = |path: std::path::PathBuf| (path.display().to_string(), std::fs::read(&path).expect("a readable case"));
-    all.into_iter().step_by(step).take(count).map(read).collect()
+    all.into_iter().step_by(step).take(count).map(|case| (case.name.clone(), case.program.clone())).collect()
 }
 
 #[test]

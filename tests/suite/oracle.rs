@@ -1,21 +1,20 @@
 //! Every golden output means to two readers what the compiler meant: to LinuxCNC's interpreter, and to a small reader
 //! of our own, which is always there.
 
-use std::path::{Path, PathBuf};
-
 use partc::dialect;
 use partc::driver::Session;
 use partc::machine::Settings;
 use partc::text::{Files, Memory, Opened};
 
-use super::common::{self, Compiled, cases, compile_case};
+use super::book;
+use super::common::Compiled;
 use super::meant::{self, Found, Meant, Recorder, compare, without_moves};
 use super::reader;
 use super::rs274::{self, Job};
 
 /// A golden case that compiles, with what it means.
 pub struct Case {
-    pub path: PathBuf,
+    pub name: String,
     pub output: String,
     pub meant: Vec<Meant>,
     pub decimals: u8,
@@ -25,21 +24,18 @@ pub struct Case {
 
 impl Case {
     /// Nothing where the program has errors.
-    fn of(path: &Path) -> Option<Case> {
-        let compiled = compile_case(path);
+    fn of(case: &book::Case) -> Option<Case> {
+        let compiled = case.compile();
         if compiled.has_errors() {
             return None;
         }
-        let bytes = std::fs::read(path).expect("a readable case");
-        let toml = std::fs::read_to_string(path.with_extension("toml")).unwrap_or_default();
-        let files = common::Beside(path.parent().expect("a folder").to_path_buf());
-        let dialect = common::dialect_of(path);
-        Some(Case::new(path.to_path_buf(), compiled, bytes, &dialect, &common::settings(&toml), &files))
+        let bytes = case.program.clone();
+        Some(Case::new(case.name.clone(), compiled, bytes, &case.dialect, &case.settings(), case))
     }
 
     /// What came of a program, and what it means.
     pub fn new(
-        path: PathBuf,
+        name: String,
         compiled: Compiled,
         bytes: Vec<u8>,
         dialect: &str,
@@ -47,12 +43,12 @@ impl Case {
         files: &dyn Files,
     ) -> Case {
         let replaced = compiled.codes().iter().any(|code| matches!(*code, "O4001" | "O4002"));
-        let name = path.file_name().expect("a file").to_string_lossy().into_owned();
-        let session = Session::new(Opened { name: name.clone(), identity: name, text: Box::new(Memory::new(bytes)) });
+        let text = Box::new(Memory::new(bytes));
+        let session = Session::new(Opened { name: name.clone(), identity: name.clone(), text });
         let mut recorder = Recorder::new(settings);
         session.lower(dialect::find(dialect).expect("a dialect"), settings, files, &mut recorder);
         let decimals = settings.output.decimals;
-        Case { path, output: compiled.output, meant: recorder.finish(), decimals, replaced }
+        Case { name, output: compiled.output, meant: recorder.finish(), decimals, replaced }
     }
 
     /// Is `found` what was meant?
@@ -95,13 +91,12 @@ impl Case {
 pub fn all() -> &'static [Case] {
     static ALL: std::sync::OnceLock<Vec<Case>> = std::sync::OnceLock::new();
     ALL.get_or_init(|| {
-        let folders = ["klartext", "heidenhain-turning", "mtc200", "sinumerik", "errors"];
-        let paths: Vec<PathBuf> = folders.into_iter().flat_map(cases).collect();
+        let cases = book::cases("");
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        let share = paths.len().div_ceil(threads).max(1);
+        let share = cases.len().div_ceil(threads).max(1);
         std::thread::scope(|scope| {
-            let work = |paths: &[PathBuf]| paths.iter().filter_map(|path| Case::of(path)).collect::<Vec<_>>();
-            let parts: Vec<_> = paths.chunks(share).map(|part| scope.spawn(move || work(part))).collect();
+            let work = |cases: &[&book::Case]| cases.iter().filter_map(|case| Case::of(case)).collect::<Vec<_>>();
+            let parts: Vec<_> = cases.chunks(share).map(|part| scope.spawn(move || work(part))).collect();
             parts.into_iter().flat_map(|part| part.join().expect("the cases compile")).collect()
         })
     })
@@ -131,7 +126,7 @@ fn golden_outputs_mean_what_they_say_to_rs274() {
         // Of tools that have a radius only the consent counts.
         let result = answer.and_then(|found| if i < cases.len() { case.judge(&found) } else { Ok(()) });
         if let Err(why) = result {
-            failures.push(format!("{}: {why}", case.path.display()));
+            failures.push(format!("{}: {why}", case.name));
         }
     }
     report(&failures, cases.len());
@@ -140,6 +135,6 @@ fn golden_outputs_mean_what_they_say_to_rs274() {
 #[test]
 fn golden_outputs_mean_what_they_say_to_our_reader() {
     let read = |case: &Case| reader::read(&case.output, case.decimals).and_then(|found| case.judge(&found));
-    let failing = all().iter().filter_map(|case| Some(format!("{}: {}", case.path.display(), read(case).err()?)));
+    let failing = all().iter().filter_map(|case| Some(format!("{}: {}", case.name, read(case).err()?)));
     report(&failing.collect::<Vec<_>>(), all().len());
 }

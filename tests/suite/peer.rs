@@ -4,10 +4,10 @@
 //! leaves out without a word (chamfers, angles, inches, cycles …) is told by the words of the program.
 //! `NC_GCODE_INTERPRETER_PYTHON` names a Python that has it (`tools.rs`).
 
-use std::path::PathBuf;
-use std::process::Command;
+use std::io::Write as _;
+use std::process::{Command, Stdio};
 
-use super::common::{cases, compile_case};
+use super::book::{Case, cases};
 use super::tools;
 
 /// Prints a line for each program: end points, and whether the interpreter refused or warned.
@@ -16,12 +16,12 @@ import json, os, sys, tempfile
 import nc_gcode_interpreter as n
 said = tempfile.TemporaryFile()
 os.dup2(said.fileno(), 2)
-for path in sys.argv[1:]:
+for text in json.load(sys.stdin):
     said.seek(0)
     said.truncate()
     at, ends = {}, []
     try:
-        for _, row in n.nc_to_rows(open(path, errors="replace").read()):
+        for _, row in n.nc_to_rows(text.replace("\r\n", "\n")):
             at = {axis: row.get(axis, at.get(axis)) for axis in "XYZ"}
             ends.append([at[axis] or 0.0 for axis in "XYZ"])
         refused = False
@@ -86,13 +86,12 @@ fn same(a: &[f64; 3], b: &[f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME)
 }
 
-fn within_its_words(path: &PathBuf) -> bool {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let Ok(text) = std::fs::read_to_string(path) else { return false };
+fn within_its_words(case: &&Case) -> bool {
+    let Some(text) = case.text() else { return false };
     let text = text.to_ascii_uppercase();
-    !path.with_extension("toml").exists()
+    case.config.is_empty()
         && !NOT_KNOWN.iter().any(|word| text.contains(word))
-        && !WRONG.iter().any(|(wrong, _)| *wrong == name)
+        && !WRONG.iter().any(|(wrong, _)| *wrong == case.file)
 }
 
 #[test]
@@ -101,13 +100,19 @@ fn sinumerik_programs_go_where_the_peer_says() {
         assert!(!tools::required("PARTC_REQUIRE_PEER"), "no Python with nc-gcode-interpreter 0.2 or later");
         return;
     };
-    let programs: Vec<PathBuf> = cases("sinumerik").into_iter().filter(within_its_words).collect();
-    let output = Command::new(python).args(["-c", SCRIPT]).args(&programs).output().expect("a run of the peer");
+    let programs: Vec<&Case> = cases("sinumerik").into_iter().filter(within_its_words).collect();
+    let texts: Vec<&str> = programs.iter().filter_map(|case| case.text()).collect();
+    let mut command = Command::new(python);
+    let mut peer =
+        command.args(["-c", SCRIPT]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("a run of the peer");
+    let input = serde_json::to_vec(&texts).expect("JSON");
+    peer.stdin.take().expect("a pipe").write_all(&input).expect("programs for the peer");
+    let output = peer.wait_with_output().expect("the end of the peer");
     let text = String::from_utf8(output.stdout).expect("JSON");
     let (mut compared, mut failures) = (0, Vec::new());
-    for (path, line) in programs.iter().zip(text.lines()) {
+    for (case, line) in programs.iter().zip(text.lines()) {
         let answer: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
-        let compiled = compile_case(path);
+        let compiled = case.compile();
         let replaced = compiled.codes().iter().any(|code| matches!(*code, "O4001" | "O4002"));
         if answer["known"] != true || compiled.has_errors() || replaced {
             continue;
@@ -116,7 +121,7 @@ fn sinumerik_programs_go_where_the_peer_says() {
         let theirs: Vec<[f64; 3]> = serde_json::from_value(answer["ends"].clone()).expect("end points");
         let (ours, theirs) = (visited(end_points(&compiled.output)), visited(theirs));
         if ours.len() != theirs.len() || !ours.iter().zip(&theirs).all(|(a, b)| same(a, b)) {
-            failures.push(format!("{}:\n  ours   {ours:?}\n  theirs {theirs:?}", path.display()));
+            failures.push(format!("{}:\n  ours   {ours:?}\n  theirs {theirs:?}", case.name));
         }
     }
     println!("{compared} programs compared");

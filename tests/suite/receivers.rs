@@ -1,7 +1,7 @@
 //! The targets: one registry, no word outside their tables.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde_json::json;
 
@@ -16,8 +16,9 @@ use partc::machine::{Settings, schema};
 use partc::target::{self, Target};
 use partc::text::{Memory, Opened};
 
+use super::book::{Case, cases};
 use super::cli_run::Folder;
-use super::common::{Beside, cases, dialect_of, settings};
+use super::common::settings;
 use super::grbl_reader::{self, Event, Feed, Rules};
 
 #[test]
@@ -93,13 +94,11 @@ struct Printed {
 }
 
 /// A golden case on all `targets`; `None` where its own errors leave nothing to print.
-fn print_for(path: &Path, targets: &[&'static Target]) -> Option<Vec<Printed>> {
-    let base = fs::read_to_string(path.with_extension("toml")).map_or_else(|_| Settings::default(), |t| settings(&t));
-    let name = path.file_name().expect("a file").to_string_lossy().into_owned();
-    let text = Box::new(Memory::new(fs::read(path).expect("a readable case")));
+fn print_for(case: &Case, targets: &[&'static Target]) -> Option<Vec<Printed>> {
+    let (base, name) = (case.settings(), case.file.clone());
+    let text = Box::new(Memory::new(case.program.clone()));
     let session = Session::new(Opened { name: name.clone(), identity: name.clone(), text });
-    let dialect = dialect::find(&dialect_of(path)).expect("a dialect");
-    let files = Beside(path.parent().expect("a folder").to_path_buf());
+    let dialect = dialect::find(&case.dialect).expect("a dialect");
     let of = |target: &&'static Target| {
         let mut settings = dialect.settings(&base).into_owned();
         settings.output.target = target;
@@ -113,7 +112,7 @@ fn print_for(path: &Path, targets: &[&'static Target]) -> Option<Vec<Printed>> {
     let found: Vec<Diags> = targets.iter().map(|_| Diags::default()).collect();
     let printers = each.iter().zip(&found).zip(&mut texts);
     let mut both = Both(printers.map(|((s, d), t)| Printer::new(s, &name, d, t, None)).collect());
-    session.lower(dialect, &base, &files, &mut both);
+    session.lower(dialect, &base, case, &mut both);
     both.0.into_iter().for_each(|printer| printer.finish(0).expect("memory takes everything"));
     let unit = 0.1f64.powi(i32::from(base.output.decimals));
     let printed = texts.into_iter().zip(found).map(|(text, found)| {
@@ -139,17 +138,6 @@ const LINUXCNC: Rules = Rules {
     most_tool: f64::INFINITY,
     double: true,
     streamed: false,
-};
-
-const GRBLHAL: Rules = Rules {
-    length: 256,
-    digits: 8,
-    m: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30],
-    more_offsets: true,
-    turns: true,
-    most_tool: 2_147_483_647.0,
-    double: true,
-    streamed: true,
 };
 
 /// The events of a program behind its head, without the words whose effect every move shows.
@@ -295,12 +283,12 @@ struct Count {
 }
 
 /// Prints one golden program for every target, and has each output read and compared with the first one.
-fn judge(path: &Path, counts: &mut [Count]) -> Result<(), String> {
+fn judge(case: &Case, counts: &mut [Count]) -> Result<(), String> {
     let all = [target::ALL[0]].into_iter().chain(JUDGED.iter().map(|(name, _)| target::find(name).expect("a target")));
-    let Some(printed) = print_for(path, &all.collect::<Vec<_>>()) else { return Ok(()) };
+    let Some(printed) = print_for(case, &all.collect::<Vec<_>>()) else { return Ok(()) };
     let (base, others) = printed.split_first().expect("the default target");
     for ((other, (name, rules)), count) in others.iter().zip(JUDGED).zip(counts) {
-        let says = |who: &'static str| move |why: String| format!("{}: {who}: {why}", path.display());
+        let says = |who: &'static str| move |why: String| format!("{}: {who}: {why}", case.name);
         if base.failed || other.failed {
             let own = other.codes.iter().any(|code| *code >= "O93" && code.starts_with('O'));
             if !own && !base.failed {
@@ -324,8 +312,7 @@ const JUDGED: [(&str, &Rules); 1] = [("grbl", &grbl_reader::GRBL)];
 /// Every golden program on every target: taken by the receiver and moving alike, or refused with a code of the target.
 #[test]
 fn golden_programs_move_alike_on_every_target_or_are_refused() {
-    let list: Vec<PathBuf> =
-        ["klartext", "sinumerik", "heidenhain-turning", "mtc200", "errors"].iter().flat_map(|f| cases(f)).collect();
+    let list = cases("");
     let threads = std::thread::available_parallelism().map_or(2, usize::from);
     let counts = std::thread::scope(|scope| {
         let part = |i: usize| {
@@ -333,7 +320,7 @@ fn golden_programs_move_alike_on_every_target_or_are_refused() {
             move || {
                 let mut counts = [Count::default(); JUDGED.len()];
                 let mine = list.iter().skip(i).step_by(threads);
-                let wrong: Vec<String> = mine.filter_map(|path| judge(path, &mut counts).err()).collect();
+                let wrong: Vec<String> = mine.filter_map(|case| judge(case, &mut counts).err()).collect();
                 (counts, wrong)
             }
         };

@@ -8,7 +8,8 @@ use partc::machine::Settings;
 use partc::text::files::NoFiles;
 use partc::text::{FileError, Files, Memory, Opened, Request};
 
-use super::common::{Compiled, cases, compile_bytes, settings};
+use super::book::cases;
+use super::common::{Compiled, compile_bytes, settings};
 use super::damage::{Dice, KINDS, damage};
 
 /// What one small program may take, even unoptimized.
@@ -50,8 +51,7 @@ fn codes(program: &str, settings: &Settings) -> Vec<&'static str> {
 fn victims(count: usize) -> Vec<(String, Vec<u8>)> {
     let all = cases("sinumerik");
     let step = (all.len() / count).max(1);
-    let read = |path: std::path::PathBuf| (path.display().to_string(), std::fs::read(&path).expect("a readable case"));
-    all.into_iter().step_by(step).take(count).map(read).collect()
+    all.into_iter().step_by(step).take(count).map(|case| (case.name.clone(), case.program.clone())).collect()
 }
 
 #[test]
@@ -148,20 +148,19 @@ fn programs_that_call_each_other_end() {
 #[test]
 fn calling_a_contour_changes_nothing() {
     let mut count = 0;
-    for path in cases("sinumerik/contour_cycles") {
-        let text = std::fs::read_to_string(&path).expect("a readable case");
-        let settings = std::fs::read_to_string(path.with_extension("toml")).map_or(limited(false), |t| settings(&t));
-        let files = super::common::Beside(path.parent().expect("a folder").to_path_buf());
+    for case in cases("sinumerik/contour_cycles") {
+        let text = case.text().expect("a program in UTF-8");
+        let settings = if case.config.is_empty() { limited(false) } else { case.settings() };
         let moves = |text: &str| {
-            let compiled = compile_bytes("P.MPF", text.as_bytes().to_vec(), "sinumerik", &settings, &files);
+            let compiled = compile_bytes("P.MPF", text.as_bytes().to_vec(), "sinumerik", &settings, case);
             let output: Vec<String> =
                 compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
             (!compiled.has_errors()).then_some(output)
         };
         let calls = |line: &&str| !line.to_ascii_uppercase().starts_with("CYCLE62");
         let without = text.lines().filter(calls).collect::<Vec<_>>().join("\n") + "\n";
-        if let Some(with) = moves(&text) {
-            assert_eq!(Some(with), moves(&without), "{}", path.display());
+        if let Some(with) = moves(text) {
+            assert_eq!(Some(with), moves(&without), "{}", case.name);
             count += 1;
         }
     }

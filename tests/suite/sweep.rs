@@ -91,13 +91,13 @@ fn sweep(dialect: &str, corpus: &str, options: &str) {
             continue;
         }
         println!("compiled  {name}");
-        cases.push(Case::new(PathBuf::from(name), compiled, bytes, dialect, &options, &repository.1));
+        cases.push(Case::new(name, compiled, bytes, dialect, &options, &repository.1));
     }
     if oracle {
         let jobs: Vec<Job<'_>> = cases.iter().map(|case| Job::new(&case.output)).collect();
         for (case, answer) in cases.iter().zip(rs274::interpret_all(&jobs)) {
             if let Err(why) = answer.and_then(|found| case.judge(&found)) {
-                failures.push(format!("{}: {why}", case.path.display()));
+                failures.push(format!("{}: {why}", case.name));
             }
         }
     }

@@ -1,14 +1,12 @@
 //! No word of a turning cycle is ignored: each stands in a golden program that prints something else without it, or
 //! with another value.
 
-use std::fs;
-use std::path::Path;
-
 use partc::text::files::NoFiles;
 
-use super::common::{compile_bytes, compile_case, settings};
+use super::book::find;
+use super::common::compile_bytes;
 
-/// Program below `tests/golden/heidenhain-turning`, a word of its cycle, and what stands there instead.
+/// A case below `heidenhain-turning`, a word of its cycle, and what stands there instead.
 type Case = (&'static str, &'static str, &'static str);
 
 /// G31, from where the tool stands and along a contour.
@@ -171,14 +169,13 @@ fn moves(printed: &str) -> Vec<&str> {
 }
 
 fn check(cases: &[Case]) -> Vec<String> {
-    let folder = Path::new("tests/golden/heidenhain-turning");
     let mut ignored = Vec::new();
     for &(name, word, instead) in cases {
-        let path = folder.join(name).with_extension("nc");
-        let Ok(text) = fs::read_to_string(&path) else {
+        let Some(case) = find(&format!("heidenhain-turning/{name}")) else {
             ignored.push(format!("{name}: no such program"));
             continue;
         };
+        let text = case.text().expect("a program in UTF-8");
         // The comment of the case names the word, too.
         let commented = text.lines().filter(|line| line.starts_with('[')).map(str::len).sum::<usize>();
         let blocks: String = text.lines().filter(|line| !line.starts_with('[')).flat_map(|line| [line, "\n"]).collect();
@@ -187,11 +184,10 @@ fn check(cases: &[Case]) -> Vec<String> {
             ignored.push(format!("{name}: no `{word}`"));
             continue;
         }
-        let options = fs::read_to_string(path.with_extension("toml")).unwrap_or_default();
         let changed = blocks.replacen(word, instead, 1).into_bytes();
-        let before = compile_case(&path);
+        let before = case.compile();
         assert!(!before.has_errors(), "{name}");
-        let after = compile_bytes(name, changed, "heidenhain-turning", &settings(&options), &NoFiles);
+        let after = compile_bytes(name, changed, "heidenhain-turning", &case.settings(), &NoFiles);
         if !after.has_errors() && moves(&before.output) == moves(&after.output) {
             ignored.push(format!("{name}: `{word}` and `{instead}` print the same"));
         }

@@ -1,12 +1,8 @@
 //! No word goes in silence: in every golden program each number in turn takes other values, and what is printed or what is
 //! found has to change.
 
-use std::fs;
-use std::path::Path;
-
-use partc::machine::Settings;
-
-use super::common::{Beside, Compiled, cases, compile_bytes, settings};
+use super::book::{Case, cases};
+use super::common::{Compiled, compile_bytes, settings};
 
 /// Letters whose number is a name, not a value.
 const NAMES: &[&str] = &["N", "G", "M", "T", "NS", "NE", "L"];
@@ -86,20 +82,17 @@ fn outcome(compiled: &Compiled) -> (Vec<String>, Vec<&'static str>) {
     (moves, compiled.codes())
 }
 
-fn check(path: &Path, ignored: &mut Vec<String>) {
-    let Ok(text) = fs::read_to_string(path) else { return };
-    let options =
-        fs::read_to_string(path.with_extension("toml")).map_or_else(|_| Settings::default(), |t| settings(&t));
-    let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-    let files = Beside(path.parent().expect("a folder").to_path_buf());
-    let compile = |text: &str| compile_bytes("A.nc", text.as_bytes().to_vec(), "heidenhain-turning", &options, &files);
-    let plain = compile(&text);
+fn check(case: &Case, ignored: &mut Vec<String>) {
+    let Some(text) = case.text() else { return };
+    let (name, options) = (case.stem(), case.settings());
+    let compile = |text: &str| compile_bytes("A.nc", text.as_bytes().to_vec(), "heidenhain-turning", &options, case);
+    let plain = compile(text);
     if plain.has_errors() {
         return;
     }
     let before = outcome(&plain);
     let machining = ["MACHINING", "BEARBEITUNG"].iter().find_map(|word| text.find(word)).unwrap_or(0);
-    for (from, to, address) in numbers(&text) {
+    for (from, to, address) in numbers(text) {
         if NAMES.contains(&address.as_str()) || from < machining && SHAPE.contains(&address.as_str()) {
             continue;
         }
@@ -122,8 +115,8 @@ fn check(path: &Path, ignored: &mut Vec<String>) {
 #[test]
 fn every_number_of_every_golden_program_counts() {
     let mut ignored = Vec::new();
-    for path in cases("heidenhain-turning") {
-        check(&path, &mut ignored);
+    for case in cases("heidenhain-turning") {
+        check(case, &mut ignored);
     }
     assert!(ignored.is_empty(), "{}", ignored.join("\n"));
 }

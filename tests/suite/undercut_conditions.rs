@@ -3,13 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use super::common::compile_case;
+use super::book::find;
 
 #[test]
 fn every_condition_of_undercuts_has_its_cases() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(root.join("docs/undercuts.md")).expect("the page");
-    let golden = root.join("tests/golden");
     let mut bad = Vec::new();
     let mut count = 0;
     for line in text.lines() {
@@ -18,12 +17,10 @@ fn every_condition_of_undercuts_has_its_cases() {
         let name = |cell: &str| cell.strip_prefix('`').and_then(|cell| cell.strip_suffix('`')).map(str::to_owned);
         let (Some(compiled), Some(refused)) = (name(compiled), name(refused)) else { continue };
         count += 1;
-        let good = golden.join("sinumerik").join(format!("{compiled}.MPF"));
-        if !good.exists() || compile_case(&good).has_errors() {
+        if find(&format!("sinumerik/{compiled}")).is_none_or(|case| case.compile().has_errors()) {
             bad.push(format!("{condition}: {compiled} does not compile"));
         }
-        let wrong = golden.join(format!("{refused}.MPF"));
-        if !wrong.exists() || !compile_case(&wrong).codes().contains(&code) {
+        if find(&refused).is_none_or(|case| !case.compile().codes().contains(&code)) {
             bad.push(format!("{condition}: {refused} is not refused with {code}"));
         }
     }

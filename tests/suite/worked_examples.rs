@@ -4,15 +4,14 @@
 //! case are compared with them before they are rounded, so a listing accepted by mistake does not help.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use partc::driver::Session;
 use partc::geo::Plane;
 use partc::ir::{Function, Origin, motion};
-use partc::machine::{Axis, Settings};
+use partc::machine::Axis;
 use partc::text::{Memory, Opened};
 
-use super::common::{Beside, compile_bytes, settings};
+use super::book;
 
 /// Half a unit of the last place of the reference, and what a diameter makes of it.
 const NEAR: f64 = 6e-5;
@@ -244,16 +243,13 @@ impl motion::Sink for Moves {
 }
 
 fn moves(case: &str) -> Vec<motion::Move> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/sinumerik").join(format!("{case}.MPF"));
-    let bytes = std::fs::read(&path).unwrap_or_else(|_| panic!("{case}"));
-    let settings = std::fs::read_to_string(path.with_extension("toml"))
-        .map_or_else(|_| Settings::default(), |text| settings(&text));
-    let name = "PART.MPF".to_owned();
-    let session = Session::new(Opened { name: name.clone(), identity: name, text: Box::new(Memory::new(bytes)) });
+    let case = book::find(&format!("sinumerik/{case}")).unwrap_or_else(|| panic!("{case}"));
+    let text = Box::new(Memory::new(case.program.clone()));
+    let session = Session::new(Opened { name: case.file.clone(), identity: case.file.clone(), text });
     let dialect = partc::dialect::find("sinumerik").expect("a dialect");
     let mut out = Moves::default();
-    session.lower(dialect, &settings, &Beside(path.parent().expect("a folder").to_path_buf()), &mut out);
-    assert!(!session.diags.has_errors(), "{case} is refused");
+    session.lower(dialect, &case.settings(), case, &mut out);
+    assert!(!session.diags.has_errors(), "{} is refused", case.name);
     // What a chamfer leaves of a line may have no length.
     out.0.dedup_by(|mv, before| matches!(mv.path, motion::Path::Line(_)) && mv.end == before.end);
     out.0
@@ -351,16 +347,14 @@ fn does(mv: &motion::Move, item: &str) -> bool {
 fn numbers_in_the_heads_of_cases_are_met() {
     let mut bad = String::new();
     let mut count = 0;
-    for path in super::common::cases("sinumerik") {
-        let text = String::from_utf8_lossy(&std::fs::read(&path).expect("a case")).into_owned();
-        let wanted = wanted(&text);
+    for case in book::cases("sinumerik") {
+        let wanted = wanted(&String::from_utf8_lossy(&case.program));
         if wanted.is_empty() {
             continue;
         }
         count += 1;
-        let case = path.strip_prefix(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/sinumerik"));
-        let case = case.expect("a case").with_extension("").display().to_string();
-        let made = moves(&case);
+        let case = case.name.strip_prefix("sinumerik/").expect("a case of SINUMERIK");
+        let made = moves(case);
         let mut rest = made.iter();
         for item in &wanted {
             if !rest.any(|mv| does(mv, item)) {
@@ -383,21 +377,18 @@ fn refused(text: &str) -> Option<(&str, &str)> {
 fn refusals_in_the_heads_of_cases_are_met() {
     let mut bad = String::new();
     let mut count = 0;
-    for path in super::common::cases("sinumerik") {
-        let text = String::from_utf8_lossy(&std::fs::read(&path).expect("a case")).into_owned();
+    for case in book::cases("sinumerik") {
+        let text = String::from_utf8_lossy(&case.program);
         let Some((code, part)) = refused(&text) else { continue };
         count += 1;
-        let settings = std::fs::read_to_string(path.with_extension("toml"))
-            .map_or_else(|_| Settings::default(), |text| settings(&text));
-        let folder = path.parent().expect("a folder").to_path_buf();
-        let compiled = compile_bytes("PART.MPF", text.clone().into_bytes(), "sinumerik", &settings, &Beside(folder));
+        let compiled = case.compile();
         let said = |found: &partc::diag::Diagnostic| {
             found.code.id == code && (found.text().contains(part) || found.help.iter().any(|help| help.contains(part)))
         };
         if !compiled.findings.iter().any(said) {
             let said: Vec<_> =
                 compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
-            let _ = writeln!(bad, "{}: {code} {part}: {said:?}", path.display());
+            let _ = writeln!(bad, "{}: {code} {part}: {said:?}", case.name);
         }
     }
     assert!(bad.is_empty(), "not refused as said:\n{bad}");

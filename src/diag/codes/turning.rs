@@ -232,7 +232,8 @@ T8006 Warning "turning-arc-q" "solution of an arc is partc's reading"
 "Where two arcs have the programmed values, Q chooses one. In earlier manuals Q0 is the far one, from software 7.1 on the near one."
 
 T8007 Warning "turning-undercut-limit" "size of an undercut is partc's reading"
-"The table of G85 has rows below and above 18 and 80 mm and none for these diameters themselves. Give the sizes of the drawing with I and K, \
+"The table of G85 has rows below and above 18 and 80 mm and none for these diameters themselves; of forms E and F over 3 to 10 mm manuals \
+and DIN 509 have different radii. Give the sizes of the drawing with I, K and R, \
 or say which row holds."
 
 T8008 Warning "turning-undercut-side" "side of an undercut is partc's reading"

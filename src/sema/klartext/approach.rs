@@ -10,11 +10,12 @@ use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, Compensation, Generation};
 use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::sema::run::Site;
 use crate::text::Span;
 
 use super::path::{PATH, plane_axes};
 use super::words::{Admits, Comp, FeedWord, Words};
-use super::{Outcome, Reported, Run, Site};
+use super::{Outcome, Reported, Run};
 
 /// Functions and comments that may stand between an approach and the first element of its contour.
 pub(super) const MOST_HELD: usize = 256;
@@ -112,7 +113,7 @@ impl Run<'_> {
 
     /// Takes LEN and CCA out of the words of the block.
     fn named_lengths(&mut self, block: &Block, text: &[u8], name: &str) -> Outcome<(Block, Option<f64>, Option<f64>)> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let (mut len, mut angle) = (None, None);
         let mut rest = block.clone();
         rest.words.clear();
@@ -284,7 +285,7 @@ impl Run<'_> {
         }
         self.here = here;
         for (function, origin) in &approach.held {
-            self.out.function(function, &self.st.ctx, origin);
+            self.core.out.function(function, &self.st.ctx, origin);
         }
     }
 

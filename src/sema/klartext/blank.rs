@@ -82,7 +82,7 @@ impl Run<'_> {
 
     /// `BLK FORM 0.1 Z X+0 Y+0 Z-20`, `BLK FORM 0.2 X+100 Y+100 Z+0`.
     fn cuboid(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let mut corner = None;
         let mut values = [None; 3];
         let mut letter = false;

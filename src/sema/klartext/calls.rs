@@ -8,27 +8,22 @@ use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
 use crate::text::blocks::{Cursor, Place};
 use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
-use super::super::Job;
 use super::labels::{Label, Labels};
 use super::vars::{Locals, Val};
 use super::{Outcome, ProgramHead, Reported, Run};
-use crate::sema::run::open_program;
+use crate::sema::Job;
+use crate::sema::run::{Level, Program};
 
 /// Most repeats of a section.
 const MOST_REPEATS: f64 = 65534.0;
 
-/// A level of the call stack.
+/// What a level of the call stack holds.
 #[derive(Debug)]
-pub(super) struct Level {
-    pub kind: LevelKind,
-    /// Index of the program that runs on this level.
-    pub program: usize,
-    /// Where the caller goes on.
-    back: Place,
+pub(super) struct Frame {
+    pub kind: FrameKind,
     pub unit: Unit,
     /// QL parameters, on levels that are programs.
     pub locals: Option<Locals>,
-    pub call: CallPath,
     /// Section repeats under way: offset of the call block and repeats left.
     repeats: Vec<(u32, u32)>,
     /// The label passed last.
@@ -36,38 +31,31 @@ pub(super) struct Level {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum LevelKind {
+pub(super) enum FrameKind {
     Main,
     /// CALL PGM.
-    Program {
-        call_site: Loc,
-    },
+    Program,
     /// CALL LBL; offset of the label.
     Subprogram {
         label_at: u32,
-        call_site: Loc,
     },
 }
 
-impl Level {
-    pub fn main(program: usize, unit: Unit, locals: Locals) -> Level {
-        Level {
-            kind: LevelKind::Main,
-            program,
-            back: Place::default(),
-            unit,
-            locals: Some(locals),
-            call: CallPath::MAIN,
-            repeats: Vec::new(),
-            passed: None,
-        }
+impl Frame {
+    pub fn main(unit: Unit, locals: Locals) -> Frame {
+        Frame { kind: FrameKind::Main, unit, locals: Some(locals), repeats: Vec::new(), passed: None }
     }
+}
+
+/// The QL parameters of the innermost program.
+pub(super) fn innermost_locals(levels: &mut [Level<Frame>]) -> Option<&mut Locals> {
+    levels.iter_mut().rev().find_map(|level| level.frame.locals.as_mut())
 }
 
 impl Run<'_> {
     pub(super) fn begin(&mut self, name: &[u8], unit: Option<Unit>, block: &Block) -> Outcome {
         let loc = self.loc(block.span);
-        if let Some(first) = &self.program().head
+        if let Some(first) = &self.program().known.head
             && first.loc != loc
         {
             let first = first.loc;
@@ -78,26 +66,27 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        self.program().head = Some(ProgramHead { name: name.to_vec(), unit, loc });
+        self.program().known.head = Some(ProgramHead { name: name.to_vec(), unit, loc });
         let Some(unit) = unit else {
             self.error(codes::K1007, "BEGIN PGM states neither MM nor INCH");
             return Err(Reported);
         };
-        if let LevelKind::Program { call_site } = self.level().kind
-            && self.levels[..self.levels.len() - 1].iter().any(|level| level.unit != unit)
+        let call_site = self.level().site;
+        if self.level().frame.kind == FrameKind::Program
+            && self.levels[..self.levels.len() - 1].iter().any(|level| level.frame.unit != unit)
         {
             self.report(
                 Diagnostic::new(codes::K2209, loc, "the called program has another unit than its caller")
                     .also(call_site, "called here"),
             );
         }
-        self.level().unit = unit;
+        self.level().frame.unit = unit;
         Ok(())
     }
 
     pub(super) fn end(&mut self, name: &[u8], unit: Option<Unit>) -> Outcome {
         let here = self.here.origin.loc;
-        if let Some(head) = self.program().head.clone() {
+        if let Some(head) = self.program().known.head.clone() {
             if head.unit.is_some() && unit.is_some() && head.unit != unit {
                 self.report(other_unit(here, head.loc));
             }
@@ -114,16 +103,13 @@ impl Run<'_> {
     }
 
     /// The file has no further block.
-    pub(super) fn end_of_file(&mut self) {
-        let place = self.program().source.cursor.place();
-        let file = self.program().source.file;
-        let loc =
-            Loc { file, line: place.line.saturating_sub(1).max(1), span: Span::at(place.at.saturating_sub(1), 1) };
+    pub(super) fn file_over(&mut self) {
+        let loc = self.end_of_text();
         self.here.origin.loc = loc;
         if self.cycles.is_open() {
             self.finish_cycle();
         }
-        if let Some(head) = &self.program().head {
+        if let Some(head) = &self.program().known.head {
             let begin = head.loc;
             self.report(
                 Diagnostic::new(codes::K1011, loc, "the file ends without END PGM")
@@ -148,7 +134,8 @@ impl Run<'_> {
 
     /// The end of a program file was reached: return to the caller, or end the run.
     fn program_over(&mut self, regular: bool) -> Outcome {
-        while let LevelKind::Subprogram { label_at, call_site } = self.level().kind {
+        while let FrameKind::Subprogram { label_at } = self.level().frame.kind {
+            let call_site = self.level().site;
             let file = self.program().source.file;
             let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
             if regular && self.job.settings.control.klartext_choices.open_subprogram_ends {
@@ -163,7 +150,7 @@ impl Run<'_> {
                 self.levels.pop();
                 continue;
             }
-            self.report(
+            return self.stop(
                 Diagnostic::new(codes::K2203, call_site, "the program ends before the LBL 0 of this subprogram")
                     .here("called here")
                     .also(label, "it begins here")
@@ -172,16 +159,13 @@ impl Run<'_> {
                          of the program here, set `[control] open_subprogram = \"end\"`",
                     ),
             );
-            self.ended = true;
-            return Err(Reported);
         }
-        if matches!(self.level().kind, LevelKind::Program { .. }) {
-            self.leave();
-            return Ok(());
+        if self.level().frame.kind == FrameKind::Program {
+            return self.leave().map(drop);
         }
-        self.warn_without_head(regular);
+        self.warn_without_head();
         self.function(Function::End { rewind: false });
-        self.ended = true;
+        self.stop_run();
         Ok(())
     }
 
@@ -191,8 +175,8 @@ impl Run<'_> {
         text.iter().filter(|b| **b == b'\n').count() as u32 + 1
     }
 
-    pub(super) fn warn_without_head(&mut self, _regular: bool) {
-        if self.programs[self.levels[0].program].head.is_none() && self.job.settings.control.unit.is_none() {
+    pub(super) fn warn_without_head(&mut self) {
+        if self.programs[self.levels[0].program].known.head.is_none() && self.job.settings.control.unit.is_none() {
             let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
             self.job.diags.push(
                 Diagnostic::new(codes::K1008, loc, "no BEGIN PGM block: lengths are taken as millimetres")
@@ -204,13 +188,11 @@ impl Run<'_> {
     /// M2, M30.
     pub(super) fn program_end(&mut self, rewind: bool) -> Outcome {
         if self.in_called_program() {
-            self.error(codes::K2208, "a called program ends the job with M2 or M30");
-            self.ended = true;
-            return Err(Reported);
+            return self.fatal(codes::K2208, "a called program ends the job with M2 or M30");
         }
-        self.warn_without_head(true);
+        self.warn_without_head();
         self.function(Function::End { rewind });
-        self.ended = true;
+        self.stop_run();
         Ok(())
     }
 
@@ -236,9 +218,9 @@ impl Run<'_> {
 
     fn find_label(&mut self, label: &Label) -> Outcome<Place> {
         let (job, here) = (self.job, self.here.origin.loc);
-        let program = self.program();
-        let file = program.source.file;
-        let labels = program
+        let Program { source, known } = self.program();
+        let file = source.file;
+        let labels = known
             .labels
             .get_or_insert_with(|| Labels::scan(&job, file, here, &mut |found| push_unless_known(&job, found)));
         if let Some(place) = labels.place(label) {
@@ -249,29 +231,18 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    fn seek(&mut self, place: Place) -> Outcome {
-        let sources = self.job.sources;
-        if let Err(error) = self.program().source.cursor.seek(sources, place) {
-            self.error(codes::P0105, format!("the file cannot be read: {error}"));
-            self.ended = true;
-            return Err(Reported);
-        }
-        Ok(())
-    }
-
     /// `LBL n` in passing.
     pub(super) fn label(&mut self, label: LabelRef, text: &[u8]) -> Outcome {
         let here = self.here.origin.loc;
         self.note_label(label, text);
         if label != LabelRef::Number(0) {
-            self.level().passed = Some(here);
+            self.level().frame.passed = Some(here);
             return Ok(());
         }
-        if let LevelKind::Subprogram { .. } = self.level().kind {
-            self.leave();
-            return Ok(());
+        if let FrameKind::Subprogram { .. } = self.level().frame.kind {
+            return self.leave().map(drop);
         }
-        let found = match self.level().passed.take() {
+        let found = match self.level().frame.passed.take() {
             Some(label) => Diagnostic::new(codes::K2210, label, "the program runs into this subprogram without a call")
                 .also(here, "it ends here"),
             None => Diagnostic::new(codes::K2210, here, "this LBL 0 ends no subprogram"),
@@ -284,7 +255,7 @@ impl Run<'_> {
     fn note_label(&mut self, label: LabelRef, text: &[u8]) {
         let loc = self.here.origin.loc;
         let place = Place { at: self.here.at, line: self.here.line };
-        let program = self.program();
+        let program = &mut self.program().known;
         if program.labels.is_some() || label == LabelRef::Number(0) {
             return;
         }
@@ -315,21 +286,14 @@ impl Run<'_> {
 
     fn call_subprogram(&mut self, label: &Label) -> Outcome {
         let place = self.find_label(label)?;
-        let call_site = self.here.origin.loc;
-        let kind = LevelKind::Subprogram { label_at: place.at, call_site };
+        let kind = FrameKind::Subprogram { label_at: place.at };
         let program = self.level().program;
-        let running = self
-            .levels
-            .iter()
-            .rev()
-            .take_while(|level| level.program == program)
-            .any(|level| matches!(level.kind, LevelKind::Subprogram { label_at, .. } if label_at == place.at));
+        let running =
+            self.levels.iter().rev().take_while(|level| level.program == program).any(|level| level.frame.kind == kind);
         if running {
-            self.error(codes::K2204, format!("{label} calls itself"));
-            self.ended = true;
-            return Err(Reported);
+            return self.fatal(codes::K2204, format!("{label} calls itself"));
         }
-        self.enter(kind, program, place)
+        self.call_part(kind, program, place)
     }
 
     /// `CALL LBL n REP count`: back to the label, `count` more times.
@@ -337,12 +301,10 @@ impl Run<'_> {
         let place = self.find_label(label)?;
         let call_at = self.here.at;
         if place.at > call_at {
-            self.report(
+            return self.stop(
                 Diagnostic::new(codes::K2206, self.here.origin.loc, format!("{label} lies behind this block"))
                     .help("a repeated section lies in front of its call; leave out REP to call a subprogram"),
             );
-            self.ended = true;
-            return Err(Reported);
         }
         let count = match self.job.settings.control.repeat_count {
             RepeatCount::Refuse => count,
@@ -350,17 +312,15 @@ impl Run<'_> {
             RepeatCount::Round => count.round(),
         };
         if count.fract() != 0.0 || count > MOST_REPEATS {
-            self.report(
+            return self.stop(
                 Diagnostic::new(codes::K2205, self.here.origin.loc, format!("REP {count} is no number of repeats"))
                     .help(
                         "REP takes a whole number from 0 to 65534; round the parameter with INT, or set \
                          `[control] repeat_count`",
                     ),
             );
-            self.ended = true;
-            return Err(Reported);
         }
-        let repeats = &mut self.level().repeats;
+        let repeats = &mut self.level().frame.repeats;
         let left = match repeats.iter().position(|(at, _)| *at == call_at) {
             Some(i) => &mut repeats[i].1,
             None => {
@@ -370,12 +330,11 @@ impl Run<'_> {
             }
         };
         if *left == 0 {
-            self.level().repeats.retain(|(at, _)| *at != call_at);
+            self.level().frame.repeats.retain(|(at, _)| *at != call_at);
             return Ok(());
         }
         *left -= 1;
-        self.budget.jump(self.here.origin.loc);
-        self.seek(place)
+        self.jump_to(place)
     }
 
     /// Conditional jump whose condition holds.
@@ -385,12 +344,12 @@ impl Run<'_> {
             Ok(place) => place,
             Err(reported) => {
                 // Going on past a jump that should be taken would run blocks that never run.
-                self.ended = true;
+                self.stop_run();
                 return Err(reported);
             }
         };
-        if let LevelKind::Subprogram { label_at, .. } = self.level().kind {
-            let end = self.program().labels.as_ref().and_then(|labels| labels.zero_after(label_at));
+        if let FrameKind::Subprogram { label_at } = self.level().frame.kind {
+            let end = self.program().known.labels.as_ref().and_then(|labels| labels.zero_after(label_at));
             if place.at < label_at || end.is_some_and(|end| place.at > end) {
                 self.report(
                     Diagnostic::new(
@@ -402,53 +361,37 @@ impl Run<'_> {
                 );
             }
         }
-        self.budget.jump(self.here.origin.loc);
-        self.seek(place)
+        self.jump_to(place)
     }
 
     // Levels.
 
-    fn enter(&mut self, kind: LevelKind, program: usize, to: Place) -> Outcome {
-        let site = self.here.origin.loc;
+    fn call_part(&mut self, kind: FrameKind, program: usize, to: Place) -> Outcome {
         self.check_depth(kind)?;
-        let back = self.program().source.cursor.place();
-        let call = self.job.trail.enter(self.level().call, site);
-        let unit = self.level().unit;
-        let locals = matches!(kind, LevelKind::Program { .. }).then(Locals::default);
-        self.levels.push(Level { kind, program, back, unit, locals, call, repeats: Vec::new(), passed: None });
-        self.budget.jump(site);
-        self.seek(to)
+        let unit = self.level().frame.unit;
+        let locals = (kind == FrameKind::Program).then(Locals::default);
+        self.enter(program, to, Frame { kind, unit, locals, repeats: Vec::new(), passed: None })
     }
 
     /// Nesting the control allows, and the configured limit.
-    fn check_depth(&mut self, kind: LevelKind) -> Outcome {
+    fn check_depth(&mut self, kind: FrameKind) -> Outcome {
         let old = self.job.settings.control.klartext == Generation::Tnc426;
-        let same = |level: &&Level| {
-            matches!(level.kind, LevelKind::Program { .. }) == matches!(kind, LevelKind::Program { .. })
-        };
+        let called = kind == FrameKind::Program;
+        let same = |level: &&Level<Frame>| (level.frame.kind == FrameKind::Program) == called;
         let depth = self.levels[1..].iter().filter(same).count() + 1;
-        let (what, most) = match kind {
-            LevelKind::Program { .. } => ("programs", if old { 6 } else { 19 }),
-            _ => ("subprograms", if old { 8 } else { 19 }),
+        let (what, most) = match called {
+            true => ("programs", if old { 6 } else { 19 }),
+            false => ("subprograms", if old { 8 } else { 19 }),
         };
         let limit = self.job.settings.limits.call_depth;
-        let message = if depth > most {
-            format!("{what} are nested deeper than {most} levels, which the control does not allow")
-        } else if self.levels.len() > limit {
-            format!("calls are nested deeper than {limit} levels")
-        } else {
-            return Ok(());
-        };
-        self.error(codes::P4003, message);
-        self.ended = true;
-        Err(Reported)
-    }
-
-    /// Returns from the current level.
-    fn leave(&mut self) {
-        if let Some(level) = self.levels.pop() {
-            let _ = self.seek(level.back);
+        if depth > most {
+            return self
+                .too_deep(format!("{what} are nested deeper than {most} levels, which the control does not allow"));
         }
+        if self.levels.len() > limit {
+            return self.too_deep(format!("calls are nested deeper than {limit} levels"));
+        }
+        Ok(())
     }
 
     // Programs.
@@ -466,11 +409,7 @@ impl Run<'_> {
     pub(super) fn call_selected(&mut self) -> Outcome {
         match self.selected.clone() {
             Some(name) => self.call_program_named(&name),
-            None => {
-                self.error(codes::P0101, "no program is selected: SEL PGM comes first");
-                self.ended = true;
-                Err(Reported)
-            }
+            None => self.fatal(codes::P0101, "no program is selected: SEL PGM comes first"),
         }
     }
 
@@ -503,13 +442,11 @@ impl Run<'_> {
             );
             self.st.side = Side::None;
         }
-        let call = self.here.origin.call;
         let opened = if name.to_ascii_uppercase().ends_with(".I") {
             self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
             None
         } else {
-            self.budget.search();
-            open_program(&self.job, name, &["H", "h"], site, call).and_then(|file| self.open(file, site))
+            self.open_called(name, &["H", "h"])
         };
         let Some(program) = opened else {
             // What the program would have done is unknown: nothing after it can be trusted.
@@ -517,19 +454,11 @@ impl Run<'_> {
             self.lost();
             return Err(Reported);
         };
-        if self.levels.iter().any(|level| level.program == program) {
-            self.error(codes::K2204, format!("program `{name}` calls itself"));
-            self.ended = true;
-            return Err(Reported);
-        }
-        // The return place needs the caller in memory.
-        let sources = self.job.sources;
-        if self.program().source.cursor.load(sources).is_err() {
-            self.ended = true;
-            return Err(Reported);
+        if self.is_running(program) {
+            return self.fatal(codes::K2204, format!("program `{name}` calls itself"));
         }
         let start = self.programs[program].source.cursor.start();
-        self.enter(LevelKind::Program { call_site: site }, program, start)
+        self.call_part(FrameKind::Program, program, start)
     }
 }
 

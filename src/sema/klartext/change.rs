@@ -8,15 +8,15 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::{Axis, AxisSet};
-use crate::parser::klartext::ast::{Addr, Block, Stmt};
-use crate::parser::klartext::{SPLIT, parse_block};
-use crate::text::{FileId, Loc, Next, Span};
+use crate::parser::klartext::ast::{Addr, Stmt};
+use crate::text::{FileId, Loc, Span};
 
 use super::super::Job;
 use super::path::plane_axes;
 use super::state::State;
-use super::{Outcome, Reported, Run};
-use crate::sema::run::open_cursor;
+use super::{Klartext, Outcome, Reported, Run};
+use crate::parser::symbols::Symbols;
+use crate::sema::run::unexecuted::Blocks;
 
 /// The number of the M function that changes the tool.
 const M6: u32 = 6;
@@ -249,11 +249,11 @@ impl Run<'_> {
     fn writes_m6(&mut self) -> bool {
         let mut found = false;
         for at in 0..self.programs.len() {
-            if self.programs[at].writes_m6.is_none() {
+            if self.programs[at].known.writes_m6.is_none() {
                 let file = self.programs[at].source.file;
-                self.programs[at].writes_m6 = Some(writes_m6(&self.job, file, self.here.origin.loc));
+                self.programs[at].known.writes_m6 = Some(writes_m6(&self.job, file, self.here.origin.loc));
             }
-            found |= self.programs[at].writes_m6 == Some(true);
+            found |= self.programs[at].known.writes_m6 == Some(true);
         }
         found
     }
@@ -266,27 +266,18 @@ fn goes(from: &Pos, end: &Pos, axis: Axis) -> bool {
 
 /// Looks for a block with M6 that the control executes.
 fn writes_m6(job: &Job<'_>, file: FileId, from: Loc) -> bool {
-    let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return false };
-    let (mut block, mut ignored) = (Block::default(), Vec::new());
-    loop {
-        let text = match cursor.next(job.sources) {
-            Ok(Next::Block(found)) => found.text,
-            Ok(Next::TooLong { .. }) => continue,
-            Ok(Next::End) | Err(_) => return false,
-        };
-        if !may_hold_m6(text) && !may_end(text) {
-            continue;
-        }
-        parse_block(text, &mut block, &mut ignored);
-        ignored.clear();
-        if matches!(block.stmt, Stmt::End { .. }) {
+    let Some(mut blocks) = Blocks::<Klartext>::open(job, file, from) else { return false };
+    let mut symbols = Symbols::default();
+    while let Some(passed) = blocks.next_that(job, &mut symbols, |text| may_hold_m6(text) || may_end(text)) {
+        if matches!(passed.block.stmt, Stmt::End { .. }) {
             return false;
         }
-        let skipped = block.skip && job.settings.control.skip_blocks.iter().any(|level| *level <= 1);
-        if !skipped && block.words.iter().any(|word| word.addr == Addr::M(M6)) {
+        let skipped = job.skips(passed.block.skip.then_some(0));
+        if !skipped && passed.block.words.iter().any(|word| word.addr == Addr::M(M6)) {
             return true;
         }
     }
+    false
 }
 
 /// `M6`, `M06`, `M 6` somewhere in the text, which may still be a comment.

@@ -10,7 +10,7 @@ use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::text::Span;
 
-use super::cycle::{AxisValue, Open};
+use super::cycle_definition::{AxisValue, Open};
 use super::transform::Transformation;
 use super::{Outcome, Reported, Run};
 
@@ -110,7 +110,7 @@ impl Run<'_> {
 
     /// Datum shift: axes that are not named keep theirs.
     pub(super) fn shift(&mut self, axes: &[AxisValue]) -> Outcome {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let mut next = self.st.transform.clone();
         let turned = self.job.settings.control.shift_axes == ShiftAxes::Transformed;
         for axis in axes {
@@ -223,7 +223,7 @@ impl Run<'_> {
 
     /// Cycle 26.
     pub(super) fn scale_axes(&mut self, open: &Open) -> Outcome {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let mut next = self.st.transform.clone();
         for axis in &open.axes {
             let (true, Some(factor)) = (axis.axis.is_main(), axis.value) else {

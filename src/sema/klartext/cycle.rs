@@ -8,16 +8,16 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::lexer::klartext::QRef;
-use crate::machine::{Axis, AxisSet, Generation};
+use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
-use crate::text::{Loc, Span};
+use crate::text::Span;
 
-use super::cycle_names::{Nature, name, nature};
-use super::cycle_words::is_parameter_of;
-use super::holes::{self, Retract};
-use super::machining::{Machining, Part, What};
+use super::cycle_definition::{Open, Part, What};
+use super::cycles::{Nature, find};
+use super::defined_cycle::DefinedCycle;
+use super::drilling::Retract;
 use super::words::Admits;
-use super::{Outcome, Reported, Run, Site};
+use super::{Outcome, Reported, Run};
 
 /// What is known of cycles: the definition under way and the one that calls run.
 #[derive(Debug, Default)]
@@ -28,63 +28,6 @@ pub(super) struct Cycles {
     modal: bool,
 }
 
-/// A definition that is being read.
-#[derive(Debug)]
-pub(super) struct Open {
-    pub number: u32,
-    here: Site,
-    /// Highest part read; `None` for a cycle with Q parameters.
-    pub part: Option<u32>,
-    pub axes: Vec<AxisValue>,
-    /// Values without an axis.
-    pub values: Vec<Labelled>,
-    /// Q parameters by number.
-    pub parameters: Vec<(u32, f64)>,
-    /// Q parameters that are set to a word: FMAX, FAUTO, FU, PREDEF.
-    pub words: Vec<(u32, &'static str)>,
-    /// Parameters stand in lines of their own, without `~`.
-    loose: bool,
-    /// What the parts of an old machining cycle hold.
-    pub parts: Vec<Part>,
-    pub table_row: bool,
-    pub program: Option<String>,
-    failed: bool,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(super) struct AxisValue {
-    pub axis: Axis,
-    pub incremental: bool,
-    pub value: Option<f64>,
-    pub loc: Loc,
-}
-
-/// A value with the name in front of it, in upper case.
-#[derive(Debug, Clone)]
-pub(super) struct Labelled {
-    pub label: String,
-    pub value: f64,
-}
-
-impl Open {
-    fn new(number: u32, part: Option<u32>, here: Site, failed: bool) -> Open {
-        Open {
-            number,
-            here,
-            part,
-            axes: Vec::new(),
-            values: Vec::new(),
-            parameters: Vec::new(),
-            words: Vec::new(),
-            loose: false,
-            parts: Vec::new(),
-            table_row: false,
-            program: None,
-            failed,
-        }
-    }
-}
-
 /// What CYCL CALL, M99 and M89 run.
 #[derive(Debug, Clone)]
 enum Defined {
@@ -92,7 +35,7 @@ enum Defined {
         name: String,
     },
     Machining {
-        cycle: Rc<Machining>,
+        cycle: Rc<DefinedCycle>,
         refused: bool,
     },
     /// The definition was refused, which was reported.
@@ -120,7 +63,7 @@ impl Run<'_> {
         match block.stmt {
             Stmt::Cycle { number, part: Some(part) } => number == open.number && part > 0 && open.part.is_some(),
             // A line of parameters without a continuation mark in front of it.
-            Stmt::Assign(q) => block.number.is_none() && open.part.is_none() && is_parameter_of(open.number, q),
+            Stmt::Assign(q) => block.number.is_none() && open.part.is_none() && find(open.number).takes(open.number, q),
             _ => false,
         }
     }
@@ -128,7 +71,7 @@ impl Run<'_> {
     /// A formula block turned out to be a line of the open definition.
     pub(super) fn note_cycle_parameter(&mut self, q: QRef, value: f64, span: Span) -> Outcome {
         let Some(open) = &mut self.cycles.open else { return Ok(()) };
-        if open.part.is_some() || !is_parameter_of(open.number, q) {
+        if open.part.is_some() || !find(open.number).takes(open.number, q) {
             return Ok(());
         }
         // Behind a definition that `~` holds together, such a line is a block that changes the cycle.
@@ -168,7 +111,7 @@ impl Run<'_> {
                 Some(open) if open.number == number && open.part.is_some_and(|last| last < part) => {
                     open.part = Some(part);
                     // The effect belongs to the last block of the definition.
-                    open.here = self.here;
+                    open.here = self.core.here;
                 }
                 _ => {
                     return self.fail_help(
@@ -204,29 +147,24 @@ impl Run<'_> {
         let Some(open) = self.cycles.open.take() else { return };
         let here = std::mem::replace(&mut self.here, open.here);
         let failed = open.failed || self.apply_cycle(&open).is_err();
-        let nature = nature(open.number);
-        if failed && matches!(nature, Nature::Machining | Nature::ProgramCall | Nature::Unknown) {
+        let nature = find(open.number).nature;
+        if failed && (nature.is_machining() || matches!(nature, Nature::ProgramCall | Nature::Unknown)) {
             self.cycles.defined = Some(Defined::Refused);
             self.cycles.modal = false;
         }
-        if failed && nature != Nature::Machining {
+        if failed && !nature.is_machining() {
             self.st.lose(AxisSet::MAIN);
         }
         self.here = here;
     }
 
     fn apply_cycle(&mut self, open: &Open) -> Outcome {
-        let nature = nature(open.number);
-        let dotted = match nature {
-            Nature::Preset | Nature::Pattern | Nature::Data | Nature::Unknown => false,
-            Nature::Machining => open.number < 20,
-            _ => true,
-        };
-        if dotted && open.part.unwrap_or(0) == 0 {
+        let row = find(open.number);
+        if row.has_parts(open.number) && open.part.unwrap_or(0) == 0 {
             self.error(codes::K2402, format!("cycle {} lacks its part {}.1", open.number, open.number));
             return Err(Reported);
         }
-        match nature {
+        match row.nature {
             Nature::DatumShift => self.shift_cycle(open),
             Nature::Mirror => {
                 let axes = open.axes.iter().map(|axis| axis.axis).collect();
@@ -290,18 +228,18 @@ impl Run<'_> {
             }
             Nature::Preset => self.preset(open),
             Nature::Data => Ok(()),
-            Nature::Machining => {
-                let mm = self.level().unit.mm();
-                let cycle = Machining::new(open, self.here.origin.loc, mm);
+            Nature::Drilling(_) | Nature::Machining => {
+                let mm = self.level().frame.unit.mm();
+                let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
                 self.check_definition(&cycle)?;
                 self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
                 self.cycles.modal = false;
                 Ok(())
             }
-            Nature::Pattern => {
-                let mm = self.level().unit.mm();
-                let pattern = Machining::new(open, self.here.origin.loc, mm);
-                let result = self.pattern_cycle(&pattern);
+            Nature::Pattern(places) => {
+                let mm = self.level().frame.unit.mm();
+                let pattern = DefinedCycle::new(open, self.here.origin.loc, mm);
+                let result = self.pattern_cycle(&pattern, places);
                 if result.is_err() {
                     self.lose_all();
                 }
@@ -365,10 +303,10 @@ impl Run<'_> {
     }
 
     /// The machining cycle that a pattern runs.
-    pub(super) fn pattern_subject(&mut self, by: &str) -> Outcome<Rc<Machining>> {
+    pub(super) fn pattern_subject(&mut self, by: &str) -> Outcome<Rc<DefinedCycle>> {
         match &self.cycles.defined {
             Some(Defined::Refused) => Err(Reported),
-            Some(Defined::Machining { cycle, .. }) if holes::needed(cycle.number).is_some() => Ok(Rc::clone(cycle)),
+            Some(Defined::Machining { cycle, .. }) if cycle.row().nature.drilling().is_some() => Ok(Rc::clone(cycle)),
             Some(Defined::Machining { .. }) => {
                 self.call_cycle(by)?;
                 Err(Reported)
@@ -427,7 +365,7 @@ impl Run<'_> {
                 let name = name.clone();
                 self.call_program_named(&name)
             }
-            Some(Defined::Machining { cycle, .. }) if holes::needed(cycle.number).is_some() => {
+            Some(Defined::Machining { cycle, .. }) if cycle.row().nature.drilling().is_some() => {
                 let cycle = Rc::clone(cycle);
                 let result = self.drill(&cycle, 0.0, Retract::Far);
                 if result.is_err() {
@@ -439,7 +377,7 @@ impl Run<'_> {
             Some(Defined::Machining { cycle, refused }) => {
                 let (number, loc, again) = (cycle.number, cycle.loc, std::mem::replace(refused, true));
                 if !again {
-                    let what = name(number).unwrap_or_default();
+                    let what = find(number).name();
                     self.report(
                         Diagnostic::new(codes::K9001, here, format!("cycle {number} {what} is not supported yet"))
                             .here("called here")

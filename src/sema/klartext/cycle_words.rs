@@ -7,13 +7,13 @@ use crate::diag::codes;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::sema::cycle_table::Name;
 use crate::text::Span;
 
-use super::cycle::{AxisValue, Labelled};
-use super::cycle_names::{Nature, nature};
-use super::machining::What;
+use super::cycle_definition::{AxisValue, Labelled, What};
+use super::cycles::{Nature, find};
 use super::vars::Slot;
-use super::{Outcome, Run, holes, patterns};
+use super::{Outcome, Run};
 
 /// What was read of a part of a definition.
 #[derive(Debug, Default)]
@@ -34,7 +34,7 @@ impl Run<'_> {
     pub(super) fn cycle_words(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let mut read = Read::default();
         let number = self.open_cycle().number;
-        let nature = nature(number);
+        let nature = find(number).nature;
         for &word in &block.words {
             if !self.takes_cycle_word(nature, number, word, &read, text) {
                 return self.cycle_word(word.span, number);
@@ -50,7 +50,7 @@ impl Run<'_> {
                     let loc = self.loc(word.span);
                     self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
                 }
-                Addr::Name if nature == Nature::Mirror => self.mirror_letters(word, block, text)?,
+                Addr::Name if matches!(nature, Nature::Mirror) => self.mirror_letters(word, block, text)?,
                 Addr::Name => {
                     read.label = Some((String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(), word.span));
                 }
@@ -66,7 +66,7 @@ impl Run<'_> {
                     self.keep_part(What::Value, value);
                     self.open_cycle().values.push(Labelled { label, value });
                 }
-                Addr::Feed if nature == Nature::Machining => {
+                Addr::Feed if nature.is_machining() => {
                     let value = self.number(word.value, word.span)?;
                     read.values += 1;
                     self.keep_part(What::Feed, value);
@@ -105,7 +105,7 @@ impl Run<'_> {
     /// `Q200=+2`
     fn cycle_parameter(&mut self, q: QRef, word: Word, text: &[u8]) -> Outcome {
         let number = self.open_cycle().number;
-        if q.kind == QKind::Q && !is_parameter_of(number, q) {
+        if q.kind == QKind::Q && !find(number).takes(number, q) {
             return self.fail_help(
                 codes::K1005,
                 word.span,
@@ -150,8 +150,7 @@ impl Run<'_> {
 
     /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
     pub(super) fn check_title(&self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
-        let acts = !matches!(nature(number), Nature::Machining | Nature::Pattern | Nature::Data | Nature::Unknown);
-        if part.is_none() || !acts {
+        if part.is_none() || !find(number).nature.acts() {
             return Ok(());
         }
         let head = block.span.of(text);
@@ -175,19 +174,7 @@ impl Run<'_> {
     /// A word that the cycle does not take.
     pub(super) fn cycle_word<T>(&self, span: Span, cycle: u32) -> Outcome<T> {
         let text = self.word_text(span);
-        let form = match cycle {
-            1 | 2 => "write a name and one value: `CYCL DEF 1.2 DEPTH -15`, the feed as `CYCL DEF 1.5 F80`",
-            17 => "write a name and one value: `CYCL DEF 17.3 PITCH +1.5`",
-            7 => "write the shift: `CYCL DEF 7.1 X+60`",
-            8 => "write the letters of the axes: `CYCL DEF 8.1 X Y`",
-            9 => "write the time: `CYCL DEF 9.1 DWELL 1.5`",
-            10 => "write the angle: `CYCL DEF 10.1 ROT+35`",
-            11 => "write the factor: `CYCL DEF 11.1 SCL 0.75`",
-            13 => "write the angle: `CYCL DEF 13.1 ANGLE 180`",
-            26 => "write factors and centre: `CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20`",
-            _ => "remove the word",
-        };
-        self.fail_help(codes::K1005, span, format!("`{text}` has no place in cycle {cycle}"), form)
+        self.fail_help(codes::K1005, span, format!("`{text}` has no place in cycle {cycle}"), find(cycle).form)
     }
 
     /// Does the definition under way take this word?
@@ -196,17 +183,20 @@ impl Run<'_> {
         let valued = word.value != Value::None;
         let none = read.values == 0;
         let part = self.open_cycle().part;
-        let old = number < 20 && holes::needed(number).is_some();
+        let drilling = if number < 20 { nature.drilling() } else { None };
+        let feeds = drilling.and_then(|cycle| cycle.feed).is_some_and(|feed| part.map(Name::Part) == Some(feed));
         match (nature, word.addr) {
             // `HSC-MODE:1`
             (Tolerance, Addr::Colon) => read.label() == "HSC-MODE",
             (_, Addr::Colon) => false,
-            (Machining, Addr::Name | Addr::Value) if old => none,
-            (Machining, Addr::Feed) if old => none && read.label.is_none() && holes::feed_part(number) == part,
-            (Machining, _) if old => false,
-            (Machining | Pattern | Data | Unknown | Preset, Addr::Assign(_) | Addr::AssignText(_)) => true,
+            (Drilling(_), Addr::Name | Addr::Value) if drilling.is_some() => none,
+            (Drilling(_), Addr::Feed) if drilling.is_some() => none && read.label.is_none() && feeds,
+            (Drilling(_), _) if drilling.is_some() => false,
+            (Drilling(_) | Machining | Pattern(_) | Data | Unknown | Preset, Addr::Assign(_) | Addr::AssignText(_)) => {
+                true
+            }
             // Refused where they are called, whatever they say.
-            (Machining | Unknown, _) => true,
+            (Drilling(_) | Machining | Unknown, _) => true,
             (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
             (Tolerance, Addr::Name) => is_one_of(word, text, &["T", "HSC-MODE", "TA"]),
             (Tolerance, Addr::Value) => read.label.is_some(),
@@ -244,19 +234,6 @@ fn named_value(assignment: &[u8]) -> &'static str {
         word if word.eq_ignore_ascii_case(b"AUTO") => "FAUTO",
         word if word.eq_ignore_ascii_case(b"MAX") => "FMAX",
         _ => "a word",
-    }
-}
-
-/// Is `q` a parameter that a definition of this cycle may set?
-pub(super) fn is_parameter_of(cycle: u32, q: QRef) -> bool {
-    if q.kind != QKind::Q {
-        return false;
-    }
-    let known = holes::parameters(cycle).or_else(|| patterns::parameters(cycle));
-    match known {
-        Some((needed, optional)) => needed.contains(&q.number) || optional.contains(&q.number),
-        None if cycle == 247 => q.number == 339,
-        None => matches!(q.number, 200..=1199) || (matches!(cycle, 20..=39) && q.number <= 21),
     }
 }
 

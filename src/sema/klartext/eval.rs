@@ -10,7 +10,7 @@ use crate::parser::klartext::ast::{Block, LabelRef, Op, Operand, Operator, Relat
 use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, evaluate, noun};
 use crate::text::{Span, decode::readable};
 
-use super::calls::LevelKind;
+use super::calls::{FrameKind, innermost_locals};
 use super::text_functions;
 use super::vars::{Slot, Val, exists};
 use super::{Outcome, Reported, Run};
@@ -197,7 +197,7 @@ impl Run<'_> {
 
     /// Q100 to Q199, as far as the compiler knows them.
     fn control_value(&mut self, number: u32, span: Span) -> Outcome<Option<f64>> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         Ok(match number {
             108 => match self.st.tool.as_ref().and_then(|tool| tool.effective_radius()) {
                 Some(radius) => Some(radius / mm),
@@ -220,7 +220,7 @@ impl Run<'_> {
                 (None, None) => -1.0,
             }),
             111 => Some(f64::from(u8::from(self.st.coolant))),
-            113 => Some(match self.levels[0].unit {
+            113 => Some(match self.levels[0].frame.unit {
                 Unit::Mm => 0.0,
                 Unit::Inch => 1.0,
             }),
@@ -295,7 +295,7 @@ impl Run<'_> {
                     .help("use Q0 to Q99 or Q1600 to Q1999"),
             );
         }
-        let locals = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut());
+        let locals = innermost_locals(&mut self.core.levels);
         let locals = locals.expect("the main level has locals");
         self.vars.set(locals, q, value);
         Ok(())
@@ -305,7 +305,7 @@ impl Run<'_> {
     pub(super) fn lose_target(&mut self, text: &[u8]) {
         let Some(q) = assigned(text) else { return };
         if exists(q)
-            && let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut())
+            && let Some(locals) = innermost_locals(&mut self.core.levels)
         {
             self.vars.set(locals, q, Slot::Lost);
         }
@@ -388,8 +388,8 @@ impl Run<'_> {
                 return Err(Reported);
             }
         };
-        let inner = self.levels.iter().rposition(|level| matches!(level.kind, LevelKind::Program { .. }));
-        let outer = inner.and_then(|at| self.levels[..at].iter_mut().rev().find_map(|level| level.locals.as_mut()));
+        let inner = self.levels.iter().rposition(|level| level.frame.kind == FrameKind::Program);
+        let outer = inner.and_then(|at| innermost_locals(&mut self.levels[..at]));
         if let Some(locals) = outer {
             locals.insert(number, value);
         }

@@ -89,7 +89,7 @@ impl Run<'_> {
         if self.st.per_revolution {
             return Feed::PerRevolution(value);
         }
-        Feed::PerMinute(if self.level().unit == Unit::Inch { value * INCH_FEED } else { value })
+        Feed::PerMinute(if self.level().frame.unit == Unit::Inch { value * INCH_FEED } else { value })
     }
 
     /// Feed of a move that cuts; `None` for rapid traverse.
@@ -197,7 +197,7 @@ impl Run<'_> {
     #[inline]
     pub(super) fn rotary_only_feed(&mut self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
         let feed = feed?;
-        if self.level().unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
+        if self.level().frame.unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
             return Some(feed);
         }
         let linear = |axis: &Axis| !axis.is_rotary() && self.st.position.get(*axis) != end.get(*axis);

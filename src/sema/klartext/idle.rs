@@ -5,20 +5,20 @@
 //! no output depends on it, and so is a jump to a missing label that was never taken. Blocks of which the run reported an error are left alone; in one that ran without an
 //! error nothing can be found here.
 
-use crate::diag::{CallPath, Code, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, codes};
 use crate::parser::klartext::ast::{Addr, Block, LabelRef, Refused, Stmt, Word};
-use crate::parser::klartext::{SPLIT, parse_block};
-use crate::text::blocks::BlockText;
-use crate::text::{Loc, Next, Span, decode::readable};
+use crate::parser::symbols::Symbols;
+use crate::sema::Job;
+use crate::sema::run::Site;
+use crate::sema::run::unexecuted::Blocks;
+use crate::text::{Loc, Span, decode::readable};
 
-use super::super::Job;
-use super::cycle_names::{Nature, nature};
+use super::Klartext;
+use super::cycles::{Nature, find};
 use super::labels::{Label, Labels};
 use super::path::{PATH, corner_words, path_words};
 use super::words::{Admits, same_matter};
 use super::{m_functions, other, plane};
-use crate::sema::run::Site;
-use crate::sema::run::open_cursor;
 
 /// Looks at every block of the main program after its run.
 pub fn check_idle(job: &Job<'_>) {
@@ -29,45 +29,30 @@ pub fn check_idle(job: &Job<'_>) {
             job.diags.push(found);
         }
     });
-    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
-    let mut block = Block::default();
-    let mut problems = Vec::new();
-    while let Ok(next) = cursor.next(job.sources) {
-        let text = match next {
-            Next::Block(text) => text,
-            Next::TooLong { .. } => continue,
-            Next::End => return,
-        };
-        problems.clear();
-        parse_block(text.text, &mut block, &mut problems);
-        if matches!(block.stmt, Stmt::End { .. }) {
+    let Some(mut blocks) = Blocks::<Klartext>::of_main(job) else { return };
+    let mut symbols = Symbols::default();
+    while let Some(passed) = blocks.next(job, &mut symbols) {
+        if matches!(passed.block.stmt, Stmt::End { .. }) {
             return;
         }
-        if problems.is_empty() && !has_place(&reported, &text) {
-            look(job, &labels, &block, &text);
+        if passed.is_free_of(&reported) {
+            look(job, &labels, passed.block, passed.text, &passed.site);
         }
     }
 }
 
-/// Does one of the ascending `places` lie in the block?
-fn has_place(places: &[u32], text: &BlockText<'_>) -> bool {
-    let first = places.partition_point(|place| *place < text.at);
-    places.get(first).is_some_and(|place| (*place as usize) < text.at as usize + text.text.len().max(1))
-}
-
-fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &BlockText<'_>) {
-    let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
+fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &[u8], here: &Site) {
     let found = called_label(block)
-        .and_then(|label| Label::written(label, text.text))
+        .and_then(|label| Label::written(label, text))
         .filter(|label| *label != Label::Number(0) && labels.place(label).is_none())
         .map(|label| match block.stmt {
             // Whether a control looks for the label of a jump that it does not take is not known.
             Stmt::If { .. } => not_taken(&labels.missing(&label, here.loc(job, block.span))),
             _ => labels.missing(&label, here.loc(job, block.span)),
         })
-        .or_else(|| wrong_word(job, block, text.text, &here))
+        .or_else(|| wrong_word(job, block, text, here))
         .or_else(|| {
-            let code = refused(job, block, text.text)?;
+            let code = refused(job, block, text)?;
             let message =
                 format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
             Some(
@@ -164,7 +149,9 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         Stmt::FnOther { number: 26..=28, .. } => Some(codes::K9006),
         Stmt::FnOther { number: 17 | 25, .. } => Some(codes::K9014),
         Stmt::FnOther { number: 24, .. } => Some(codes::K9011),
-        Stmt::Cycle { number, part: None | Some(0) } if nature(number) == Nature::Unknown => Some(codes::K9001),
+        Stmt::Cycle { number, part: None | Some(0) } if matches!(find(number).nature, Nature::Unknown) => {
+            Some(codes::K9001)
+        }
         _ => None,
     };
     code.or_else(|| {

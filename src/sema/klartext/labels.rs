@@ -3,13 +3,14 @@
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
-use crate::parser::klartext::ast::{Block, LabelRef, Stmt};
-use crate::parser::klartext::{SPLIT, parse_block};
+use crate::parser::klartext::ast::{LabelRef, Stmt};
+use crate::parser::symbols::Symbols;
+use crate::sema::Job;
+use crate::sema::run::unexecuted::Blocks;
 use crate::text::blocks::Place;
-use crate::text::{FileId, Loc, Next, Span, decode::readable};
+use crate::text::{FileId, Loc, Span, decode::readable};
 
-use super::super::Job;
-use crate::sema::run::open_cursor;
+use super::Klartext;
 
 /// A label as programs call it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -50,34 +51,23 @@ impl Labels {
     /// Scans `file`; a label set twice is given to `twice`.
     pub fn scan(job: &Job<'_>, file: FileId, from: Loc, twice: &mut dyn FnMut(Diagnostic)) -> Labels {
         let mut labels = Labels::default();
-        let Some(mut cursor) = open_cursor(job, file, SPLIT, from) else { return labels };
-        let mut block = Block::default();
-        let mut ignored = Vec::new();
-        loop {
-            let found = match cursor.next(job.sources) {
-                Ok(Next::Block(found)) => found,
-                Ok(Next::TooLong { .. }) => continue,
-                Ok(Next::End) | Err(_) => return labels,
-            };
-            if !may_be_label(found.text) {
-                continue;
-            }
-            parse_block(found.text, &mut block, &mut ignored);
-            ignored.clear();
-            let place = Place { at: found.at, line: found.line };
-            match block.stmt {
+        let Some(mut blocks) = Blocks::<Klartext>::open(job, file, from) else { return labels };
+        let mut symbols = Symbols::default();
+        while let Some(passed) = blocks.next_that(job, &mut symbols, may_be_label) {
+            let place = passed.place();
+            match passed.block.stmt {
                 Stmt::Label(LabelRef::Number(0)) => labels.zeros.push(place.at),
                 Stmt::Label(label) => {
-                    let span = block.span.shifted(found.at);
-                    let loc = Loc { file, line: place.line, span };
-                    if let Some(found) = labels.add(label, found.text, place, loc) {
+                    let loc = Loc { file, line: place.line, span: passed.block.span.shifted(place.at) };
+                    if let Some(found) = labels.add(label, passed.text, place, loc) {
                         twice(found);
                     }
                 }
-                Stmt::End { .. } => return labels,
+                Stmt::End { .. } => break,
                 _ => {}
             }
         }
+        labels
     }
 
     /// Notes a label; the finding where it is set already.

@@ -281,7 +281,7 @@ impl Run<'_> {
             Act::RotaryFeed(on) => self.st.rotary_feed = on,
             Act::ShortWay(on) => self.st.short_way = on,
             Act::PerRevolution(on) => {
-                if on && self.level().unit == Unit::Inch {
+                if on && self.level().frame.unit == Unit::Inch {
                     return self.fail(
                         codes::K9008,
                         m.span,
@@ -380,7 +380,7 @@ impl Run<'_> {
             return self.m_at_end(&w);
         }
         self.m_at_end(&w)?;
-        if !self.ended {
+        if !self.has_ended() {
             self.function(Function::Stop);
         }
         Ok(())

@@ -11,16 +11,17 @@ mod calls;
 mod change;
 mod coordinates;
 mod cycle;
-mod cycle_names;
+mod cycle_definition;
 mod cycle_words;
+mod cycles;
+mod defined_cycle;
+mod drilling;
 mod eval;
 mod feed;
 mod help;
-mod holes;
 mod idle;
 mod labels;
 mod m_functions;
-mod machining;
 mod other;
 mod path;
 mod pattern_def;
@@ -38,6 +39,7 @@ mod vars;
 mod words;
 
 use std::cell::RefCell;
+use std::ops::{Deref, DerefMut};
 
 use crate::diag::{CallPath, Code, Diagnostic, codes};
 use crate::ir::Function;
@@ -46,14 +48,16 @@ use crate::machine::{Proposed, Unit};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
-use crate::text::{FileId, Loc, Next, Span};
+use crate::parser::symbols::Symbols;
+use crate::text::{Loc, Span, SplitRules};
 
 pub use idle::check_idle;
 
-use super::run::{Budget, Parsed, Read, Site, Source, open_cursor};
+use super::run::unexecuted::Blocks;
+use super::run::{self, Core, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
-use calls::{Level, LevelKind};
+use calls::{Frame, FrameKind};
 use cycle::Cycles;
 use labels::Labels;
 use state::State;
@@ -61,15 +65,10 @@ use vars::{Locals, Vars};
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
-    let (vars, locals) = Vars::new(&job.settings.variables);
     let mut run = Run {
-        job: *job,
-        out,
+        core: Core::new(job, out),
         st: State::new(job.settings),
-        vars,
-        programs: Vec::new(),
-        levels: Vec::new(),
-        budget: Budget::new(job.settings.limits.steps),
+        vars: Vars::default(),
         proposed: RefCell::default(),
         cycles: Cycles::default(),
         defined: tool::Defined::default(),
@@ -81,53 +80,29 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         machine: Machine::new(eval::rules(job.settings)),
         words: None,
         skipped: None,
-        here: Site::default(),
-        problems: Vec::new(),
-        scratch: None,
-        ended: false,
     };
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(program) = run.open(job.main, start) else { return 0 };
-    run.out.begins_at(&run.st.position.start());
-    run.levels.push(Level::main(program, job.settings.control.unit.unwrap_or_default(), locals));
-    while !run.ended {
-        run.step();
-    }
-    run.finish();
-    run.programs[program].source.cursor.content_hash(job.sources).unwrap_or(0)
+    if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 
 /// Reads every block of the main program, whether it runs or not, and reports what is wrong with its form.
 pub fn check_form(job: &Job<'_>) {
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
-    let mut block = Block::default();
-    let mut problems = Vec::new();
+    let mut symbols = Symbols::default();
+    let Some(mut blocks) = Blocks::<Klartext>::of_main(job) else { return };
     let mut head: Option<(Unit, Loc)> = None;
-    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
-        parse_block(text.text, &mut block, &mut problems);
-        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
-        for problem in problems.drain(..) {
-            push_problem(job, &here, problem);
-        }
-        match block.stmt {
-            Stmt::Begin { unit: Some(unit), .. } if head.is_none() => head = Some((unit, here.loc(job, block.span))),
+    while let Some(mut passed) = blocks.next(job, &mut symbols) {
+        passed.report_problems(job);
+        let loc = passed.site.loc(job, passed.block.span);
+        match passed.block.stmt {
+            Stmt::Begin { unit: Some(unit), .. } if head.is_none() => head = Some((unit, loc)),
             // What follows END PGM is reported as a whole.
             Stmt::End { unit, .. } => {
-                check_end(job, unit, head, here.loc(job, block.span));
-                calls::report_behind_end(job, &mut cursor, job.main, CallPath::MAIN);
+                check_end(job, unit, head, loc);
+                calls::report_behind_end(job, &mut blocks.texts.cursor, job.main, CallPath::MAIN);
                 break;
             }
             _ => {}
         }
     }
-}
-
-/// A program without numbers has hundreds of such words: one finding says it all.
-fn push_problem(job: &Job<'_>, here: &Site, problem: Problem) {
-    let once = problem.code == codes::K0801;
-    let found = here.diagnostic(job, problem);
-    if once { job.diags.push_once(found) } else { job.diags.push(found) }
 }
 
 /// A run does not come here where the program ends by M30.
@@ -139,10 +114,48 @@ fn check_end(job: &Job<'_>, unit: Option<Unit>, head: Option<(Unit, Loc)>, here:
     }
 }
 
-/// A program file and what is known of it.
-#[derive(Debug)]
-struct Program {
-    source: Source<Block>,
+/// How the text of a program is read.
+#[derive(Debug, Default)]
+struct Klartext;
+
+impl Language for Klartext {
+    type Block = Block;
+    type Known = Known;
+    type Frame = Frame;
+
+    const SPLIT: SplitRules = SPLIT;
+
+    #[inline]
+    fn parse(&mut self, text: &[u8], into: &mut Parsed<Block>, _: &mut Symbols, problems: &mut Vec<Problem>) {
+        parse_block(text, &mut into.block, problems);
+        if needs_text(&into.block) {
+            into.text.extend_from_slice(text);
+        }
+    }
+
+    #[inline]
+    fn span(block: &Block) -> Span {
+        block.span
+    }
+
+    #[inline]
+    fn operations(block: &Block) -> usize {
+        block.ops.len()
+    }
+
+    fn usual_help(code: &'static Code) -> Option<&'static str> {
+        help::usual_help(code)
+    }
+
+    /// A program without numbers has hundreds of such words: one finding says it all.
+    fn said_once(code: &'static Code) -> bool {
+        code == codes::K0801
+    }
+}
+
+/// What is known of a program file.
+#[derive(Debug, Default)]
+struct Known {
     labels: Option<Labels>,
     /// Labels passed before the file was looked through for them.
     passed: Labels,
@@ -161,13 +174,9 @@ struct ProgramHead {
 
 /// A run of a program.
 struct Run<'a> {
-    job: Job<'a>,
-    out: &'a mut dyn Sink,
+    core: Core<'a, Klartext>,
     st: State,
     vars: Vars,
-    programs: Vec<Program>,
-    levels: Vec<Level>,
-    budget: Budget,
     /// Numbers proposed for tools without one.
     proposed: RefCell<Proposed>,
     cycles: Cycles,
@@ -187,112 +196,45 @@ struct Run<'a> {
     words: Option<Box<words::Words>>,
     /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
     skipped: Option<u32>,
-    here: Site,
-    problems: Vec<Problem>,
-    scratch: Option<Box<Parsed<Block>>>,
-    ended: bool,
 }
 
-impl Run<'_> {
-    fn open(&mut self, file: FileId, from: Loc) -> Option<usize> {
-        if let Some(at) = self.programs.iter().position(|program| program.source.file == file) {
-            return Some(at);
-        }
-        let source = Source::open(&self.job, file, SPLIT, from)?;
-        self.programs.push(Program { source, labels: None, passed: Labels::default(), writes_m6: None, head: None });
-        Some(self.programs.len() - 1)
+impl<'a> Deref for Run<'a> {
+    type Target = Core<'a, Klartext>;
+
+    #[inline]
+    fn deref(&self) -> &Core<'a, Klartext> {
+        &self.core
+    }
+}
+
+impl<'a> DerefMut for Run<'a> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Core<'a, Klartext> {
+        &mut self.core
+    }
+}
+
+impl<'a> Interpreter<'a> for Run<'a> {
+    type Language = Klartext;
+
+    fn begin(&mut self, program: usize) -> Level<Frame> {
+        let settings = self.job.settings;
+        let (vars, locals) = Vars::new(&settings.variables);
+        self.vars = vars;
+        self.core.begins_at(&self.st.position.start());
+        Level::main(program, Frame::main(settings.control.unit.unwrap_or_default(), locals))
     }
 
-    fn level(&mut self) -> &mut Level {
-        self.levels.last_mut().expect("the main level is popped only when the run ends")
-    }
-
-    fn program(&mut self) -> &mut Program {
-        let at = self.level().program;
-        &mut self.programs[at]
-    }
-
-    /// Between two places of a pattern: the run ends here where no step is left, or the output takes no more.
-    fn goes_on(&mut self) -> Outcome {
-        if self.budget.goes_on(&*self.out) {
-            return Ok(());
-        }
-        self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, self.here.origin.call);
-        self.ended = true;
-        Err(Reported)
-    }
-
-    /// Executes one block.
-    fn step(&mut self) {
-        let (at, call) = (self.level().program, self.level().call);
-        if !self.budget.step(&*self.out) {
-            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
-            self.ended = true;
-            return;
-        }
-        let source = &mut self.programs[at].source;
-        if let Some((parsed, here)) = source.again(call) {
-            let bytes = source.cursor.place().at.saturating_sub(here.at);
-            self.budget.block(bytes, parsed.block.ops.len(), false);
-            self.here = here;
-            self.execute(&parsed.block, &parsed.text);
-            return;
-        }
-        let mut parsed = self.scratch.take().unwrap_or_default();
-        let read = source.read(&self.job, call, &mut parsed, |text, into| {
-            parse_block(text, &mut into.block, &mut self.problems);
-            if needs_text(&into.block) {
-                into.text.extend_from_slice(text);
-            }
-        });
-        match read {
-            Read::Block(here) => {
-                let source = &self.programs[at].source;
-                let bytes = source.cursor.place().at.saturating_sub(here.at);
-                self.budget.block(bytes, parsed.block.ops.len(), source.parsed_again);
-                self.here = here;
-                if !self.problems.is_empty() {
-                    // A block that is left out takes the lines along in which it goes on.
-                    if self.leaves_out(&parsed.block) {
-                        self.problems.retain(|problem| problem.code != codes::K1850);
-                    }
-                    self.report_problems();
-                }
-                self.execute(&parsed.block, &parsed.text);
-            }
-            Read::TooLong => {}
-            Read::End => self.end_of_file(),
-            Read::Broken => self.ended = true,
-        }
-        self.scratch = Some(parsed);
-    }
-
-    /// Does the control skip the block for its `/`?
-    fn leaves_out(&self, block: &Block) -> bool {
-        block.skip && self.job.settings.control.skip_blocks.iter().any(|level| *level <= 1)
-    }
-
-    fn report_problems(&mut self) {
-        for problem in std::mem::take(&mut self.problems) {
-            self.push_problem(problem);
-        }
-    }
-
-    fn push_problem(&self, problem: Problem) {
-        push_problem(&self.job, &self.here, problem);
-    }
-
+    #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        self.here.origin.loc.span = block.span.shifted(self.here.at);
-        if self.leaves_out(block) {
+        if self.job.skips(block.skip.then_some(0)) {
             self.skip(block, text);
             return;
         }
         if self.skipped.is_some() && self.belongs_to_skipped(block) {
             return;
         }
-        if self.job.settings.output.comments
-            && let Some(comment) = block.comment
+        if let Some(comment) = block.comment
             && !matches!(block.stmt, Stmt::Cycle { .. })
         {
             self.comment(comment.of(text));
@@ -317,6 +259,27 @@ impl Run<'_> {
         }
     }
 
+    fn end_of_file(&mut self) {
+        self.file_over();
+    }
+
+    fn unread_block(&mut self) {
+        self.lose_all();
+    }
+
+    /// A block that is left out takes the lines along in which it goes on.
+    fn forgive(&mut self, block: &Block) {
+        if self.job.skips(block.skip.then_some(0)) {
+            self.problems.retain(|problem| problem.code != codes::K1850);
+        }
+    }
+
+    fn finish(&mut self) {
+        self.report_open();
+    }
+}
+
+impl Run<'_> {
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
         match block.stmt {
             Stmt::Empty | Stmt::Bad => Ok(()),
@@ -414,8 +377,8 @@ impl Run<'_> {
             }
             whole.extend_from_slice(line);
         }
-        if !whole.is_empty() {
-            self.function(Function::Comment(whole));
+        if let Some(comment) = self.core.comment_of(&whole) {
+            self.function(comment);
         }
     }
 
@@ -427,58 +390,31 @@ impl Run<'_> {
         if let Some(corner) = self.st.corner.take() {
             self.side_at_corner(&corner, mv.side);
         }
-        self.out.movement(mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(mv, &self.st.ctx);
     }
 
     fn function(&mut self, function: Function) {
         if let Some(approach) = &mut self.approach
             && approach.held.len() < approach::MOST_HELD
         {
-            return approach.held.push((function, self.here.origin));
+            return approach.held.push((function, self.core.here.origin));
         }
-        self.out.function(&function, &self.st.ctx, &self.here.origin);
+        self.core.send_function(&function, &self.st.ctx);
     }
 
     /// Nobody knows where the tool is.
     fn lost(&mut self) {
         self.st.corner = None;
-        self.out.lost(&self.st.ctx, &self.here.origin);
-    }
-
-    /// Reports an error about the whole block.
-    fn error(&self, code: &'static Code, message: impl Into<String>) {
-        self.report(Diagnostic::new(code, self.here.origin.loc, message));
-    }
-
-    fn report(&self, mut found: Diagnostic) {
-        found.help = found.help.or_else(|| help::usual_help(found.code).map(str::to_owned));
-        self.job.diags.push(found.called(self.here.origin.call));
-    }
-
-    /// Reports an error about `span` of the block and gives up the block.
-    fn fail<T>(&self, code: &'static Code, span: Span, message: impl Into<String>) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(span), message));
-        Err(Reported)
-    }
-
-    /// The same with a line of help.
-    fn fail_help<T>(&self, code: &'static Code, span: Span, message: impl Into<String>, help: &str) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(span), message).help(help));
-        Err(Reported)
-    }
-
-    /// A place in the current block.
-    fn loc(&self, span: Span) -> Loc {
-        self.here.loc(&self.job, span)
+        self.core.send_lost(&self.st.ctx);
     }
 
     fn locals(&self) -> &Locals {
-        let locals = self.levels.iter().rev().find_map(|level| level.locals.as_ref());
+        let locals = self.levels.iter().rev().find_map(|level| level.frame.locals.as_ref());
         locals.expect("the main level has locals")
     }
 
     /// End of the whole run: what is still open is worth a word.
-    fn finish(&mut self) {
+    fn report_open(&mut self) {
         let _ = self.forbid_open_approach();
         if self.cycles.is_open() {
             self.finish_cycle();
@@ -500,7 +436,7 @@ impl Run<'_> {
 
     /// A call level of kind Main or Program: the innermost program.
     fn in_called_program(&self) -> bool {
-        self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { .. }))
+        self.levels.iter().any(|level| level.frame.kind == FrameKind::Program)
     }
 }
 

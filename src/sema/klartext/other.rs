@@ -5,6 +5,7 @@ use crate::geo::{Point2, SAME_POINT, arc, distance};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::{Block, Refused};
 
+use super::calls::innermost_locals;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
@@ -19,7 +20,7 @@ impl Run<'_> {
             14 => {
                 let error = rest.rsplit('=').next().unwrap_or_default().trim().to_owned();
                 self.error(codes::K2309, format!("the program stops with error {error}"));
-                self.ended = true;
+                self.stop_run();
                 Err(Reported)
             }
             15 | 16 | 38 => {
@@ -162,7 +163,7 @@ impl Run<'_> {
 
     /// A parameter that the control sets itself.
     pub(super) fn set_control_parameter(&mut self, q: QRef, value: Slot) {
-        if let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) {
+        if let Some(locals) = innermost_locals(&mut self.core.levels) {
             self.vars.set(locals, q, value);
         }
     }

@@ -83,7 +83,7 @@ impl Run<'_> {
             self.set_feed(w)?;
         } else {
             self.m_at_start(w, moves)?;
-            if self.ended {
+            if self.has_ended() {
                 return Err(Reported);
             }
             self.set_feed(w)?;
@@ -144,7 +144,7 @@ impl Run<'_> {
             );
         }
         self.m_at_end(w)?;
-        if calls && !self.ended {
+        if calls && !self.has_ended() {
             return self.call_cycle(if once { "M99" } else { "M89" });
         }
         Ok(())
@@ -336,7 +336,7 @@ impl Run<'_> {
         let rounding = block.stmt == Stmt::Rounding;
         let head = if rounding { "RND" } else { "CHF" };
         let w = self.gather(block, head, corner_words(rounding))?;
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let size = w.radius.or(w.number.map(|n| n * mm));
         let Some(size) = size.filter(|size| *size > 0.0) else {
             let (what, help) = if rounding {
@@ -374,7 +374,7 @@ impl Run<'_> {
         // What stands behind a corner begins at its cut.
         self.st.last = None;
         self.st.corner = Some(CornerMade { rounding, side: self.st.side, loc: self.here.origin.loc });
-        self.out.corner(
+        self.core.send_corner(
             &Corner {
                 shape,
                 feed: Some(feed),
@@ -385,7 +385,6 @@ impl Run<'_> {
                 blocks: Blocks::Unconfirmed,
             },
             &self.st.ctx,
-            &self.here.origin,
         );
         Ok(())
     }

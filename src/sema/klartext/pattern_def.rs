@@ -12,7 +12,8 @@ use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
-use super::holes::Retract;
+use super::cycles::SURFACE;
+use super::drilling::Retract;
 use super::patterns::PLACES_A_STEP;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
@@ -174,7 +175,7 @@ impl Run<'_> {
 
     /// The places of one element.
     fn add_places(&mut self, name: &str, words: &Words, span: Span, list: &mut Vec<(Point2, f64)>) -> Outcome {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let (first, second, third) = self.st.plane().axes();
         let letter = |axis: usize| crate::machine::Axis::ALL[axis].letter().to_string();
         let (u, v, w) = (letter(first), letter(second), letter(third));
@@ -290,7 +291,7 @@ impl Run<'_> {
         if cycle.number < 20 {
             return self.cycle_unbuilt(&cycle, "a pattern of an old cycle");
         }
-        let own = self.cycle_length(&cycle, 203)?;
+        let own = self.cycle_length(&cycle, SURFACE)?;
         if own != 0.0 && places.list.iter().any(|(_, surface)| *surface != 0.0) {
             self.report(
                 Diagnostic::new(

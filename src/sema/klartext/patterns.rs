@@ -11,8 +11,12 @@ use crate::ir::{Feed, Pos};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::Block;
 
-use super::holes::{Heights, Retract};
-use super::machining::Machining;
+use super::cycles::patterns::{
+    AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
+};
+use super::cycles::{PlacesOf, Q};
+use super::defined_cycle::DefinedCycle;
+use super::drilling::{Heights, Retract};
 use super::path::plane_axes;
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
@@ -23,47 +27,25 @@ const MOST: f64 = 99_999.0;
 /// Places whose computing is one step.
 pub(super) const PLACES_A_STEP: u64 = 16;
 
-/// The Q parameters that each pattern needs.
-const POLAR: &[u32] = &[216, 217, 244, 245, 246, 247, 241, 200, 203, 204, 301];
-const CARTESIAN: &[u32] = &[225, 226, 237, 238, 242, 243, 224, 200, 203, 204, 301];
-
-/// The Q parameters of a pattern: those that it needs, and those that newer software has besides.
-pub(super) fn parameters(number: u32) -> Option<(&'static [u32], &'static [u32])> {
-    match number {
-        220 => Some((POLAR, &[365])),
-        221 => Some((CARTESIAN, &[])),
-        _ => None,
-    }
-}
-
 impl Run<'_> {
     /// Runs the machining cycle at the places of a pattern, whose Q200, Q203 and Q204 hold instead of its own.
-    pub(super) fn pattern_cycle(&mut self, pattern: &Machining) -> Outcome {
+    pub(super) fn pattern_cycle(&mut self, pattern: &DefinedCycle, places: Option<PlacesOf>) -> Outcome {
         let by = format!("cycle {}", pattern.number);
         let cycle = self.pattern_subject(&by)?;
-        let needed = match pattern.number {
-            220 => POLAR,
-            221 => CARTESIAN,
-            _ => return self.cycle_unbuilt(pattern, "this pattern"),
-        };
-        let missing: Vec<String> = needed.iter().filter(|q| !pattern.sets(**q)).map(|q| format!("Q{q}")).collect();
-        if !missing.is_empty() {
-            let span = self.block_span();
-            let text = format!("{by} lacks {}", missing.join(", "));
-            return self.fail_help(codes::K2402, span, text, "program all parameters of the cycle");
-        }
+        let Some(places) = places else { return self.cycle_unbuilt(pattern, "this pattern") };
+        self.all_are_set(pattern, &by)?;
         if cycle.number < 20 {
             return self.cycle_unbuilt(pattern, &format!("a pattern of the old cycle {}", cycle.number));
         }
-        if self.cycle_option(pattern, 365)? != 0.0 {
+        if self.cycle_option(pattern, ON_ARCS)? != 0.0 {
             return self.cycle_unbuilt(pattern, "going from place to place on arcs (Q365=1)");
         }
-        let near = match self.cycle_number(pattern, 301)? {
+        let near = match self.cycle_number(pattern, AT_SECOND)? {
             0.0 => true,
             1.0 => false,
             other => return self.cycle_value(pattern, &format!("Q301 = {other} is not 0 or 1")),
         };
-        let places = if pattern.number == 220 { self.polar_places(pattern)? } else { self.grid_places(pattern)? };
+        let places = places(self, pattern)?;
         self.budget.take(places.len() as u64 / PLACES_A_STEP);
         let heights = self.heights(pattern, 0.0)?;
         self.lift_to(&heights);
@@ -95,12 +77,12 @@ impl Run<'_> {
     }
 
     /// Q216/Q217 centre, Q244 diameter, Q245 first angle, Q246 last angle, Q247 step, Q241 number.
-    fn polar_places(&mut self, pattern: &Machining) -> Outcome<Vec<Point2>> {
-        let center = Point2::new(self.cycle_length(pattern, 216)?, self.cycle_length(pattern, 217)?);
-        let radius = self.cycle_length(pattern, 244)? / 2.0;
-        let (first, last) = (self.cycle_number(pattern, 245)?, self.cycle_number(pattern, 246)?);
-        let step = self.cycle_number(pattern, 247)?;
-        let count = self.count(pattern, 241)?;
+    pub(super) fn polar_places(&mut self, pattern: &DefinedCycle) -> Outcome<Vec<Point2>> {
+        let center = Point2::new(self.cycle_length(pattern, CENTER.0)?, self.cycle_length(pattern, CENTER.1)?);
+        let radius = self.cycle_length(pattern, CIRCLE)? / 2.0;
+        let (first, last) = (self.cycle_number(pattern, START_ANGLE)?, self.cycle_number(pattern, STOP_ANGLE)?);
+        let step = self.cycle_number(pattern, STEP)?;
+        let count = self.count(pattern, NUMBER)?;
         if radius < 0.0 {
             return self.cycle_value(pattern, "the pitch circle diameter Q244 is negative");
         }
@@ -124,14 +106,14 @@ impl Run<'_> {
     }
 
     /// Q225/Q226 first place, Q237/Q238 spacing, Q242 columns, Q243 lines, Q224 rotation; line by line, to and fro.
-    fn grid_places(&mut self, pattern: &Machining) -> Outcome<Vec<Point2>> {
-        let start = Point2::new(self.cycle_length(pattern, 225)?, self.cycle_length(pattern, 226)?);
-        let (across, up) = (self.cycle_length(pattern, 237)?, self.cycle_length(pattern, 238)?);
-        let (columns, lines) = (self.count(pattern, 242)?, self.count(pattern, 243)?);
+    pub(super) fn grid_places(&mut self, pattern: &DefinedCycle) -> Outcome<Vec<Point2>> {
+        let start = Point2::new(self.cycle_length(pattern, START.0)?, self.cycle_length(pattern, START.1)?);
+        let (across, up) = (self.cycle_length(pattern, SPACING.0)?, self.cycle_length(pattern, SPACING.1)?);
+        let (columns, lines) = (self.count(pattern, COLUMNS)?, self.count(pattern, LINES)?);
         if f64::from(columns) * f64::from(lines) > MOST {
             return self.cycle_value(pattern, "the pattern has more than 99999 places");
         }
-        let turn = Deg(self.cycle_number(pattern, 224)?);
+        let turn = Deg(self.cycle_number(pattern, TURN)?);
         let (along, beside) = (turn.unit(), Deg(turn.0 + 90.0).unit());
         let mut places = Vec::new();
         for line in 0..lines {
@@ -143,12 +125,12 @@ impl Run<'_> {
         Ok(places)
     }
 
-    fn count(&mut self, pattern: &Machining, q: u32) -> Outcome<u32> {
+    fn count(&mut self, pattern: &DefinedCycle, q: Q) -> Outcome<u32> {
         let n = self.cycle_number(pattern, q)?;
         if n.fract() == 0.0 && (1.0..=MOST).contains(&n) {
             return Ok(n as u32);
         }
-        self.cycle_value(pattern, &format!("Q{q} = {n} is no number of places"))
+        self.cycle_value(pattern, &format!("{q} = {n} is no number of places"))
     }
 
     /// Feed of the way from place to place; `None` for rapid traverse.
@@ -173,7 +155,7 @@ impl Run<'_> {
 
     /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
     /// the surface, it first goes to the set-up clearance.
-    pub(super) fn drill_at(&mut self, cycle: &Machining, block: &Block) -> Outcome {
+    pub(super) fn drill_at(&mut self, cycle: &DefinedCycle, block: &Block) -> Outcome {
         // The first word is POS itself.
         let mut rest = block.clone();
         rest.words.drain(..1);

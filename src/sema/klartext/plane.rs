@@ -13,7 +13,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
-use super::cycle::Open;
+use super::cycle_definition::Open;
 use super::vars::Slot;
 use super::words::Words;
 use super::{Outcome, Reported, Run};

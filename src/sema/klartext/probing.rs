@@ -9,7 +9,8 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::text::decode::readable;
 
-use super::cycle_words::is_parameter_of;
+use super::calls::innermost_locals;
+use super::cycles::find;
 use super::vars::{Slot, exists};
 use super::{Outcome, Run};
 
@@ -90,7 +91,7 @@ impl Run<'_> {
         let run = if probe.fills_a_run() { RESULTS } else { 1 };
         let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
         let own = (115..200).map(|number| QRef { kind: QKind::Q, number });
-        let Some(locals) = self.levels.iter_mut().rev().find_map(|level| level.locals.as_mut()) else { return Ok(()) };
+        let Some(locals) = innermost_locals(&mut self.core.levels) else { return Ok(()) };
         for q in named.chain(own).filter(|q| exists(*q)) {
             self.vars.set(locals, q, Slot::AtMachine(here));
         }
@@ -143,7 +144,7 @@ impl Run<'_> {
     pub(super) fn belongs_to_skipped(&mut self, block: &Block) -> bool {
         let Some(number) = self.skipped else { return false };
         let belongs = match block.stmt {
-            Stmt::Assign(q) => block.number.is_none() && is_parameter_of(number, q),
+            Stmt::Assign(q) => block.number.is_none() && find(number).takes(number, q),
             // Blank lines and comments may stand between.
             Stmt::Empty => return false,
             _ => false,

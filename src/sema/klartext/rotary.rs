@@ -77,15 +77,13 @@ impl Run<'_> {
             if ahead == 180.0 {
                 let found = Diagnostic::new(
                     codes::K2510,
-                    self.here.loc(&self.job, span),
+                    self.core.loc(span),
                     format!(
                         "{} goes half a turn, where both ways are as short; it turns in the positive sense",
                         axis.letter()
                     ),
                 );
-                self.job
-                    .diags
-                    .push(found.called(self.here.origin.call).help("program M127 if the sense of rotation matters"));
+                self.core.report(found.help("program M127 if the sense of rotation matters"));
             }
             let step = if ahead > 180.0 { ahead - 360.0 } else { ahead };
             *offset = from + step - target;

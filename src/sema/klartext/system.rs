@@ -57,7 +57,7 @@ impl Run<'_> {
     }
 
     fn answer(&mut self, r: Request, block: &Block) -> Outcome<f64> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let index = r.idx.filter(|n| n.fract() == 0.0 && (1.0..=9.0).contains(n)).map(|n| n as usize);
         let axis = index.map(|n| Axis::ALL[n - 1]);
         let t = &self.st.transform;
@@ -132,7 +132,7 @@ impl Run<'_> {
 
     /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool.
     fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let Some(n) = r.idx.filter(|n| *n >= 1.0) else {
             return self.fail_help(
                 codes::K9016,

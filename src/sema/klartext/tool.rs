@@ -64,7 +64,7 @@ impl Run<'_> {
         let Some((tool, rest)) = self.named_tool(&block.words, text)? else {
             return self.fail(codes::K1006, block.span, "TOOL DEF names no tool");
         };
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let (mut length, mut radius) = (None, None);
         let mut at = 0;
         while let Some(&word) = rest.get(at) {
@@ -195,7 +195,7 @@ impl Run<'_> {
 
     /// The words behind the tool of a TOOL CALL.
     fn call_words(&mut self, words: &[Word], block: &Block) -> Outcome<Call> {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let mut call = Call::default();
         for &word in words {
             let delta = match word.addr {

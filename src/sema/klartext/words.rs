@@ -167,7 +167,7 @@ impl Run<'_> {
     }
 
     fn gather_into(&mut self, w: &mut Words, block: &Block, head: &str, admits: Admits) -> Outcome {
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let mut at = 0;
         while let Some(&word) = block.words.get(at) {
             at += 1;
@@ -318,7 +318,7 @@ impl Run<'_> {
     pub(super) fn not_admitted<T>(&self, word: Word, head: &str) -> Outcome<T> {
         let text = self.word_text(word.span);
         if is_no_number(text.as_bytes()) || self.goes_on_without_number(word, &text) {
-            self.push_problem(no_number(&text, word.span));
+            self.report_problem(no_number(&text, word.span));
             return Err(super::Reported);
         }
         let help = match (word.addr, head) {
@@ -360,7 +360,7 @@ impl Run<'_> {
     ) -> Outcome<(Args, usize)> {
         let takes = m_functions::takes(number);
         let mut args = Args::default();
-        let mm = self.level().unit.mm();
+        let mm = self.level().frame.unit.mm();
         let mut at = 0;
         while let Some(&word) = words.get(at) {
             match word.addr {

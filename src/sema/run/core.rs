@@ -16,7 +16,7 @@ use super::Language;
 use super::budget::Budget;
 use super::level::{Level, Program};
 use super::site::Site;
-use super::source::{Parsed, Read, Source};
+use super::source::{Parsed, Read};
 
 /// Files, call stack, budget, and the block in hand.
 pub struct Core<'a, L: Language> {
@@ -73,8 +73,7 @@ impl<L: Language> Core<'_, L> {
         if let Some(at) = self.programs.iter().position(|program| program.source.file == file) {
             return Some(at);
         }
-        let source = Source::open(&self.job, file, L::SPLIT, from)?;
-        self.programs.push(Program { source, known: L::Known::default() });
+        self.programs.push(Program::open(&self.job, file, from)?);
         Some(self.programs.len() - 1)
     }
 
@@ -82,6 +81,11 @@ impl<L: Language> Core<'_, L> {
     pub fn hash(&mut self) -> u64 {
         let sources = self.job.sources;
         self.programs.first_mut().and_then(|main| main.source.cursor.content_hash(sources).ok()).unwrap_or(0)
+    }
+
+    /// Errors that the run reported.
+    pub fn errors(&self) -> u32 {
+        self.errors.get()
     }
 
     /// No further block runs.
@@ -167,19 +171,6 @@ impl<L: Language> Core<'_, L> {
             self.here.mark(L::span(&into.block));
         }
         read
-    }
-
-    /// Does the control skip a block for its `/`? `level` is the number behind the mark, 0 for none, which is the mark
-    /// of the first level.
-    #[inline]
-    pub fn skips(&self, level: Option<u8>) -> bool {
-        match level {
-            None => false,
-            Some(level) => {
-                let on = &self.job.settings.control.skip_blocks;
-                on.iter().any(|on| *on == level || level == 0 && *on == 1)
-            }
-        }
     }
 
     /// A comment of the program, where the output shows them.

@@ -1,7 +1,7 @@
 //! The call stack: which program runs, where its caller goes on.
 
 use crate::diag::{CallPath, codes};
-use crate::sema::Outcome;
+use crate::sema::{Job, Outcome};
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc};
 
@@ -15,6 +15,13 @@ use super::source::Source;
 pub struct Program<L: Language> {
     pub source: Source<L::Block>,
     pub known: L::Known,
+}
+
+impl<L: Language> Program<L> {
+    /// Opens a file; reports what is wrong with it.
+    pub fn open(job: &Job<'_>, file: FileId, from: Loc) -> Option<Program<L>> {
+        Some(Program { source: Source::open(job, file, L::SPLIT, from)?, known: L::Known::default() })
+    }
 }
 
 /// A level of the call stack.
@@ -72,13 +79,8 @@ impl<L: Language> Core<'_, L> {
     /// Goes on at `to` in `program`, until [`Core::leave`] comes back.
     pub fn enter(&mut self, program: usize, to: Place, frame: L::Frame) -> Outcome {
         let site = self.here.origin.loc;
-        // The place to come back to needs the caller in memory.
-        let sources = self.job.sources;
-        if let Err(error) = self.program().source.cursor.load(sources) {
-            return self.unreadable(&error);
-        }
         let back = self.program().source.cursor.place();
-        let call = self.job.trail.enter(self.level().call, site);
+        let call = self.job.trail.enter(self.here.origin.call, site);
         self.levels.push(Level { program, back, call, site, frame });
         self.budget.jump(site);
         self.seek(to)
@@ -86,8 +88,12 @@ impl<L: Language> Core<'_, L> {
 
     /// Goes back to where the level was called, and hands out what it held.
     pub fn leave(&mut self) -> Outcome<Option<L::Frame>> {
-        let Some(level) = self.levels.pop() else { return Ok(None) };
-        self.seek(level.back)?;
+        let called = self.levels.len() > 1;
+        let Some(level) = called.then(|| self.levels.pop()).flatten() else { return Ok(None) };
+        // A caller in a file of its own still stands there, and may be too large for the memory.
+        if self.program().source.cursor.place() != level.back {
+            self.seek(level.back)?;
+        }
         Ok(Some(level.frame))
     }
 

@@ -108,7 +108,7 @@ pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
 
 /// Executes one block.
 #[inline]
-fn step<'a, I: Interpreter<'a>>(run: &mut I) {
+pub fn step<'a, I: Interpreter<'a>>(run: &mut I) {
     if !run.has_steps() || run.level_ends() {
         return;
     }

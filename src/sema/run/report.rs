@@ -64,6 +64,11 @@ impl<L: Language> Core<'_, L> {
         }
     }
 
+    /// The same for a problem that only showed now.
+    pub fn report_problem(&self, problem: Problem) {
+        report_problem::<L>(&self.job, &self.here, problem);
+    }
+
     /// Reports an error about the whole block.
     pub fn error(&self, code: impl Into<Raised>, message: impl Into<String>) {
         self.report(Diagnostic::new(code, self.here.origin.loc, message));

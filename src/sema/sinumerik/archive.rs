@@ -11,11 +11,11 @@ use super::{Outcome, Run, programs};
 impl Run<'_> {
     /// A `%` line: the program of an archive that follows is another one.
     pub(super) fn header(&mut self) -> Outcome {
-        let unit = self.level().unit;
-        if self.here.at == self.programs.units[unit].start.at || !self.starts_program() {
+        let unit = self.level().frame.unit;
+        if self.here.at == self.units.list[unit].start.at || !self.starts_program() {
             return Ok(());
         }
-        if self.levels.len() == 1 && self.program_level().executed && self.programs.units[unit].start.at == 0 {
+        if self.levels.len() == 1 && self.program_level().executed && self.units.list[unit].start.at == 0 {
             let first = self.job.sources.bytes(self.here.file, Span::at(0, 4));
             if !first.contains(&b'%') {
                 return self.fail_help(
@@ -29,7 +29,7 @@ impl Run<'_> {
         }
         if self.levels.len() > 1 || self.program_level().executed {
             let lost = self.blocks_behind_the_end();
-            self.end_of_file();
+            self.file_over();
             if lost {
                 let message = "blocks stand behind the `%` that closes the program, and no program of theirs begins";
                 let help = "delete the `%`, or give them a head of their own: %_N_NAME_MPF";
@@ -41,12 +41,12 @@ impl Run<'_> {
         let line = self.job.sources.bytes(self.here.file, Span::at(self.here.at, 200));
         let line = line.split(|b| matches!(b, b'\n' | b'\r')).next().unwrap_or_default();
         if let Some((name, kind)) = programs::header_name(line) {
-            let first = &mut self.programs.units[unit];
+            let first = &mut self.units.list[unit];
             first.name = name;
             first.kind = kind;
-            first.start = Place { at: self.here.at, line: self.here.line };
+            first.start = Place { at: self.core.here.at, line: self.core.here.line };
             let main = self.main_unit(unit);
-            self.level().unit = main;
+            self.level().frame.unit = main;
         }
         Ok(())
     }

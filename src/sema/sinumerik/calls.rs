@@ -2,11 +2,11 @@
 //!
 //! Source: reference section 5.6.
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::machine::StandIn;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
-use crate::sema::run::open_program;
+use crate::sema::run::{Level, open_program};
 use crate::text::blocks::Place;
 use crate::text::{FileError, Loc, Request, Span};
 
@@ -16,13 +16,12 @@ use super::value::Val;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
-/// A level of the call stack.
+/// What a level of the call stack holds.
 #[derive(Debug)]
-pub(super) struct Level {
-    pub kind: LevelKind,
+pub(super) struct Frame {
+    pub kind: FrameKind,
     /// The program that runs on this level.
     pub unit: usize,
-    pub call: CallPath,
     /// The FOR that ENDFOR came from.
     pub counting: Option<u32>,
     /// Arguments that wait for PROC.
@@ -38,11 +37,9 @@ pub(super) struct Level {
 }
 
 #[derive(Debug)]
-pub(super) enum LevelKind {
+pub(super) enum FrameKind {
     Main,
     Program {
-        /// Where the caller goes on.
-        back: Place,
         passes: u32,
         /// Runs up to this offset only.
         stop: Option<u32>,
@@ -52,14 +49,12 @@ pub(super) enum LevelKind {
         /// Values that go back to the caller: parameter and what it stands for.
         references: Vec<(Symbol, Reference)>,
         modal: bool,
-        site: Loc,
     },
     /// REPEAT: a section of the same program.
     Section {
         from: Place,
         stop: u32,
         left: u32,
-        back: Place,
     },
 }
 
@@ -86,12 +81,11 @@ pub(super) struct Modal {
     pub arguments: Vec<Argument>,
 }
 
-impl Level {
-    pub fn main(unit: usize) -> Level {
-        Level {
-            kind: LevelKind::Main,
+impl Frame {
+    pub fn main(unit: usize) -> Frame {
+        Frame {
+            kind: FrameKind::Main,
             unit,
-            call: CallPath::MAIN,
             counting: None,
             arguments: None,
             given: Vec::new(),
@@ -103,31 +97,38 @@ impl Level {
 }
 
 impl Run<'_> {
-    /// The level of a program, below any repeats.
-    pub(super) fn program_level(&mut self) -> &mut Level {
-        let at = self.levels.iter().rposition(|level| !matches!(level.kind, LevelKind::Section { .. })).unwrap_or(0);
-        &mut self.levels[at]
+    fn program_level_at(&self) -> usize {
+        self.levels.iter().rposition(|level| !matches!(level.frame.kind, FrameKind::Section { .. })).unwrap_or(0)
+    }
+
+    /// What the level of a program holds, below any repeats.
+    pub(super) fn program_level(&mut self) -> &mut Frame {
+        let at = self.program_level_at();
+        &mut self.levels[at].frame
+    }
+
+    /// The block that called the program that runs.
+    pub(super) fn call_site(&self) -> Loc {
+        self.levels[self.program_level_at()].site
     }
 
     pub(super) fn enter_section(&mut self, from: Place, stop: u32, times: u32) -> Outcome {
         self.check_depth()?;
+        let (site, back) = (self.here.origin.loc, self.place());
         let level = self.level();
-        let (unit, call) = (level.unit, level.call);
-        let back = self.place();
-        let executed = true;
-        let kind = LevelKind::Section { from, stop, left: times - 1, back };
-        self.levels.push(Level {
-            kind,
+        let (program, unit, call) = (level.program, level.frame.unit, level.call);
+        let frame = Frame {
+            kind: FrameKind::Section { from, stop, left: times - 1 },
             unit,
-            call,
             counting: None,
             arguments: None,
             given: Vec::new(),
-            executed,
+            executed: true,
             declares: true,
             further_pass: false,
-        });
-        self.budget.jump(self.here.origin.loc);
+        };
+        self.levels.push(Level { program, back, call, site, frame });
+        self.note_jump();
         self.resume(from)
     }
 
@@ -143,16 +144,16 @@ impl Run<'_> {
 
     /// Where the current program goes on.
     pub(super) fn place(&mut self) -> Place {
-        let file = self.programs.units[self.unit()].file;
-        self.programs.files[file].cursor.place()
+        self.program().source.cursor.place()
     }
 
     /// A section or program ran up to its last block. False if nothing ended.
     pub(super) fn ends_here(&mut self, at: u32) -> bool {
         let level = self.level();
-        match &mut level.kind {
-            LevelKind::Section { from, stop, left, back } if at >= *stop || at < from.at => {
-                let (from, back) = (*from, *back);
+        let back = level.back;
+        match &mut level.frame.kind {
+            FrameKind::Section { from, stop, left } if at >= *stop || at < from.at => {
+                let from = *from;
                 let again = *left > 0;
                 if again {
                     *left -= 1;
@@ -164,7 +165,7 @@ impl Run<'_> {
                 let _ = self.resume(if again { from } else { back });
                 true
             }
-            LevelKind::Program { stop: Some(stop), .. } if at >= *stop => {
+            FrameKind::Program { stop: Some(stop), .. } if at >= *stop => {
                 self.leave_program();
                 true
             }
@@ -177,14 +178,14 @@ impl Run<'_> {
         let (bare, _) = bare_name(&name.to_ascii_uppercase());
         let plain = bare.rsplit(['/', '\\']).next().unwrap_or(&bare).to_owned();
         let (plain, _) = bare_name(&plain);
-        let file = self.programs.units[self.unit()].file;
-        if self.programs.list(&self.job, file).is_ok()
-            && let Some(unit) = self.programs.find_in_file(file, without_extension(&plain))
+        let file = self.units.list[self.unit()].file;
+        if self.list_programs(file).is_ok()
+            && let Some(unit) = self.units.find_in_file(file, without_extension(&plain))
         {
             return Ok(unit);
         }
         if file != 0
-            && let Some(unit) = self.programs.find_in_file(0, without_extension(&plain))
+            && let Some(unit) = self.units.find_in_file(0, without_extension(&plain))
         {
             return Ok(unit);
         }
@@ -213,13 +214,14 @@ impl Run<'_> {
             self.stop_run();
             return Err(Reported);
         };
-        let Some(unit) = self.programs.open(&self.job, id, loc) else {
+        let Some(file) = self.open(id, loc) else {
             self.stop_run();
             return Err(Reported);
         };
-        let file = self.programs.units[unit].file;
-        let unit = match self.programs.list(&self.job, file) {
-            Ok(()) => self.programs.find_in_file(file, &plain).unwrap_or(unit),
+        let unit = self.units.first_of(&self.core.job, &self.core.programs, file);
+        let file = self.units.list[unit].file;
+        let unit = match self.list_programs(file) {
+            Ok(()) => self.units.find_in_file(file, &plain).unwrap_or(unit),
             Err(_) => unit,
         };
         self.found.insert(name.to_owned(), unit);
@@ -231,7 +233,7 @@ impl Run<'_> {
         let found =
             Diagnostic::new(codes::S2002, self.loc(span), format!("there is no program `{name}` (alarm 14011)"))
                 .here(format!("looked for {}", tried.join(", ")));
-        let known: Vec<&str> = self.programs.units.iter().map(|unit| unit.name.as_str()).collect();
+        let known: Vec<&str> = self.units.list.iter().map(|unit| unit.name.as_str()).collect();
         let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
         self.report(match like {
             Some(like) => found.help(format!("did you mean `{like}`?")),
@@ -258,51 +260,30 @@ impl Run<'_> {
         part: Option<(Place, u32)>,
     ) -> Outcome {
         self.check_depth()?;
-        let back = self.place();
-        let file = self.programs.units[unit].file;
-        let busy = self.levels.iter().any(|level| self.programs.units[level.unit].file == file);
-        let site = self.here.origin.loc;
-        let call = self.job.trail.enter(self.here.origin.call, site);
-        let start = part.map_or(self.programs.units[unit].start, |(start, _)| start);
-        let kind = LevelKind::Program {
-            back,
+        let file = self.units.list[unit].file;
+        let start = part.map_or(self.units.list[unit].start, |(start, _)| start);
+        let kind = FrameKind::Program {
             passes,
             stop: part.map(|(_, stop)| stop),
             start,
             saved: None,
             references: Vec::new(),
             modal,
-            site,
         };
         let executed = part.is_some();
         let arguments = (!arguments.is_empty()).then_some(arguments);
-        self.levels.push(Level {
-            kind,
-            unit,
-            call,
-            counting: None,
-            arguments,
-            given: Vec::new(),
-            executed,
-            declares: executed,
-            further_pass: false,
-        });
+        let given = Vec::new();
+        let frame =
+            Frame { kind, unit, counting: None, arguments, given, executed, declares: executed, further_pass: false };
         self.vars.enter();
-        self.budget.jump(site);
-        let cursor = &mut self.programs.files[file].cursor;
-        let result = if busy { cursor.load(self.job.sources) } else { Ok(()) };
-        if let Err(error) = result.and_then(|()| cursor.seek(self.job.sources, start)) {
-            return self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}"));
-        }
-        Ok(())
+        self.enter(file, start, frame)
     }
 
     /// Leaves the current program without its further passes. Returns where in the caller it was called.
     pub(super) fn leave_for_good(&mut self) -> u32 {
-        let mut called = 0;
-        if let LevelKind::Program { passes, site, .. } = &mut self.program_level().kind {
+        let called = self.call_site().span.start;
+        if let FrameKind::Program { passes, .. } = &mut self.program_level().kind {
             *passes = 1;
-            called = site.span.start;
         }
         self.leave_program();
         called
@@ -313,15 +294,14 @@ impl Run<'_> {
         if self.ends_inside_contour() {
             return;
         }
-        while matches!(self.level().kind, LevelKind::Section { .. }) {
+        while matches!(self.level().frame.kind, FrameKind::Section { .. }) {
             self.levels.pop();
         }
-        let unit = self.level().unit;
-        let LevelKind::Program { back, passes, start, saved, references, .. } = &mut self.level().kind else {
-            self.ended.set(true);
+        let FrameKind::Program { passes, start, saved, references, .. } = &mut self.level().frame.kind else {
+            self.stop_run();
             return;
         };
-        let (back, start, again) = (*back, *start, *passes > 1);
+        let (start, again) = (*start, *passes > 1);
         let (saved, references) = (saved.take(), references.clone());
         if again {
             *passes -= 1;
@@ -333,23 +313,16 @@ impl Run<'_> {
         if again {
             // Arguments are handed over once: the parameters keep what the pass before left in them.
             self.vars.next_pass();
-            let level = self.level();
+            let level = &mut self.level().frame;
             level.executed = false;
             level.declares = false;
             level.further_pass = true;
-            let file = self.programs.units[unit].file;
-            let _ = self.programs.files[file].cursor.seek(self.job.sources, start);
-            self.budget.jump(self.here.origin.loc);
+            let _ = self.jump_to(start);
             return;
         }
         self.vars.leave();
-        self.levels.pop();
+        let _ = self.leave();
         self.level_ended();
-        let caller = self.programs.units[self.unit()].file;
-        let cursor = &mut self.programs.files[caller].cursor;
-        if cursor.place() != back {
-            let _ = cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, back));
-        }
     }
 
     // Forms of calls.
@@ -367,7 +340,7 @@ impl Run<'_> {
                         let name = self.program_name(formula, block, text)?;
                         self.find_program(&name, formula.span)?
                     }
-                    None => self.level().unit,
+                    None => self.level().frame.unit,
                 };
                 self.call_section(unit, from, to, block.span)
             }
@@ -411,7 +384,7 @@ impl Run<'_> {
     }
 
     fn call_section(&mut self, unit: usize, from: Symbol, to: Symbol, span: Span) -> Outcome {
-        let skeleton = match self.programs.skeleton(&self.job, unit, &mut self.symbols) {
+        let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
             Err(error) => return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}")),
         };
@@ -458,7 +431,7 @@ impl Run<'_> {
 
     /// Behind a block that moved: the modal program, unless it is the one that moved.
     pub(super) fn call_modal(&mut self) -> Outcome {
-        let inside = self.levels.iter().any(|level| matches!(level.kind, LevelKind::Program { modal: true, .. }));
+        let inside = self.levels.iter().any(|level| matches!(level.frame.kind, FrameKind::Program { modal: true, .. }));
         if !inside && (self.modal_cycle.is_some() || self.modal.is_some()) {
             self.no_pair_under_a_modal_call()?;
         }
@@ -479,7 +452,7 @@ impl Run<'_> {
 
     /// The kind of the program that runs.
     pub(super) fn in_main(&mut self) -> bool {
-        matches!(self.program_level().kind, LevelKind::Main)
+        matches!(self.program_level().kind, FrameKind::Main)
     }
 
     /// Kinds of programs that end without M17 or M30 are worth a word.
@@ -487,13 +460,13 @@ impl Run<'_> {
         self.tapping_ends();
         self.refuse_arguments();
         if self.in_main() {
-            let unit = &self.programs.units[self.unit()];
+            let unit = &self.units.list[self.unit()];
             if unit.kind == UnitKind::Main && !self.iso {
                 let loc = self.here.origin.loc;
                 let found = Diagnostic::new(codes::S2026, loc, "the program ends without M30, M2 or M17 (alarm 14000)");
                 self.report(found.help("write M30 as its last block"));
             }
-            self.ended.set(true);
+            self.stop_run();
             return;
         }
         self.leave_program();

@@ -9,10 +9,11 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::run::step;
 use crate::text::blocks::Place;
 use crate::text::{Loc, Span};
 
-use super::calls::LevelKind;
+use super::calls::FrameKind;
 use super::state::State;
 use super::value::Val;
 use super::vars::Vars;
@@ -49,22 +50,22 @@ pub(super) struct Capture {
 impl Run<'_> {
     /// Runs the blocks of a contour.
     pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
-        let (here, expanded) = (self.here, self.expanded);
+        let here = self.here;
         let back = self.place();
         let before = self.enter_capture(call);
         let entered = self.enter_contour(call);
-        while entered.is_ok() && self.in_contour() && !self.ended.get() {
-            self.step();
+        while entered.is_ok() && self.in_contour() && !self.has_ended() {
+            step(self);
         }
         let pending = self.pending_must_be_done(Span::default());
         let capture = self.capture.take();
-        let made = self.out.contour_ends(&here.origin);
-        (self.here, self.expanded) = (here, expanded);
+        let made = self.core.out.contour_ends(&here.origin);
+        self.here = here;
         self.leave_capture(before);
         entered?;
         pending?;
         let Some(capture) = capture else { return Err(Reported) };
-        if capture.failed || self.ended.get() {
+        if capture.failed || self.has_ended() {
             return Err(Reported);
         }
         if !capture.complete || self.place() != back {
@@ -91,7 +92,7 @@ impl Run<'_> {
         self.st.position.not_lost(AxisSet::ALL);
         let below = self.levels.len();
         self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
-        self.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.here.origin);
+        self.core.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.core.here.origin);
         before
     }
 
@@ -134,7 +135,7 @@ impl Run<'_> {
     /// May the program that runs end here? Not if only a part of it describes the contour.
     pub(super) fn ends_inside_contour(&mut self) -> bool {
         let Some(below) = self.capture.as_ref().map(|capture| capture.below) else { return false };
-        let own = self.levels.iter().skip(below).any(|level| matches!(level.kind, LevelKind::Program { .. }));
+        let own = self.levels.iter().skip(below).any(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
         if own {
             return false;
         }

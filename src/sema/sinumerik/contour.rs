@@ -219,13 +219,13 @@ impl Run<'_> {
         let mut first_end = pending.rest;
         first_end.set_in_plane(pending.plane, corner);
         let mv = Move { end: first_end, path: pending.path, side: pending.side, coords: Coords::Frame };
-        self.out.movement(&mv, &self.st.ctx, &pending.origin);
+        self.core.out.movement(&mv, &self.st.ctx, &pending.origin);
         self.st.position.move_to(&first_end);
         if let Some(corner) = &pending.corner {
-            self.out.corner(corner, &self.st.ctx, &pending.origin);
+            self.core.out.corner(corner, &self.st.ctx, &pending.origin);
         }
         for (function, origin) in &pending.functions {
-            self.out.function(function, &self.st.ctx, origin);
+            self.core.out.function(function, &self.st.ctx, origin);
         }
         self.send(end, path);
         Ok(())
@@ -397,7 +397,7 @@ impl Run<'_> {
         if self.stored.is_some() {
             self.note_stored_corner(&corner);
         }
-        self.out.corner(&corner, &self.st.ctx, &self.here.origin);
+        self.core.send_corner(&corner, &self.st.ctx);
         if !corner.modal {
             self.corner_open = Some((self.here.origin.loc, 0));
         }

@@ -184,12 +184,12 @@ impl Run<'_> {
         }
         let identity = self.job.sources.identity(self.job.main);
         let mut any = false;
-        let _ = self.programs.list(&self.job, 0);
+        let _ = self.list_programs(0);
         for name in DEFINITION_FILES {
             // In an archive they lie between the programs.
-            if let Some((file, start, end)) = self.programs.definitions(name) {
+            if let Some((start, end)) = self.units.definitions(name) {
                 any = true;
-                self.read_definitions(file, Some(start), end);
+                self.read_definitions(self.job.main, Some(start), end);
                 continue;
             }
             let request = Request { from: &identity, name, extensions: &["DEF"] };
@@ -223,7 +223,7 @@ impl Run<'_> {
             if at >= end {
                 break;
             }
-            parse_block(&text, &mut block, &mut self.symbols, &mut self.problems);
+            parse_block(&text, &mut block, &mut self.core.symbols, &mut self.core.problems);
             self.here = crate::sema::run::Site::new(file, at, line, 1, here.origin.call);
             self.here.origin.loc.span = block.span.shifted(at);
             self.report_problems();

@@ -7,7 +7,7 @@ use crate::parser::sinumerik::ast::{Block, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Loc;
 
-use super::calls::LevelKind;
+use super::calls::FrameKind;
 use super::value::type_name;
 use super::{Outcome, Reported, Run};
 
@@ -78,11 +78,12 @@ impl Run<'_> {
 
     /// Holds the EXTERN line of the calling program against the PROC that runs now.
     pub(super) fn check_extern(&mut self, block: &Block) {
-        let at = self.levels.iter().rposition(|level| matches!(level.kind, LevelKind::Program { .. }));
-        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.levels.get(at)) else { return };
-        let name = self.programs.units[self.unit()].name.as_str();
-        let symbols = &self.symbols;
-        let known = self.externs.iter_mut().find(|known| known.unit == caller.unit && symbols.name(known.name) == name);
+        let at = self.levels.iter().rposition(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
+        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.core.levels.get(at)) else { return };
+        let name = self.units.list[self.unit()].name.as_str();
+        let symbols = &self.core.symbols;
+        let known =
+            self.externs.iter_mut().find(|known| known.unit == caller.frame.unit && symbols.name(known.name) == name);
         let Some(known) = known.filter(|known| !known.told) else { return };
         let is: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
         let Some(what) = difference(&known.parameters, &is) else { return };

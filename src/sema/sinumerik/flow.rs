@@ -9,7 +9,9 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 use crate::text::blocks::Place;
 
-use super::calls::LevelKind;
+use crate::sema::run::Core;
+
+use super::calls::FrameKind;
 use super::programs::{Mark, Skeleton, Structure};
 use super::value::{Val, to_text, whole};
 use super::{Outcome, Reported, Run};
@@ -19,16 +21,22 @@ pub(super) const MOST_PASSES: i32 = 9999;
 
 impl Run<'_> {
     pub(super) fn skeleton(&mut self) -> Outcome<std::rc::Rc<Skeleton>> {
-        let unit = self.level().unit;
-        match self.programs.skeleton(&self.job, unit, &mut self.symbols) {
+        let unit = self.level().frame.unit;
+        match self.skeleton_of(unit) {
             Ok(made) => Ok(made),
             Err(error) => self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}")),
         }
     }
 
+    /// The skeleton of any program.
+    pub(super) fn skeleton_of(&mut self, unit: usize) -> std::io::Result<std::rc::Rc<Skeleton>> {
+        let Core { job, programs, symbols, .. } = &mut self.core;
+        self.units.skeleton(job, programs, unit, symbols)
+    }
+
     /// Goes on at `place` of the current program. Repeats that do not hold the place end.
     fn go_to(&mut self, place: Place) -> Outcome {
-        while let LevelKind::Section { from, stop, .. } = self.level().kind
+        while let FrameKind::Section { from, stop, .. } = self.level().frame.kind
             && !(from.at <= place.at && place.at < stop)
         {
             self.levels.pop();
@@ -37,15 +45,10 @@ impl Run<'_> {
     }
 
     pub(super) fn resume(&mut self, place: Place) -> Outcome {
-        let file = self.programs.units[self.unit()].file;
-        let cursor = &mut self.programs.files[file].cursor;
-        if let Err(error) = cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, place)) {
-            return self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}"));
-        }
         if place.at <= self.here.at {
-            self.budget.jump(self.here.origin.loc);
+            self.note_jump();
         }
-        Ok(())
+        self.seek(place)
     }
 
     /// The structure that the current block belongs to. A structure that is not closed was reported.
@@ -90,7 +93,7 @@ impl Run<'_> {
             }
             Stmt::For { variable, from, to } => self.for_block(own, variable, from, to, block, text),
             Stmt::EndFor => {
-                self.level().counting = Some(own.open.place.at);
+                self.level().frame.counting = Some(own.open.place.at);
                 self.go_to(own.open.place)
             }
             _ => Ok(()),
@@ -131,7 +134,7 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome {
-        let counts = self.level().counting.take() == Some(self.here.at);
+        let counts = self.level().frame.counting.take() == Some(self.here.at);
         let result = self.count(counts, variable, from, to, block, text);
         match result {
             Ok(true) => Ok(()),
@@ -311,9 +314,8 @@ impl Run<'_> {
     }
 
     fn mark_loc(&mut self, mark: Mark) -> crate::text::Loc {
-        let file = self.programs.units[self.unit()].file;
         let span = Span::at(mark.place.at, (mark.after.at - mark.place.at).saturating_sub(1));
-        crate::text::Loc { file: self.programs.files[file].file, line: mark.place.line, span }
+        crate::text::Loc { file: self.program().source.file, line: mark.place.line, span }
     }
 
     // Repeated sections.
@@ -414,7 +416,7 @@ impl Run<'_> {
     /// `RET`, `RET("LABEL", after, levels)`
     pub(super) fn return_block(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let target = formulas.first().filter(|formula| !formula.is_missing());
-        let sub = self.programs.units[self.unit()].kind == super::programs::UnitKind::Sub;
+        let sub = self.units.list[self.unit()].kind == super::programs::UnitKind::Sub;
         if self.in_main() && sub && target.is_none() {
             // A subprogram that is compiled by itself ends here.
             self.pending_must_be_done(span)?;
@@ -459,7 +461,7 @@ impl Run<'_> {
         if number(self, 3, 0)? != 0 {
             return self.fail(codes::S9001, 0, span, "RET back to the start of the main program is for ISO programs");
         }
-        let programs = self.levels.iter().filter(|level| matches!(level.kind, LevelKind::Program { .. })).count();
+        let programs = self.levels.iter().filter(|level| matches!(level.frame.kind, FrameKind::Program { .. })).count();
         if levels < 1 || levels as usize > programs {
             let message = format!("RET goes back over {levels} levels, and there are {programs}");
             return self.fail_help(codes::S2020, 14091, span, message, "check the third argument of RET");

@@ -6,62 +6,50 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diag::{CallPath, Code as Found, Diagnostic, codes};
+use crate::diag::{Code as Found, Diagnostic, codes};
 use crate::parser::sinumerik::ast::{
     Block, CallForm, Formula, Jump, JumpTarget, Op, Search, Stmt, Target, Value, Word,
 };
-use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
-use crate::sema::run::Site;
-use crate::sema::run::open_cursor;
-use crate::text::blocks::BlockText;
-use crate::text::{FileError, Loc, Next, Request, Span};
+use crate::sema::run::unexecuted::{Blocks, Passed};
+use crate::sema::run::{Program, Site};
+use crate::text::{FileError, Loc, Request, Span};
 
 use super::calls::EXTENSIONS;
 use super::cycles::is_built;
 use super::g_groups::{Code, GCodes};
-use super::programs::{Programs, Skeleton, bare_name, without_extension};
+use super::macros::Sinumerik;
+use super::programs::{Skeleton, Units, bare_name, without_extension};
 use super::vocabulary::{self, Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
 pub fn check_idle(job: &Job<'_>) {
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let mut idle = Idle::new(job);
-    if idle.programs.open(job, job.main, start).is_none() || idle.collect_names().is_err() {
+    let Some(main) = Program::open(job, job.main, start) else { return };
+    idle.files.push(main);
+    idle.units.first_of(job, &idle.files, 0);
+    if idle.collect_names().is_err() {
         return;
     }
-    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
-    let mut block = Block::default();
-    let mut problems = Vec::new();
-    while let Ok(next) = cursor.next(job.sources) {
-        let text = match next {
-            Next::Block(text) => text,
-            Next::TooLong { .. } => continue,
-            Next::End => return,
-        };
-        problems.clear();
-        parse_block(text.text, &mut block, &mut idle.symbols, &mut problems);
+    let Some(mut blocks) = Blocks::<Sinumerik>::of_main(job) else { return };
+    while let Some(passed) = blocks.next(job, &mut idle.symbols) {
         // A macro may stand for anything.
-        if matches!(block.stmt, Stmt::Define(_)) {
+        if matches!(passed.block.stmt, Stmt::Define(_)) {
             return;
         }
-        if problems.is_empty() && !has_place(&idle.reported, &text) && !idle.iso_dialect(&block) {
-            idle.look(&block, &text);
+        if passed.is_free_of(&idle.reported) && !idle.iso_dialect(passed.block) {
+            idle.look(passed.block, passed.text, &passed.site);
         }
     }
-}
-
-/// Does one of the ascending `places` lie in the block?
-fn has_place(places: &[u32], text: &BlockText<'_>) -> bool {
-    let first = places.partition_point(|place| *place < text.at);
-    places.get(first).is_some_and(|place| (*place as usize) < text.at as usize + text.text.len().max(1))
 }
 
 struct Idle<'a> {
     job: &'a Job<'a>,
     symbols: Symbols,
-    programs: Programs,
+    files: Vec<Program<Sinumerik>>,
+    units: Units,
     vocabulary: FxHashMap<&'static str, Meaning>,
     gcodes: GCodes,
     /// Offsets of reported errors.
@@ -78,7 +66,8 @@ impl<'a> Idle<'a> {
         Idle {
             job,
             symbols: Symbols::default(),
-            programs: Programs::default(),
+            files: Vec::new(),
+            units: Units::default(),
             vocabulary: vocabulary::words(),
             gcodes: GCodes::new(),
             reported: job.diags.errors_in(job.main),
@@ -91,38 +80,29 @@ impl<'a> Idle<'a> {
     /// Variables and programs of the file, and whether the structures of each program are closed. A file without
     /// structures is not loaded for it.
     fn collect_names(&mut self) -> std::io::Result<()> {
-        let start = Loc { file: self.job.main, line: 1, span: Span::default() };
-        let Some(mut cursor) = open_cursor(self.job, self.job.main, SPLIT, start) else { return Ok(()) };
-        let mut block = Block::default();
-        let mut problems = Vec::new();
+        let Some(mut blocks) = Blocks::<Sinumerik>::of_main(self.job) else { return Ok(()) };
         let mut structured = Vec::new();
         let mut several = false;
-        loop {
-            let text = match cursor.next(self.job.sources)? {
-                Next::Block(text) => text,
-                Next::TooLong { .. } => continue,
-                Next::End => break,
-            };
-            parse_block(text.text, &mut block, &mut self.symbols, &mut problems);
+        while let Some(Passed { block, site, .. }) = blocks.next(self.job, &mut self.symbols) {
             match block.stmt {
                 Stmt::Def { .. } | Stmt::Proc(_) => {
                     self.variables.extend(block.variables.iter().filter_map(|variable| variable.name));
                 }
                 Stmt::Header => several = true,
-                Stmt::If(_) | Stmt::Else | Stmt::EndIf | Stmt::While(_) | Stmt::EndWhile => structured.push(text.at),
-                Stmt::For { .. } | Stmt::EndFor | Stmt::Loop | Stmt::EndLoop => structured.push(text.at),
-                Stmt::RepeatLoop | Stmt::Until(_) => structured.push(text.at),
+                Stmt::If(_) | Stmt::Else | Stmt::EndIf | Stmt::While(_) | Stmt::EndWhile => structured.push(site.at),
+                Stmt::For { .. } | Stmt::EndFor | Stmt::Loop | Stmt::EndLoop => structured.push(site.at),
+                Stmt::RepeatLoop | Stmt::Until(_) => structured.push(site.at),
                 _ => {}
             }
         }
         if several || !structured.is_empty() {
-            self.programs.list(self.job, 0)?;
+            self.units.list_file(self.job, &mut self.files, 0)?;
         }
         let mut known = FxHashSet::default();
         for at in structured {
-            let unit = self.programs.units.iter().rposition(|unit| unit.start.at <= at).unwrap_or(0);
+            let unit = self.units.list.iter().rposition(|unit| unit.start.at <= at).unwrap_or(0);
             if known.insert(unit) {
-                self.programs.skeleton(self.job, unit, &mut self.symbols)?;
+                self.units.skeleton(self.job, &mut self.files, unit, &mut self.symbols)?;
             }
         }
         Ok(())
@@ -143,18 +123,18 @@ impl<'a> Idle<'a> {
         self.iso
     }
 
-    fn look(&mut self, block: &Block, text: &BlockText<'_>) {
-        let here = Site::new(self.job.main, text.at, text.line, text.lines, CallPath::MAIN);
+    fn look(&mut self, block: &Block, text: &[u8], here: &Site) {
+        let at = here.at;
         let found = match block.stmt {
-            Stmt::Words => self.words(block, &here),
-            Stmt::Goto(jump) => self.jump(jump, text.at, &here),
-            Stmt::IfJump | Stmt::Case(_) => block.arms.iter().find_map(|arm| self.jump(arm.jump, text.at, &here)),
+            Stmt::Words => self.words(block, here),
+            Stmt::Goto(jump) => self.jump(jump, at, here),
+            Stmt::IfJump | Stmt::Case(_) => block.arms.iter().find_map(|arm| self.jump(arm.jump, at, here)),
             Stmt::Repeat { from, to, .. } => {
-                [Some(from), to].into_iter().flatten().find_map(|label| self.label(label, block, text.at, &here))
+                [Some(from), to].into_iter().flatten().find_map(|label| self.label(label, block, at, here))
             }
-            Stmt::RepeatBlock { label, .. } => self.label(label, block, text.at, &here),
-            Stmt::Call(form) => self.call(form, block, text.text, &here),
-            Stmt::Sync(span) => Some(refused(self.job, &here, span, codes::S9004)),
+            Stmt::RepeatBlock { label, .. } => self.label(label, block, at, here),
+            Stmt::Call(form) => self.call(form, block, text, here),
+            Stmt::Sync(span) => Some(refused(self.job, here, span, codes::S9004)),
             _ => None,
         };
         if let Some(found) = found
@@ -167,8 +147,8 @@ impl<'a> Idle<'a> {
     // Jumps.
 
     fn skeleton(&mut self, at: u32) -> Option<std::rc::Rc<Skeleton>> {
-        let unit = self.programs.units.iter().rposition(|unit| unit.start.at <= at)?;
-        self.programs.skeleton(self.job, unit, &mut self.symbols).ok()
+        let unit = self.units.list.iter().rposition(|unit| unit.start.at <= at)?;
+        self.units.skeleton(self.job, &mut self.files, unit, &mut self.symbols).ok()
     }
 
     fn jump(&mut self, jump: Jump, at: u32, here: &Site) -> Option<Diagnostic> {
@@ -240,7 +220,7 @@ impl<'a> Idle<'a> {
         let is_here = match self.looked_for.get(&symbol) {
             Some(known) => *known,
             None => {
-                let is_here = self.programs.find_in_file(0, without_extension(&bare)).is_some() || self.opens(&bare);
+                let is_here = self.units.find_in_file(0, without_extension(&bare)).is_some() || self.opens(&bare);
                 self.looked_for.insert(symbol, is_here);
                 is_here
             }

@@ -2,8 +2,10 @@
 //!
 //! Source: reference section 5.6.
 
+use rustc_hash::FxHashMap;
+
 use crate::diag::codes;
-use crate::parser::symbols::Symbol;
+use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::Span;
 
 use super::vocabulary::Meaning;
@@ -11,6 +13,12 @@ use super::{Outcome, Run};
 
 /// Longest text of a macro.
 const MOST_MACRO: usize = 256;
+
+/// How the text of a program is read: with its macros.
+#[derive(Debug, Default)]
+pub(super) struct Sinumerik {
+    macros: FxHashMap<Symbol, Box<[u8]>>,
+}
 
 impl Run<'_> {
     /// `NAME AS words`
@@ -42,7 +50,7 @@ impl Run<'_> {
             let alarm = if numbered && long { 12530 } else { 12270 };
             return self.fail_help(codes::S2016, alarm, span, message, "choose a name that means nothing yet");
         }
-        if self.macros.get(&symbol).is_some_and(|known| **known != *body) {
+        if self.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
             let message = format!("the macro `{}` is defined twice", self.symbols.name(symbol));
             return self.fail_help(codes::S2016, 12270, span, message, "rename one of them");
         }
@@ -50,10 +58,10 @@ impl Run<'_> {
             let message = format!("`{}` is a variable already", self.symbols.name(symbol));
             return self.fail(codes::S2016, 12270, span, message);
         }
-        if self.macros.insert(symbol, body.into()).as_deref() != Some(body) {
+        if self.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
             // Blocks that were read before may contain the name.
-            for file in &mut self.programs.files {
-                file.cache = Default::default();
+            for program in &mut self.programs {
+                program.source.forget_blocks();
             }
         }
         Ok(())
@@ -79,11 +87,30 @@ impl Run<'_> {
     }
 
     /// The block with its macros replaced; `None` if it has none.
-    pub(super) fn expanded(&mut self, text: &[u8]) -> Option<Vec<u8>> {
-        let mut current = self.replaced(text)?;
+    pub(super) fn expanded(&self, text: &[u8]) -> Option<Vec<u8>> {
+        self.language.expanded(&self.symbols, text)
+    }
+}
+
+impl Sinumerik {
+    pub fn has_macros(&self) -> bool {
+        !self.macros.is_empty()
+    }
+
+    pub fn is_macro(&self, name: Symbol) -> bool {
+        self.macros.contains_key(&name)
+    }
+
+    /// The block with its macros replaced; `None` if it has none.
+    #[inline]
+    pub fn expanded(&self, symbols: &Symbols, text: &[u8]) -> Option<Vec<u8>> {
+        if self.macros.is_empty() {
+            return None;
+        }
+        let mut current = self.replaced(symbols, text)?;
         // Macros in macros, with an end to it.
         for _ in 0..8 {
-            match self.replaced(&current) {
+            match self.replaced(symbols, &current) {
                 Some(next) => current = next,
                 None => break,
             }
@@ -91,7 +118,7 @@ impl Run<'_> {
         Some(current)
     }
 
-    pub(super) fn replaced(&mut self, text: &[u8]) -> Option<Vec<u8>> {
+    fn replaced(&self, symbols: &Symbols, text: &[u8]) -> Option<Vec<u8>> {
         let end = crate::lexer::sinumerik::comment_start(text).unwrap_or(text.len());
         if text.get(..end)?.windows(6).any(|w| w.eq_ignore_ascii_case(b"DEFINE")) {
             return None;
@@ -115,7 +142,7 @@ impl Run<'_> {
             }
             let word = &text[at..at + len];
             let upper = word.to_ascii_uppercase();
-            let known = std::str::from_utf8(&upper).ok().and_then(|name| self.symbols.find(name));
+            let known = std::str::from_utf8(&upper).ok().and_then(|name| symbols.find(name));
             match known.and_then(|symbol| self.macros.get(&symbol)) {
                 Some(body) if out.len() + body.len() <= 4 * MOST_MACRO => {
                     out.extend_from_slice(body);

@@ -46,18 +46,18 @@ mod tangent;
 mod technology;
 mod threads;
 mod tools;
+mod undercut_sizes;
 mod value;
 mod vars;
 mod vocabulary;
 mod words;
 
-use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::ops::{Deref, DerefMut};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Side;
 use crate::ir::contour::Sink;
 use crate::ir::function::Turn;
@@ -67,15 +67,16 @@ use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
-use crate::text::blocks::Place;
-use crate::text::{Loc, Next, Span};
+use crate::text::{Loc, Span, SplitRules};
 
-use super::run::{Budget, Site, open_cursor};
+use super::run::unexecuted::Blocks;
+use super::run::{self, Core, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
-use calls::{Level, Modal};
+use calls::{Frame, Modal};
 use contour::Pending;
 use g_groups::GCodes;
-use programs::{Programs, UnitKind};
+use macros::Sinumerik;
+use programs::{Listed, UnitKind, Units};
 use state::State;
 use value::Val;
 use vars::Vars;
@@ -89,70 +90,69 @@ pub use vocabulary::all_words;
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
     run.set_plane(run.st.codes.of(g_groups::Group::Plane));
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(first) = run.programs.open(job, job.main, start) else { return 0 };
-    let unit = run.main_unit(first);
-    run.levels.push(Level::main(unit));
-    run.out.begins_at(&run.st.position.start());
-    run.vars.enter();
-    while !run.ended.get() {
-        run.step();
-    }
-    run.finish(unit);
-    run.programs.files[0].cursor.content_hash(job.sources).unwrap_or(0)
+    if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 
 /// Reads every block of the file, whether it runs or not, and reports what is wrong with its form.
 pub fn check_form(job: &Job<'_>) {
-    let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let Some(mut cursor) = open_cursor(job, job.main, SPLIT, start) else { return };
-    let mut block = Block::default();
     let mut symbols = Symbols::default();
-    let mut problems = Vec::new();
-    let mut macros = false;
-    while let Ok(Next::Block(text)) = cursor.next(job.sources) {
-        parse_block(text.text, &mut block, &mut symbols, &mut problems);
-        macros |= matches!(block.stmt, Stmt::Define(_));
-        let here = Site::new(job.main, text.at, text.line, text.lines, CallPath::MAIN);
-        for problem in problems.drain(..) {
-            // A macro may stand for anything.
-            if !macros {
-                job.diags.push(here.diagnostic(job, problem));
-            }
+    let Some(mut blocks) = Blocks::<Sinumerik>::of_main(job) else { return };
+    while let Some(mut passed) = blocks.next(job, &mut symbols) {
+        // A macro may stand for anything.
+        if matches!(passed.block.stmt, Stmt::Define(_)) {
+            return;
         }
+        passed.report_problems(job);
     }
 }
 
-/// A block with what its execution needs besides.
-#[derive(Debug, Clone, Default)]
-struct Parsed {
-    block: Block,
-    text: Vec<u8>,
-    lines: u32,
-    next: Place,
-    /// Macros were replaced: spans do not fit the file.
-    expanded: bool,
+impl Language for Sinumerik {
+    type Block = Block;
+    type Known = Listed;
+    type Frame = Frame;
+
+    const SPLIT: SplitRules = SPLIT;
+    const MOST_ERRORS: u32 = 1000;
+
+    #[inline]
+    fn parse(&mut self, text: &[u8], into: &mut Parsed<Block>, symbols: &mut Symbols, problems: &mut Vec<Problem>) {
+        if let Some(expanded) = self.expanded(symbols, text) {
+            parse_block(&expanded, &mut into.block, symbols, problems);
+            into.text = expanded;
+            into.rewritten = true;
+            return;
+        }
+        parse_block(text, &mut into.block, symbols, problems);
+        if needs_text(&into.block) || self.has_macros() {
+            into.text.extend_from_slice(text);
+        }
+    }
+
+    #[inline]
+    fn span(block: &Block) -> Span {
+        block.span
+    }
+
+    #[inline]
+    fn operations(block: &Block) -> usize {
+        block.ops.len()
+    }
 }
 
 /// A run of a program.
 struct Run<'a> {
-    job: Job<'a>,
-    out: &'a mut dyn Sink,
+    core: Core<'a, Sinumerik>,
     st: State,
     vars: Vars,
-    symbols: Symbols,
     meanings: Vec<Option<Meaning>>,
     vocabulary: FxHashMap<&'static str, Meaning>,
     axis_names: axis_names::AxisNames,
     gcodes: GCodes,
-    programs: Programs,
-    levels: Vec<Level>,
-    budget: Budget,
+    units: Units,
     /// Numbers proposed for tools without one.
     proposed: Proposed,
     /// System variables that the program wrote.
     system: BTreeMap<String, Val>,
-    macros: FxHashMap<Symbol, Box<[u8]>>,
     definitions_read: bool,
     /// Programs by the name they were called by.
     found: FxHashMap<String, usize>,
@@ -196,18 +196,10 @@ struct Run<'a> {
     depth: u32,
     machine: eval::Machine,
     words: Option<Box<Words>>,
-    here: Site,
-    expanded: bool,
-    problems: Vec<Problem>,
-    scratch: Option<Box<Parsed>>,
     /// Blocks are of the ISO dialect, up to G290.
     iso: bool,
-    ended: Cell<bool>,
-    errors: Cell<u32>,
 }
 
-/// Errors after which a run ends.
-const MOST_ERRORS: u32 = 1000;
 /// Deepest nesting of texts that are executed.
 const MOST_TEXTS: u32 = 8;
 
@@ -216,21 +208,16 @@ impl<'a> Run<'a> {
         let mut vars = Vars::new(&job.settings.variables);
         vars.main_visible = job.settings.control.siemens.main_variables_visible;
         Run {
-            job: *job,
-            out,
+            core: Core::new(job, out),
             st: State::new(job.settings),
             vars,
-            symbols: Symbols::default(),
             meanings: Vec::new(),
             vocabulary: vocabulary::words(),
             axis_names: axis_names::AxisNames::new(job.settings),
             gcodes: GCodes::new(),
-            programs: Programs::default(),
-            levels: Vec::new(),
-            budget: Budget::new(job.settings.limits.steps),
+            units: Units::default(),
             proposed: Proposed::default(),
             system: BTreeMap::new(),
-            macros: FxHashMap::default(),
             definitions_read: false,
             found: FxHashMap::default(),
             warned_r: FxHashSet::default(),
@@ -259,157 +246,48 @@ impl<'a> Run<'a> {
             depth: 0,
             machine: eval::Machine::new(eval::RULES),
             words: None,
-            here: Site::default(),
-            expanded: false,
-            problems: Vec::new(),
-            scratch: None,
             iso: false,
-            ended: Cell::new(false),
-            errors: Cell::new(0),
         }
     }
+}
 
-    /// The main program of a file: an archive may begin with its subprograms.
-    fn main_unit(&mut self, first: usize) -> usize {
-        if self.programs.units[first].kind == UnitKind::Main {
-            return first;
-        }
-        let _ = self.programs.list(&self.job, 0);
-        let main = self.programs.units.iter().position(|unit| unit.kind == UnitKind::Main);
-        let unit = main.unwrap_or(first);
-        let start = self.programs.units[unit].start;
-        let _ = self.programs.files[0].cursor.seek(self.job.sources, start);
-        unit
+impl<'a> Deref for Run<'a> {
+    type Target = Core<'a, Sinumerik>;
+
+    #[inline]
+    fn deref(&self) -> &Core<'a, Sinumerik> {
+        &self.core
+    }
+}
+
+impl<'a> DerefMut for Run<'a> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Core<'a, Sinumerik> {
+        &mut self.core
+    }
+}
+
+impl<'a> Interpreter<'a> for Run<'a> {
+    type Language = Sinumerik;
+
+    fn begin(&mut self, program: usize) -> Level<Frame> {
+        let first = self.units.first_of(&self.core.job, &self.core.programs, program);
+        let unit = self.main_unit(first);
+        self.core.begins_at(&self.st.position.start());
+        self.vars.enter();
+        Level::main(program, Frame::main(unit))
     }
 
-    fn level(&mut self) -> &mut Level {
-        self.levels.last_mut().expect("the main level is popped only when the run ends")
-    }
-
-    /// The program that runs.
-    fn unit(&self) -> usize {
-        self.levels.last().map_or(0, |level| level.unit)
-    }
-
-    fn stop_run(&self) {
-        self.ended.set(true);
-    }
-
-    /// Between two places of a pattern: the run ends here where no step is left, or the output takes no more.
-    fn goes_on(&mut self) -> Outcome {
-        if self.budget.goes_on(&*self.out) {
-            return Ok(());
-        }
-        self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, self.here.origin.call);
-        self.stop_run();
-        Err(Reported)
-    }
-
-    /// Executes one block.
-    fn step(&mut self) {
-        let (unit, call) = (self.level().unit, self.level().call);
-        if !self.budget.step(&*self.out) {
-            self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, call);
-            self.ended.set(true);
-            return;
-        }
-        let (at, end) = (self.programs.units[unit].file, self.programs.units[unit].end);
-        let file = &mut self.programs.files[at];
-        let place = file.cursor.place();
-        if self.levels.len() > 1 && self.ends_here(place.at) {
-            return;
-        }
-        if place.at >= end {
-            return self.end_of_file();
-        }
-        let file = &mut self.programs.files[at];
-        if file.cursor.is_whole()
-            && let Some(parsed) = file.cache.get(place.at)
-        {
-            file.cursor.resume(parsed.next);
-            self.budget.block(parsed.next.at.saturating_sub(place.at), parsed.block.ops.len(), false);
-            self.here = Site::new(file.file, place.at, place.line, parsed.lines, call);
-            self.expanded = parsed.expanded;
-            self.execute(&parsed.block, &parsed.text);
-            return;
-        }
-        let mut parsed = self.scratch.take().unwrap_or_default();
-        parsed.text.clear();
-        self.read(at, place, call, &mut parsed);
-        self.scratch = Some(parsed);
-    }
-
-    fn read(&mut self, at: usize, place: Place, call: CallPath, parsed: &mut Parsed) {
-        let file = &mut self.programs.files[at];
-        match file.cursor.next(self.job.sources) {
-            Ok(Next::Block(found)) => {
-                self.here = Site::new(file.file, place.at, place.line, found.lines, call);
-                parsed.lines = found.lines;
-                parsed.expanded = false;
-                if self.macros.is_empty() {
-                    parse_block(found.text, &mut parsed.block, &mut self.symbols, &mut self.problems);
-                    if needs_text(&parsed.block) {
-                        parsed.text.extend_from_slice(found.text);
-                    }
-                } else {
-                    let text = found.text.to_vec();
-                    let replaced = self.expanded(&text);
-                    parsed.expanded = replaced.is_some();
-                    parsed.text = replaced.unwrap_or(text);
-                    parse_block(&parsed.text, &mut parsed.block, &mut self.symbols, &mut self.problems);
-                }
-                self.expanded = parsed.expanded;
-                let file = &mut self.programs.files[at];
-                let again = place.at < file.furthest;
-                file.furthest = file.furthest.max(place.at.saturating_add(1));
-                self.budget.block(file.cursor.place().at.saturating_sub(place.at), parsed.block.ops.len(), again);
-                if file.cursor.is_whole() {
-                    parsed.next = file.cursor.place();
-                    file.cache.insert(place.at, Rc::new(Parsed::clone(parsed)));
-                }
-                if self.iso {
-                    self.problems.clear();
-                }
-                if !self.problems.is_empty() {
-                    self.report_problems();
-                }
-                self.execute(&parsed.block, &parsed.text);
-            }
-            Ok(Next::TooLong { at, line }) => {
-                let loc = Loc { file: file.file, line, span: Span::at(at, 1) };
-                self.job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB"));
-            }
-            Ok(Next::End) => self.end_of_file(),
-            Err(error) => {
-                let loc = Loc { file: file.file, line: place.line, span: Span::at(place.at, 0) };
-                self.job.diags.push(Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}")));
-                self.ended.set(true);
-            }
-        }
-    }
-
-    fn end_of_file(&mut self) {
-        let _ = self.pending_must_be_done(Span::default());
-        self.end_of_program_text();
-    }
-
+    #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        self.here.origin.loc.span =
-            if self.expanded { Span::at(self.here.at, 1) } else { block.span.shifted(self.here.at) };
-        if let Some(level) = block.skip
-            && self.job.settings.control.skip_blocks.iter().any(|on| *on == level || level == 0 && *on == 1)
-        {
+        if self.job.skips(block.skip) {
             return;
         }
-        if let Some(comment) = block.comment {
-            let comment = comment.of(text);
-            if self.job.settings.output.comments {
-                self.comment(comment);
-            }
+        if let Some(span) = block.comment {
+            let comment = span.of(text);
+            self.comment(comment);
             if block.stmt == Stmt::Empty && (self.stored.is_some() || comment.starts_with(b"#")) {
-                if let Some(span) = block.comment {
-                    self.here.origin.loc.span = span.shifted(self.here.at);
-                }
+                self.here.origin.loc.span = span.shifted(self.here.at);
                 let _ = self.stored_record(comment);
             }
         }
@@ -421,6 +299,74 @@ impl<'a> Run<'a> {
         }
         // What went wrong was reported; the next block may show more.
         let _ = self.statement(block, text);
+    }
+
+    fn end_of_file(&mut self) {
+        self.file_over();
+    }
+
+    fn unread_block(&mut self) {
+        self.lose_all();
+    }
+
+    #[inline]
+    fn level_ends(&mut self) -> bool {
+        let at = self.place().at;
+        if self.levels.len() > 1 && self.ends_here(at) {
+            return true;
+        }
+        let over = at >= self.units.list[self.unit()].end;
+        if over {
+            self.file_over();
+        }
+        over
+    }
+
+    fn forgive(&mut self, _: &Block) {
+        if self.iso {
+            self.problems.clear();
+        }
+    }
+
+    fn finish(&mut self) {
+        self.report_open();
+    }
+}
+
+impl Run<'_> {
+    /// The main program of a file: an archive may begin with its subprograms.
+    fn main_unit(&mut self, first: usize) -> usize {
+        if self.units.list[first].kind == UnitKind::Main {
+            return first;
+        }
+        let _ = self.list_programs(0);
+        let main = self.units.list.iter().position(|unit| unit.kind == UnitKind::Main);
+        let unit = main.unwrap_or(first);
+        let start = self.units.list[unit].start;
+        let _ = self.core.programs[0].source.cursor.seek(self.core.job.sources, start);
+        unit
+    }
+
+    /// The program that runs.
+    fn unit(&self) -> usize {
+        self.levels.last().map_or(0, |level| level.frame.unit)
+    }
+
+    /// Lists the programs of a file.
+    fn list_programs(&mut self, file: usize) -> std::io::Result<()> {
+        self.units.list_file(&self.core.job, &mut self.core.programs, file)
+    }
+
+    fn file_over(&mut self) {
+        let _ = self.pending_must_be_done(Span::default());
+        self.end_of_program_text();
+    }
+
+    /// Nothing is known behind this block; what only suffers from it is not worth another error.
+    fn lose_all(&mut self) {
+        self.st.position.lose(AxisSet::ALL);
+        self.pending = None;
+        self.lost();
     }
 
     /// G290 ends the ISO dialect; other words of it mean nothing here.
@@ -444,7 +390,7 @@ impl<'a> Run<'a> {
                 }
                 self.begins_executing();
                 // Without the head of a loop or branch nobody knows where the program goes on.
-                if scan(text, &mut self.symbols).structure.is_some() {
+                if scan(text, &mut self.core.symbols).structure.is_some() {
                     self.stop_run();
                 }
                 self.st.position.lose(AxisSet::ALL);
@@ -537,8 +483,8 @@ impl<'a> Run<'a> {
         let loc = self.loc(span);
         let line = self.expanded(line).unwrap_or_else(|| line.to_vec());
         let mut block = Block::default();
-        parse_block(&line, &mut block, &mut self.symbols, &mut self.problems);
-        self.expanded = true;
+        parse_block(&line, &mut block, &mut self.core.symbols, &mut self.core.problems);
+        self.here.rewritten = true;
         self.here.origin.loc = loc;
         self.report_problems();
         match block.stmt {

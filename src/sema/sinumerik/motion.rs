@@ -130,7 +130,7 @@ impl Run<'_> {
         }
         self.left_out_under_modal_call(w)?;
         self.late_functions(w)?;
-        if moved && !self.ended.get() {
+        if moved && !self.has_ended() {
             self.call_modal()?;
         } else if triggers && !moved {
             self.warn_of_trigger(block.span);

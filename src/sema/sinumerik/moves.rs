@@ -31,7 +31,7 @@ impl Run<'_> {
         }
         self.note_heading(end, &path);
         let mv = Move { end: *end, path, side: self.side_of_move(), coords: Coords::Frame };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);
     }
 
@@ -63,7 +63,7 @@ impl Run<'_> {
             machine.set(axis, place);
         }
         let mv = Move { end: machine, path, side: Side::None, coords: Coords::Machine };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);
     }
 
@@ -125,7 +125,7 @@ impl Run<'_> {
         self.st.machine_moved = true;
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(&mv, &self.st.ctx);
         self.st.position.forget(w.axes.iter().collect());
         Ok(())
     }

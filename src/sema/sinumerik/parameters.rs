@@ -7,7 +7,7 @@ use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Va
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
-use super::calls::{Argument, LevelKind, Reference};
+use super::calls::{Argument, FrameKind, Reference};
 use super::value::{Val, type_name};
 use super::vars::{Slot, Var};
 use super::{Outcome, Reported, Run};
@@ -113,7 +113,7 @@ impl Run<'_> {
         }
         let level = self.program_level();
         let arguments = level.arguments.take().unwrap_or_default();
-        let (in_main, further_pass) = (matches!(level.kind, LevelKind::Main), level.further_pass);
+        let (in_main, further_pass) = (matches!(level.kind, FrameKind::Main), level.further_pass);
         let save = block.words.iter().any(|word| match word.target {
             crate::parser::sinumerik::ast::Target::Name(name) => self.symbols.name(name) == "SAVE",
             _ => false,
@@ -121,7 +121,7 @@ impl Run<'_> {
         self.check_extern(block);
         if save {
             let state = self.save();
-            if let LevelKind::Program { saved, .. } = &mut self.program_level().kind {
+            if let FrameKind::Program { saved, .. } = &mut self.program_level().kind {
                 *saved = Some(Box::new(state));
             }
         }
@@ -243,7 +243,10 @@ impl Run<'_> {
     }
 
     pub(super) fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
-        let LevelKind::Program { site, .. } = self.program_level().kind else { return Ok(()) };
+        if !matches!(self.program_level().kind, FrameKind::Program { .. }) {
+            return Ok(());
+        }
+        let site = self.call_site();
         let message = format!("the argument for parameter {name} is missing (alarm {alarm})");
         self.report(
             Diagnostic::new(codes::S2021, site, message).help("give a variable; this parameter has no default"),
@@ -317,7 +320,7 @@ impl Run<'_> {
             limits: [None; 2],
         });
         self.vars.define(name, var, false);
-        if let LevelKind::Program { references, .. } = &mut self.program_level().kind {
+        if let FrameKind::Program { references, .. } = &mut self.program_level().kind {
             references.push((name, reference));
         }
         Ok(())

@@ -42,7 +42,7 @@ impl Run<'_> {
             return self.rest_of_block(w, block);
         }
         // A name in a definition file may be a macro.
-        if !self.definitions_known() && self.macros.contains_key(&call.name) {
+        if !self.definitions_known() && self.language.is_macro(call.name) {
             return self.again(block, text);
         }
         self.begins_executing();
@@ -84,10 +84,9 @@ impl Run<'_> {
 
     /// A program of the user with the name of a cycle goes before it.
     pub(super) fn own_program(&mut self, name: &str) -> bool {
-        let file = self.programs.units[self.unit()].file;
-        let listed = self.programs.list(&self.job, file).is_ok();
-        if listed && (self.programs.find_in_file(file, name).is_some() || self.programs.find_in_file(0, name).is_some())
-        {
+        let file = self.units.list[self.unit()].file;
+        let listed = self.list_programs(file).is_ok();
+        if listed && (self.units.find_in_file(file, name).is_some() || self.units.find_in_file(0, name).is_some()) {
             return true;
         }
         let identity = self.job.sources.identity(self.here.file);
@@ -210,7 +209,7 @@ impl Run<'_> {
                 let mut shown = String::new();
                 let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
                 if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
-                    self.ended.set(true);
+                    self.stop_run();
                     let message = format!("SETAL({number}) is no alarm of a program");
                     return self.fail_help(
                         codes::S2027,
@@ -226,7 +225,7 @@ impl Run<'_> {
                         shown = format!("{shown} {}", String::from_utf8_lossy(&text));
                     }
                 }
-                self.ended.set(true);
+                self.stop_run();
                 let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
                     Some((cause, help)) => (format!(": {cause}"), help),
                     None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),

@@ -8,31 +8,24 @@ use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::problem::Problem;
-use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::Search;
 use crate::parser::sinumerik::scan::{Word, scan, skipped_line};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
-use crate::sema::run::{Cache, open_cursor};
+use crate::sema::run::Program;
 use crate::text::blocks::Place;
-use crate::text::{Cursor, FileId, Loc, Next, Span};
+use crate::text::{FileId, Loc, Next, Span};
 
-use super::Parsed;
+use super::macros::Sinumerik;
 
 /// Deepest nesting of structures that any control allows.
 const MOST_NESTED: usize = 16;
 
-/// A file of the run.
-#[derive(Debug)]
-pub(super) struct File {
-    pub file: FileId,
-    pub cursor: Cursor,
-    pub cache: Cache<Parsed>,
-    /// Up to here blocks ran at least once.
-    pub furthest: u32,
-    /// The programs of the file were listed.
-    listed: bool,
-}
+/// The programs of a file were listed.
+#[derive(Debug, Default)]
+pub(super) struct Listed(bool);
+
+type File = Program<Sinumerik>;
 
 /// Main program or subprogram, as far as the header says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,35 +51,32 @@ pub(super) struct Unit {
 
 /// All of them.
 #[derive(Debug, Default)]
-pub(super) struct Programs {
-    pub files: Vec<File>,
-    pub units: Vec<Unit>,
+pub(super) struct Units {
+    pub list: Vec<Unit>,
 }
 
-impl Programs {
-    /// Opens a file; its first program is the result.
-    pub fn open(&mut self, job: &Job<'_>, file: FileId, from: Loc) -> Option<usize> {
-        if let Some(at) = self.files.iter().position(|known| known.file == file) {
-            return self.units.iter().position(|unit| unit.file == at);
+impl Units {
+    /// The first program of a file.
+    pub fn first_of(&mut self, job: &Job<'_>, files: &[File], file: usize) -> usize {
+        if let Some(known) = self.list.iter().position(|unit| unit.file == file) {
+            return known;
         }
-        let cursor = open_cursor(job, file, SPLIT, from)?;
-        let header = first_line(cursor.head());
+        let source = &files[file].source;
+        let header = first_line(source.cursor.head());
         let (name, kind) = match header_name(header) {
             Some(found) => found,
-            None => stem(&job.sources.name(file)),
+            None => stem(&job.sources.name(source.file)),
         };
-        let start = cursor.start();
-        self.files.push(File { file, cursor, cache: Cache::default(), furthest: 0, listed: false });
-        let file = self.files.len() - 1;
-        self.units.push(Unit { file, name, kind, start, end: u32::MAX, skeleton: None });
-        Some(self.units.len() - 1)
+        let start = source.cursor.start();
+        self.list.push(Unit { file, name, kind, start, end: u32::MAX, skeleton: None });
+        self.list.len() - 1
     }
 
     /// Lists the programs of a file by their headers. Keeps the reading position.
-    pub fn list(&mut self, job: &Job<'_>, file: usize) -> std::io::Result<()> {
-        let Some(entry) = self.files.get_mut(file).filter(|entry| !entry.listed) else { return Ok(()) };
-        entry.listed = true;
-        let cursor = &mut entry.cursor;
+    pub fn list_file(&mut self, job: &Job<'_>, files: &mut [File], file: usize) -> std::io::Result<()> {
+        let Some(entry) = files.get_mut(file).filter(|entry| !entry.known.0) else { return Ok(()) };
+        entry.known.0 = true;
+        let cursor = &mut entry.source.cursor;
         cursor.load(job.sources)?;
         let back = cursor.place();
         cursor.seek(job.sources, cursor.start())?;
@@ -104,34 +94,35 @@ impl Programs {
             }
         }
         cursor.seek(job.sources, back)?;
-        let Some(first) = self.units.iter().position(|unit| unit.file == file) else { return Ok(()) };
+        let Some(first) = self.list.iter().position(|unit| unit.file == file) else { return Ok(()) };
         // Comments in front of the first header are no program.
-        let named = header_name(first_line(self.files[file].cursor.head())).is_some();
+        let named = header_name(first_line(files[file].source.cursor.head())).is_some();
         for (i, (place, name, kind)) in found.into_iter().enumerate() {
-            if place == self.units[first].start {
+            if place == self.list[first].start {
                 continue;
             }
-            if i == 0 && !named && self.only_remarks(job, file, place) {
-                let unit = &mut self.units[first];
+            if i == 0 && !named && only_remarks(job, files[file].source.file, place) {
+                let unit = &mut self.list[first];
                 (unit.name, unit.kind, unit.start) = (name, kind, place);
                 continue;
             }
-            let last = self.units.iter_mut().rev().find(|unit| unit.file == file);
+            let last = self.list.iter_mut().rev().find(|unit| unit.file == file);
             if let Some(last) = last {
                 last.end = last.end.min(place.at);
             }
-            self.units.push(Unit { file, name, kind, start: place, end: u32::MAX, skeleton: None });
+            self.list.push(Unit { file, name, kind, start: place, end: u32::MAX, skeleton: None });
         }
         Ok(())
     }
 
     /// Lists the programs behind the one that ran, without loading the file.
-    pub fn list_rest(&mut self, job: &Job<'_>) -> std::io::Result<()> {
-        let Some(entry) = self.files.first_mut().filter(|entry| !entry.listed) else { return Ok(()) };
+    pub fn list_rest(&mut self, job: &Job<'_>, files: &mut [File]) -> std::io::Result<()> {
+        let Some(entry) = files.first_mut().filter(|entry| !entry.known.0) else { return Ok(()) };
         let mut found = Vec::new();
+        let cursor = &mut entry.source.cursor;
         loop {
-            let place = entry.cursor.place();
-            match entry.cursor.next(job.sources)? {
+            let place = cursor.place();
+            match cursor.next(job.sources)? {
                 Next::Block(block) => {
                     if let Some((name, kind)) = header_name(block.text) {
                         found.push(Unit { file: 0, name, kind, start: place, end: u32::MAX, skeleton: None });
@@ -141,43 +132,38 @@ impl Programs {
                 Next::End => break,
             }
         }
-        self.units.extend(found);
+        self.list.extend(found);
         Ok(())
-    }
-
-    /// Is there nothing but comments in front of `place`?
-    fn only_remarks(&self, job: &Job<'_>, file: usize, place: Place) -> bool {
-        let text = job.sources.bytes(self.files[file].file, Span { start: 0, end: place.at.min(1 << 16) });
-        text.split(|b| matches!(b, b'\n' | b'\r')).all(|line| {
-            let line = line.trim_ascii();
-            let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
-            line.is_empty() || line.starts_with(b";")
-        })
     }
 
     /// A program of the same archive.
     pub fn find_in_file(&self, file: usize, name: &str) -> Option<usize> {
         let mut of_file =
-            self.units.iter().enumerate().filter(|(_, unit)| unit.file == file && unit.kind != UnitKind::Other);
+            self.list.iter().enumerate().filter(|(_, unit)| unit.file == file && unit.kind != UnitKind::Other);
         of_file.find(|(_, unit)| unit.name == name).map(|(at, _)| at)
     }
 
-    /// Where the definitions `name` of the main file's archive lie: file, start and end.
-    pub fn definitions(&self, name: &str) -> Option<(FileId, Place, u32)> {
-        let unit =
-            self.units.iter().find(|unit| unit.file == 0 && unit.kind == UnitKind::Other && unit.name == name)?;
-        Some((self.files.first()?.file, unit.start, unit.end))
+    /// Where the definitions `name` of the main file's archive lie: start and end.
+    pub fn definitions(&self, name: &str) -> Option<(Place, u32)> {
+        let unit = self.list.iter().find(|unit| unit.file == 0 && unit.kind == UnitKind::Other && unit.name == name)?;
+        Some((unit.start, unit.end))
     }
 
     /// The skeleton of a program, made on demand.
-    pub fn skeleton(&mut self, job: &Job<'_>, unit: usize, symbols: &mut Symbols) -> std::io::Result<Rc<Skeleton>> {
-        if let Some(known) = &self.units[unit].skeleton {
+    pub fn skeleton(
+        &mut self,
+        job: &Job<'_>,
+        files: &mut [File],
+        unit: usize,
+        symbols: &mut Symbols,
+    ) -> std::io::Result<Rc<Skeleton>> {
+        if let Some(known) = &self.list[unit].skeleton {
             return Ok(Rc::clone(known));
         }
-        let file = self.units[unit].file;
-        self.list(job, file)?;
-        let (start, end) = (self.units[unit].start, self.units[unit].end);
-        let entry = &mut self.files[file];
+        let file = self.list[unit].file;
+        self.list_file(job, files, file)?;
+        let (start, end) = (self.list[unit].start, self.list[unit].end);
+        let entry = &mut files[file].source;
         let back = entry.cursor.place();
         entry.cursor.seek(job.sources, start)?;
         let mut made = Skeleton::default();
@@ -235,9 +221,19 @@ impl Programs {
         }
         entry.cursor.seek(job.sources, back)?;
         let made = Rc::new(made);
-        self.units[unit].skeleton = Some(Rc::clone(&made));
+        self.list[unit].skeleton = Some(Rc::clone(&made));
         Ok(made)
     }
+}
+
+/// Is there nothing but comments in front of `place`?
+fn only_remarks(job: &Job<'_>, file: FileId, place: Place) -> bool {
+    let text = job.sources.bytes(file, Span { start: 0, end: place.at.min(1 << 16) });
+    text.split(|b| matches!(b, b'\n' | b'\r')).all(|line| {
+        let line = line.trim_ascii();
+        let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
+        line.is_empty() || line.starts_with(b";")
+    })
 }
 
 /// A block and where the one behind it starts.

@@ -5,31 +5,9 @@ use crate::ir::Function;
 use crate::text::{FileId, Loc, Span};
 
 use super::programs::UnitKind;
-use super::{MOST_ERRORS, Outcome, Reported, Run};
+use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
-    pub(super) fn report_problems(&mut self) {
-        let expanded = self.expanded;
-        for problem in std::mem::take(&mut self.problems) {
-            let mut found = self.here.diagnostic(&self.job, problem);
-            if expanded {
-                found.label.loc = self.here.origin.loc;
-            }
-            self.job.diags.push(found);
-        }
-    }
-
-    pub(super) fn report(&self, found: Diagnostic) {
-        if found.code.severity == crate::diag::Severity::Error {
-            self.errors.set(self.errors.get() + 1);
-            // Nothing is written any more; a loop would report without end.
-            if self.errors.get() > MOST_ERRORS {
-                self.stop_run();
-            }
-        }
-        self.job.diags.push(found.called(self.here.origin.call));
-    }
-
     /// Reports an error about `span` of the block, or about the whole block, and gives it up. `alarm` is the
     /// number that the control shows; 0 for none.
     pub(super) fn fail<T>(
@@ -70,11 +48,11 @@ impl Run<'_> {
 
     /// A place in the current block; the whole block for an empty span.
     pub(super) fn loc(&self, span: Span) -> Loc {
-        if self.expanded || span.is_empty() { self.here.origin.loc } else { self.here.loc(&self.job, span) }
+        if span.is_empty() { self.here.origin.loc } else { self.core.loc(span) }
     }
 
     /// End of the whole run: what is still open is worth a word.
-    pub(super) fn finish(&mut self, unit: usize) {
+    pub(super) fn report_open(&mut self) {
         if self.st.side() != crate::ir::Side::None {
             let found =
                 Diagnostic::new(codes::S2082, self.here.origin.loc, "the program ends with radius compensation on");
@@ -84,21 +62,22 @@ impl Run<'_> {
             let found = Diagnostic::new(codes::S8038, self.here.origin.loc, "the program ends with a modal call on");
             self.report(found.also(open, "MCALL stands here").help("write MCALL in a block of its own before the end"));
         }
-        let _ = self.programs.list_rest(&self.job);
+        let unit = self.levels.first().map_or(0, |level| level.frame.unit);
+        let _ = self.units.list_rest(&self.core.job, &mut self.core.programs);
         let others: Vec<&str> = self
-            .programs
             .units
+            .list
             .iter()
             .enumerate()
             .filter(|(at, other)| *at != unit && other.file == 0 && other.kind == UnitKind::Main)
             .map(|(_, other)| other.name.as_str())
             .collect();
         if !others.is_empty() {
-            let start = self.programs.units[unit].start;
+            let start = self.units.list[unit].start;
             let len = self.job.sources.bytes(FileId(0), Span::at(start.at, 80));
             let len = len.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(len.len());
             let start = Loc { file: FileId(0), line: start.line, span: Span::at(start.at, len as u32) };
-            let name = &self.programs.units[unit].name;
+            let name = &self.units.list[unit].name;
             let message = format!("the file holds several main programs; {name} is compiled");
             let found = Diagnostic::new(codes::S8003, start, message);
             self.job.diags.push(found.help(format!("put {} into files of their own", others.join(", "))));
@@ -106,9 +85,8 @@ impl Run<'_> {
     }
 
     pub(super) fn comment(&mut self, text: &[u8]) {
-        let text = text.trim_ascii();
-        if !text.is_empty() {
-            self.function(Function::Comment(text.to_vec()));
+        if let Some(comment) = self.core.comment_of(text) {
+            self.function(comment);
         }
     }
 
@@ -122,11 +100,11 @@ impl Run<'_> {
         if self.pending.is_some() && self.held_back(&function) {
             return;
         }
-        self.out.function(&function, &self.st.ctx, &self.here.origin);
+        self.core.send_function(&function, &self.st.ctx);
     }
 
     /// Nobody knows where the tool is.
     pub(super) fn lost(&mut self) {
-        self.out.lost(&self.st.ctx, &self.here.origin);
+        self.core.send_lost(&self.st.ctx);
     }
 }

@@ -64,7 +64,7 @@ impl Run<'_> {
         }
         self.nothing_left(w)?;
         self.late_functions(w)?;
-        if moved && !self.ended.get() {
+        if moved && !self.has_ended() {
             self.call_modal()?;
         }
         Ok(())
@@ -142,7 +142,7 @@ impl Run<'_> {
     /// A rapid to a place in machine coordinates, behind which its axes stand at no known place of the workpiece.
     pub(super) fn machine_rapid(&mut self, end: Pos) {
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
-        self.out.movement(&mv, &self.st.ctx, &self.here.origin);
+        self.core.send_move(&mv, &self.st.ctx);
         for axis in end.known().iter() {
             self.st.position.forget(AxisSet::of(axis));
         }

@@ -424,8 +424,8 @@ impl Run<'_> {
             }
             return Ok(Val::Bool(self.is_variable(&wanted)));
         }
-        let file = self.programs.units[self.unit()].file;
-        if let Err(error) = self.programs.list(&self.job, 0).and_then(|()| self.programs.list(&self.job, file)) {
+        let file = self.units.list[self.unit()].file;
+        if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
             return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}"));
         }
         self.budget.search();
@@ -433,7 +433,7 @@ impl Run<'_> {
         let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
         let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
         let in_archive = without_extension(&bare);
-        let here = [0, file].into_iter().any(|file| self.programs.find_in_file(file, in_archive).is_some());
+        let here = [0, file].into_iter().any(|file| self.units.find_in_file(file, in_archive).is_some());
         Ok(Val::Bool(here || self.job.files.open(&request).is_ok()))
     }
 

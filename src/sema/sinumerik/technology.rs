@@ -221,7 +221,7 @@ impl Run<'_> {
                         }
                         let done = self.pending_must_be_done(m.span);
                         self.function(Function::End { rewind: m.number == 30 });
-                        self.ended.set(true);
+                        self.stop_run();
                         done?;
                     } else {
                         self.leave_program();

@@ -154,83 +154,6 @@ const REFUSED: &[(&str, &str)] = &[
     ("motion synchronous to the cycle of the control", "RDISABLE STOPREOF DELDTG SYNFCT FTOC"),
 ];
 
-/// Cycles of the control: known by name, so that a refusal can say what they are.
-const CYCLES: &[&str] = &[
-    "CYCLE60",
-    "CYCLE61",
-    "CYCLE62",
-    "CYCLE63",
-    "CYCLE64",
-    "CYCLE70",
-    "CYCLE71",
-    "CYCLE72",
-    "CYCLE73",
-    "CYCLE74",
-    "CYCLE75",
-    "CYCLE76",
-    "CYCLE77",
-    "CYCLE78",
-    "CYCLE79",
-    "CYCLE81",
-    "CYCLE82",
-    "CYCLE83",
-    "CYCLE84",
-    "CYCLE85",
-    "CYCLE86",
-    "CYCLE87",
-    "CYCLE88",
-    "CYCLE89",
-    "CYCLE90",
-    "CYCLE91",
-    "CYCLE92",
-    "CYCLE93",
-    "CYCLE94",
-    "CYCLE95",
-    "CYCLE96",
-    "CYCLE97",
-    "CYCLE98",
-    "CYCLE99",
-    "CYCLE801",
-    "CYCLE802",
-    "CYCLE210",
-    "CYCLE830",
-    "CYCLE840",
-    "CYCLE899",
-    "CYCLE930",
-    "CYCLE940",
-    "CYCLE950",
-    "CYCLE951",
-    "CYCLE952",
-    "CYCLE961",
-    "CYCLE971",
-    "CYCLE972",
-    "CYCLE973",
-    "CYCLE974",
-    "CYCLE976",
-    "CYCLE977",
-    "CYCLE978",
-    "CYCLE979",
-    "CYCLE982",
-    "CYCLE994",
-    "CYCLE995",
-    "CYCLE996",
-    "CYCLE997",
-    "CYCLE998",
-    "CYCLE1001",
-    "HOLES1",
-    "HOLES2",
-    "POCKET1",
-    "POCKET2",
-    "POCKET3",
-    "POCKET4",
-    "SLOT1",
-    "SLOT2",
-    "LONGHOLE",
-    "E_DR",
-    "E_DR_SIN",
-    "F_DRILL",
-];
-
 const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO SAVE PREPRO ICYCON ICYCOF IPTRLOCK IPTRUNLOCK BLSYNC \
     GROUP_BEGIN GROUP_END GROUP_ADDEND WORKPIECE NEWCONF WAITS WAITP SPCON SPCOF DRFOF DELAYFSTON DELAYFSTOF GWPSOF \
     EXTCLOSE EXTOPEN PROTOCOL STARTFIFO MMC FPRAOF AUXFUDEL AUXFUDELG AUXFUSYNC AUXFUMSEQ WAITENC";
@@ -324,8 +247,8 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
             map.insert(name, Meaning::Procedure(Procedure::Refused(what)));
         }
     }
-    for name in CYCLES {
-        map.insert(*name, Meaning::Procedure(Procedure::Refused("machining cycle")));
+    for cycle in super::cycles::rows() {
+        map.insert(cycle.signature.name, Meaning::Procedure(Procedure::Refused("machining cycle")));
     }
     let simple = [
         (NO_EFFECT, Procedure::NoEffect),

@@ -5,7 +5,7 @@
 
 use crate::diag::{Code, codes};
 use crate::geo::corner::{self, NoCut};
-use crate::geo::{Element, Point2, SAME_POINT, Vec2, arc, distance};
+use crate::geo::{Element, Point2, SAME_POINT, arc, distance};
 use crate::text::Loc;
 
 use super::chain::{Chain, Fault, Partial, Solved};
@@ -433,11 +433,4 @@ fn no_cut(why: NoCut) -> &'static str {
         NoCut::Arc => "a chamfer is possible between straight lines only",
         NoCut::Degenerate => "an element beside the chamfer or rounding has no length",
     }
-}
-
-/// The arc of less than half a turn about `center`.
-pub(super) fn minor_arc(from: Point2, to: Point2, center: Point2) -> Element {
-    let (a, b): (Vec2, Vec2) = (from - center, to - center);
-    let ccw = crate::geo::cross(a, b) > 0.0;
-    Element::Arc { from, to, center, sweep: arc::sweep(from, to, center, ccw) }
 }

@@ -4,19 +4,19 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
+use crate::geo::undercut::{Edge, Shape};
 use crate::machine::{Axis, RecessDepth, RecessWidth};
+use crate::standard::{din13, din76, din509};
+use crate::text::Span;
 
 use super::chain::Coord;
 use super::contour::{Builder, Mark, ThreadData};
 use super::coordinates::{Transition, transition_of};
 use super::forms::{Along, Recess};
 use super::readings::Question;
-use super::undercuts::{self, LEAN_509, SLOPE_76, SLOPE_509, Undercut};
+use super::undercuts::{self, Thread, Undercut};
 use super::words::{Words, letters};
 use super::{Outcome, Reported, Run};
-
-/// Depth of a metric ISO thread by its pitch, outside and inside. Source: reference section 6.3, G37.
-const ISO_DEPTH: [f64; 2] = [0.613_43, 0.541_27];
 
 /// Codes by which D of a cycle leaves forms out. A recess of G22 is a sealing ring or a guard ring, which its block does
 /// not say, so both codes are needed. Source: reference section 6.3.
@@ -175,37 +175,53 @@ impl Run<'_> {
         let angle = |letter: u8, default: f64| w.value(letter).unwrap_or(default);
         let needed =
             |letter: u8, what: &str| self.needed(w, letter, what, span).and_then(|num| self.above_zero(num, what));
-        let [depth, width, radius, face] = undercuts::din_509(diameter);
+        let tables = &self.job.settings.undercut;
+        let row = tables.size_for(diameter, din509::HEIDENHAIN);
+        let listed = row.map(|(_, size)| *size);
+        if let (0 | 5 | 6, Some((range, size)), None) = (form as i32, row, w.get(b'R')) {
+            self.disputed_row(range, size, span);
+        }
+        let of_table = |letter: u8, value: fn(&din509::Size) -> f64| match (w.value(letter), listed) {
+            (Some(v), _) => Ok(v * mm),
+            (None, Some(size)) => Ok(value(&size)),
+            (None, None) => self.fail(codes::T1005, span, undercuts::no_size(diameter)),
+        };
         Ok(match form as i32 {
-            4 if form == 4.0 => Undercut::U {
-                depth: needed(b'I', "the depth of the undercut")?,
-                width: needed(b'K', "the width of the undercut")?,
-                base: size(b'R', 0.0),
-                edge: transition_of(size(b'P', 0.0)),
-            },
-            0 | 5 if form.fract() == 0.0 => Undercut::E {
-                depth: size(b'I', depth),
-                width: size(b'K', width),
-                radius: size(b'R', radius),
-                slope: angle(b'W', SLOPE_509),
-            },
-            6 if form == 6.0 => Undercut::F {
-                depth: size(b'I', depth),
-                width: size(b'K', width),
-                radius: size(b'R', radius),
-                slope: angle(b'W', SLOPE_509),
-                face: size(b'P', face),
-                lean: angle(b'A', LEAN_509),
-            },
+            4 if form == 4.0 => {
+                let groove = Shape::Groove {
+                    depth: needed(b'I', "the depth of the undercut")?,
+                    width: needed(b'K', "the width of the undercut")?,
+                    radius: size(b'R', 0.0),
+                    edge: Edge::Sharp,
+                };
+                Undercut { edge: Some(transition_of(size(b'P', 0.0))), ..groove.into() }
+            }
+            0 | 5 if form.fract() == 0.0 => {
+                let (depth, width) = (of_table(b'I', |size| size.depth)?, of_table(b'K', |size| size.length)?);
+                undercuts::square(depth, width, of_table(b'R', |size| size.radius)?, angle(b'W', din509::ENTRY)).into()
+            }
+            6 if form == 6.0 => {
+                let radius = of_table(b'R', |size| size.radius)?;
+                Undercut::from(Shape::Recessed {
+                    length: of_table(b'K', |size| size.length)?,
+                    depth: of_table(b'I', |size| size.depth)?,
+                    entry: Deg(angle(b'W', din509::ENTRY)),
+                    entry_radius: radius,
+                    corner_radius: radius,
+                    face_depth: of_table(b'P', |size| size.face_depth)?,
+                    face_angle: Deg(angle(b'A', din509::FACE)),
+                })
+            }
             7 if form == 7.0 => {
                 let given = |letter: u8, what: &str| w.get(letter).map(|num| self.above_zero(num, what)).transpose();
-                Undercut::Thread {
+                let thread = Thread {
                     pitch: w.long("FP").map(|num| self.above_zero(num, "the pitch of the thread")).transpose()?,
                     depth: given(b'I', "the depth of the undercut")?,
                     width: given(b'K', "the width of the undercut")?,
                     radius: given(b'R', "the radius of the undercut")?,
-                    slope: angle(b'W', SLOPE_76),
-                }
+                    slope: angle(b'W', din76::ENTRY),
+                };
+                thread.sized(tables)
             }
             8 | 9 if form.fract() == 0.0 => {
                 return self.fail_help(
@@ -219,12 +235,23 @@ impl Run<'_> {
         })
     }
 
+    /// A word about the size of an undercut of which sources say different things.
+    fn disputed_row(&self, range: &din509::Range, size: &din509::Size, span: Span) {
+        let Some(otherwise) = range.otherwise else { return };
+        let (r, t, source) = (size.radius, size.depth, range.source.0);
+        let message = format!("the size of this undercut is {r} x {t} ({source}); {otherwise}");
+        let help = "set `[undercut] din509_by_diameter`, or give the sizes of the drawing with I, K and R";
+        self.job
+            .diags
+            .push_once(Diagnostic::new(codes::T8007, self.loc(span), message).help(help).called(self.here.origin.call));
+    }
+
     /// G34: the element before is a metric ISO thread.
     pub(super) fn thread_mark(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
         self.only(w, letters("F"), &[])?;
         let num = self.needed(w, b'F', "the pitch of the thread", self.block_span())?;
         let pitch = self.above_zero(num, "the pitch of the thread")?;
-        self.put_thread(ThreadData { pitch, depth: ISO_DEPTH.map(|d| d * pitch) }, builder)
+        self.put_thread(ThreadData { pitch, depth: din13::DEPTH.map(|d| d * pitch) }, builder)
     }
 
     /// G37: the element before is a thread of type Q with the pitch F; P is its depth.
@@ -247,7 +274,7 @@ impl Run<'_> {
         let pitch = self.above_zero(num, "the pitch of the thread")?;
         let depth = match (w.get(b'P'), kind) {
             (Some(num), _) => [self.above_zero(num, "the depth of the thread")?; 2],
-            (None, 1 | 2 | 13 | 14) => ISO_DEPTH.map(|d| d * pitch),
+            (None, 1 | 2 | 13 | 14) => din13::DEPTH.map(|d| d * pitch),
             (None, 9) => [0.640_33 * pitch; 2],
             (None, 11) => [0.640_327 * pitch; 2],
             _ => {

@@ -162,7 +162,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if self.skips(block.skip) {
+        if self.job.skips(block.skip) {
             return;
         }
         if let Some(comment) = block.comment {

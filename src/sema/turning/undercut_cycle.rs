@@ -6,19 +6,23 @@
 use crate::diag::codes;
 use crate::geo::{Element, Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
+use crate::ir::undercut::{form_e, form_f};
 use crate::ir::{Pos, Side};
 use crate::machine::Axis;
+use crate::standard::{din76, din509};
 use crate::text::Span;
 
 use super::chain::{AGREES, Coord, Solved};
 use super::readings::Question;
 use super::sections::Family;
-use super::undercuts::{self, LEAN_509, SLOPE_76, SLOPE_509, Undercut};
+use super::undercuts::{self, Undercut};
 use super::words::Words;
 use super::{Outcome, Run};
 
 /// How little a tool is off the cylinder that stands on it, mm.
 const ON: f64 = 1e-6;
+/// What arithmetic loses in a diameter, mm.
+const LOST: f64 = 1e-9;
 /// How far the lines beside the corner are taken to reach, in mm: what lies there is the programmer's.
 const REACH: f64 = 1e4;
 
@@ -150,11 +154,14 @@ impl Run<'_> {
         let span = self.block_span();
         let form = w.get(b'K').map(|num| num.value * mm);
         let of_table = form.is_none_or(|k| k == 0.0);
-        if of_table && undercuts::is_limit_of_g85(diameter) {
+        let tables = &self.job.settings.undercut;
+        let limit = |range: &din509::Range| (range.upto - diameter).abs() <= LOST;
+        if of_table && !tables.says_sizes_by_diameter() && din509::PLUS_4110_G85.iter().any(limit) {
             self.depends_on(Question::UndercutLimit, w.span(b'X', span));
         }
+        // A diameter at a limit belongs to the row below it or above it.
         let upper = self.job.settings.control.turning.undercut_upper == Some(true);
-        let [depth, width, radius, face] = undercuts::din_509_of_g85(diameter, upper);
+        let sought = diameter + if upper { LOST } else { -LOST };
         if let Some(num) = w.get(b'I').filter(|num| num.value != 0.0 && form.is_none_or(|k| k == 0.0)) {
             return self.fail_help(
                 codes::T9007,
@@ -164,13 +171,15 @@ impl Run<'_> {
             );
         }
         match form {
-            None => Ok(Undercut::E { depth, width, radius, slope: SLOPE_509 }),
-            Some(0.0) => Ok(Undercut::F { depth, width, radius, slope: SLOPE_509, face, lean: LEAN_509 }),
+            None | Some(0.0) => match tables.size_for(sought, din509::PLUS_4110_G85) {
+                Some((_, size)) => Ok(if form.is_none() { form_e(size) } else { form_f(size) }.into()),
+                None => self.fail(codes::T1005, w.span(b'X', span), undercuts::no_size(diameter)),
+            },
             Some(width) => {
                 let depth = self.needed(w, b'I', "the depth of the undercut", span)?;
                 let depth = self.above_zero(depth, "the depth of the undercut")?;
-                match undercuts::din_76_radius(width, inside) {
-                    Some(radius) => Ok(Undercut::E { depth, width, radius, slope: SLOPE_76 }),
+                match undercuts::radius_of_width(tables, width, inside) {
+                    Some(radius) => Ok(undercuts::square(depth, width, radius, din76::ENTRY).into()),
                     None => self.fail_help(
                         codes::T1007,
                         w.span(b'K', span),

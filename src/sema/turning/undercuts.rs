@@ -1,28 +1,41 @@
-//! Undercuts in inside corners (G25-Geo, G85): forms U, DIN 509 E and F, DIN 76, and the tables of their sizes.
+//! Undercuts in inside corners (G25-Geo, G85): forms U, DIN 509 E and F, DIN 76, in the corner between two elements.
 //!
 //! Source: reference section 6.3 and worked example 7. All lengths in mm; depths are radius values.
 
+use crate::geo::undercut::{Allowance, Corner, Fault, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Point2, SAME_DIRECTION, Vec2, direction, distance};
+use crate::ir::undercut::{internal_depth, thread_length};
+use crate::machine::Undercuts;
+use crate::machine::undercut::ThreadLength;
+use crate::standard::{SAME, din76};
 
 use super::chain::Solved;
-use super::contour::minor_arc;
 use super::coordinates::Transition;
 
-/// An undercut with all its sizes.
+/// An undercut with all its sizes, or why they are missing. Which of the two is cut follows from the corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Undercut {
-    /// Upright wall, base corners of radius `base`, outer edge.
-    U { depth: f64, width: f64, base: f64, edge: Transition },
-    /// DIN 509 E and DIN 76: slope of `slope` degrees, floor, quarter arc to the shoulder.
-    E { depth: f64, width: f64, radius: f64, slope: f64 },
-    /// DIN 509 F: goes `face` deep into the shoulder and leaves it at `lean` degrees.
-    F { depth: f64, width: f64, radius: f64, slope: f64, face: f64, lean: f64 },
-    /// DIN 76: like E; what is missing follows from the pitch, and from whether the corner lies outside or inside.
-    Thread { pitch: Option<f64>, depth: Option<f64>, width: Option<f64>, radius: Option<f64>, slope: f64 },
+pub(super) struct Undercut {
+    pub outside: Result<Shape, &'static str>,
+    pub inside: Result<Shape, &'static str>,
+    /// Outer edge of a groove (form U), which is cut as any other corner of the contour is.
+    pub edge: Option<Transition>,
 }
 
-/// Elements, each with what happens at its end.
-type Pieces = Vec<(Element, Transition)>;
+impl From<Shape> for Undercut {
+    fn from(shape: Shape) -> Undercut {
+        Undercut { outside: Ok(shape), inside: Ok(shape), edge: None }
+    }
+}
+
+/// The words of a thread undercut; what is missing follows from the pitch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Thread {
+    pub pitch: Option<f64>,
+    pub depth: Option<f64>,
+    pub width: Option<f64>,
+    pub radius: Option<f64>,
+    pub slope: f64,
+}
 
 /// An undercut between two elements.
 #[derive(Debug, Clone)]
@@ -32,136 +45,141 @@ pub(super) struct Made {
     pub joins: Point2,
     /// How the first element goes over into the undercut.
     pub edge: Transition,
-    pub elements: Pieces,
+    /// Each with what happens at its end.
+    pub elements: Vec<(Element, Transition)>,
 }
 
-/// How closely a size or diameter is that of a table, mm.
-const SAME: f64 = 1e-9;
-
-/// Sizes of DIN 509: largest diameter, depth, width, radius, depth in the face.
-const DIN_509: &[[f64; 5]] = &[
-    [1.6, 0.1, 0.5, 0.1, 0.1],
-    [3.0, 0.1, 1.0, 0.2, 0.1],
-    [10.0, 0.2, 2.0, 0.2, 0.1],
-    [18.0, 0.2, 2.0, 0.6, 0.1],
-    [80.0, 0.3, 2.5, 0.6, 0.2],
-    [f64::INFINITY, 0.4, 4.0, 1.0, 0.3],
-];
-
-/// The coarser sizes of G85 on the 4110.
-const DIN_509_BASIC: &[[f64; 5]] =
-    &[[18.0, 0.25, 2.0, 0.6, 0.1], [80.0, 0.35, 2.5, 0.6, 0.2], [f64::INFINITY, 0.45, 4.0, 1.0, 0.3]];
-
-/// Slope and lean of DIN 509, slope of DIN 76, in degrees.
-pub(super) const SLOPE_509: f64 = 15.0;
-pub(super) const LEAN_509: f64 = 8.0;
-pub(super) const SLOPE_76: f64 = 30.0;
-
-/// Sizes of DIN 76: pitch; external groove as a diameter amount, width, radius; internal the same.
-const DIN_76: &[[f64; 7]] = &[
-    [0.2, 0.3, 0.7, 0.1, 0.1, 1.2, 0.1],
-    [0.25, 0.4, 0.9, 0.12, 0.1, 1.4, 0.12],
-    [0.3, 0.5, 1.05, 0.16, 0.1, 1.6, 0.16],
-    [0.35, 0.6, 1.2, 0.16, 0.2, 1.9, 0.16],
-    [0.4, 0.7, 1.4, 0.2, 0.2, 2.2, 0.2],
-    [0.45, 0.7, 1.6, 0.2, 0.3, 2.4, 0.2],
-    [0.5, 0.8, 1.75, 0.2, 0.3, 2.7, 0.2],
-    [0.6, 1.0, 2.1, 0.4, 0.3, 3.3, 0.4],
-    [0.7, 1.1, 2.45, 0.4, 0.3, 3.8, 0.4],
-    [0.75, 1.2, 2.6, 0.4, 0.3, 4.0, 0.4],
-    [0.8, 1.3, 2.8, 0.4, 0.3, 4.2, 0.4],
-    [1.0, 1.6, 3.5, 0.6, 0.5, 5.2, 0.6],
-    [1.25, 2.0, 4.4, 0.6, 0.5, 6.7, 0.6],
-    [1.5, 2.3, 5.2, 0.8, 0.5, 7.8, 0.8],
-    [1.75, 2.6, 6.1, 1.0, 0.5, 9.1, 1.0],
-    [2.0, 3.0, 7.0, 1.0, 0.5, 10.3, 1.0],
-    [2.5, 3.6, 8.7, 1.2, 0.5, 13.0, 1.2],
-    [3.0, 4.4, 10.5, 1.6, 0.5, 15.2, 1.6],
-    [3.5, 5.0, 12.0, 1.6, 0.5, 17.7, 1.6],
-    [4.0, 5.7, 14.0, 2.0, 0.5, 20.0, 2.0],
-    [4.5, 6.4, 16.0, 2.0, 0.5, 23.0, 2.0],
-    [5.0, 7.0, 17.5, 2.5, 0.5, 26.0, 2.5],
-    [5.5, 7.7, 19.0, 3.2, 0.5, 28.0, 3.2],
-    [6.0, 8.3, 21.0, 3.2, 0.5, 30.0, 3.2],
-];
-
-/// Depth, width, radius and face depth of DIN 509 for a diameter.
-pub(super) fn din_509(diameter: f64) -> [f64; 4] {
-    sizes(DIN_509, |limit| diameter <= limit)
+/// Form E and the thread undercuts: slope, floor, quarter arc to the shoulder.
+pub(super) fn square(depth: f64, width: f64, radius: f64, slope: f64) -> Shape {
+    Shape::Square { length: width, depth, entry: Deg(slope), entry_radius: radius, corner_radius: radius }
 }
 
-/// The same of the table of G85 on the 4110; `upper`: a diameter at a limit belongs to the row above it.
-pub(super) fn din_509_of_g85(diameter: f64, upper: bool) -> [f64; 4] {
-    // What arithmetic loses in a diameter is no diameter of its own.
-    let nearly = if upper { -SAME } else { SAME };
-    sizes(DIN_509_BASIC, |limit| diameter <= limit + nearly)
-}
-
-/// Is the diameter one that the table of G85 leaves out?
-pub(super) fn is_limit_of_g85(diameter: f64) -> bool {
-    DIN_509_BASIC.iter().any(|row| (row[0] - diameter).abs() <= SAME)
-}
-
-fn sizes(table: &[[f64; 5]], holds: impl Fn(f64) -> bool) -> [f64; 4] {
-    let row = table.iter().find(|row| holds(row[0])).or(table.last());
-    row.map_or([0.0; 4], |row| [row[1], row[2], row[3], row[4]])
-}
-
-/// Depth, width and radius of an external DIN 76 undercut for a pitch; `None` for a pitch that is not in the table.
-pub(super) fn din_76_external(pitch: f64) -> Option<[f64; 3]> {
-    let row = DIN_76.iter().find(|row| (row[0] - pitch).abs() < SAME)?;
-    Some([row[1] / 2.0, row[2], row[3]])
-}
-
-/// Width and radius of an internal DIN 76 undercut for a pitch. Its depth counts from the nominal diameter, which the contour
-/// does not hold.
-pub(super) fn din_76_internal(pitch: f64) -> Option<[f64; 2]> {
-    let row = DIN_76.iter().find(|row| (row[0] - pitch).abs() < SAME)?;
-    Some([row[5], row[6]])
+/// What to say where no size belongs to a diameter.
+pub(super) fn no_size(diameter: f64) -> String {
+    format!("a size of the undercut is missing, and the table has none for the diameter {diameter}")
 }
 
 /// Radius of the DIN 76 undercut of this width.
-pub(super) fn din_76_radius(width: f64, inside: bool) -> Option<f64> {
-    let at = if inside { 5 } else { 2 };
-    DIN_76.iter().find(|row| (row[at] - width).abs() < SAME).map(|row| row[at + 1])
+pub(super) fn radius_of_width(tables: &Undercuts, width: f64, inside: bool) -> Option<f64> {
+    let longest = |row: &din76::Row| if inside { row.c.g2 } else { row.a.g2 };
+    tables.threads().iter().find(|row| (longest(row) - width).abs() < SAME).map(|row| row.radius)
+}
+
+impl Thread {
+    pub fn sized(&self, tables: &Undercuts) -> Undercut {
+        Undercut { outside: self.shape(tables, false), inside: self.shape(tables, true), edge: None }
+    }
+
+    /// The manuals print the greatest length, and the depth inside from the nominal diameter, which the contour does not hold.
+    fn shape(&self, tables: &Undercuts, inside: bool) -> Result<Shape, &'static str> {
+        let missing =
+            "a size of the thread undercut is missing: give I, K and R, or a pitch FP that is in the table of DIN 76";
+        let bore = "the depth of a thread undercut in a bore counts from the nominal diameter, which FP does not give: program I \
+                    with (nominal diameter + value of DIN 76 - bore) / 2";
+        let row = self.pitch.and_then(|pitch| tables.thread(pitch));
+        let radius = self.radius.or(row.map(|row| row.radius)).ok_or(missing);
+        let table = row.and_then(|row| match (inside, tables.internal_depth) {
+            (false, _) => Some(row.external / 2.0),
+            (true, rule) => rule.map(|rule| internal_depth(rule, row)),
+        });
+        let depth = self.depth.or(table).ok_or(if row.is_some() { bore } else { missing });
+        let depth = depth?;
+        let of_row = |row: &din76::Row| {
+            let rule = tables.thread_length.unwrap_or(ThreadLength::Longest);
+            thread_length(rule, if inside { row.c } else { row.a }, depth, Deg(self.slope))
+        };
+        let width = self.width.or(row.map(of_row)).ok_or(missing)?;
+        Ok(square(depth, width, radius?, self.slope))
+    }
 }
 
 /// Puts the undercut between the reference element, parallel to Z, and the shoulder, parallel to X, in either order.
 pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>) -> Result<Made, &'static str> {
     let Some(after) = after else { return Err("no element follows the undercut") };
-    let corner = before.to;
     let straight = |line: &Solved| direction(line.to - line.from, 0.0).filter(|_| line.arc.is_none());
     let (Some(u), Some(w)) = (straight(before), straight(after)) else {
         return Err("an undercut stands between two lines");
     };
-    if along_z(u) && along_x(w) {
-        let made = shape(&sized(undercut, w)?, corner, -u, w)?;
-        return fitting(made, before, after);
+    // The manuals name no angle by which the lines may lean.
+    let up = match (along_z(u) && along_x(w), along_x(u) && along_z(w)) {
+        (true, _) => w,
+        (_, true) => -u,
+        _ => return Err("an undercut stands between a line parallel to Z and one parallel to X"),
+    };
+    let shape = if up.y > 0.0 { undercut.outside } else { undercut.inside }?;
+    slope_fits(&shape)?;
+    let corner = Corner { from: before.from, at: before.to, to: after.to };
+    let placed =
+        place(&shape, &corner, Reference::First, Allowance::default()).map_err(|fault| refusal(&shape, fault))?;
+    // Neither longer than the lines, nor further below the corner than the shoulder is high.
+    let room = |p: Point2, end: Point2| distance(p, corner.at) <= distance(corner.at, end) + 1e-6;
+    if !room(placed.leave, corner.from) || !room(placed.join, corner.to) {
+        return Err(ROOM);
     }
-    if along_x(u) && along_z(w) {
-        let made = turned_around(shape(&sized(undercut, -u)?, corner, w, -u)?);
-        return fitting(made, before, after);
-    }
-    Err("an undercut stands between a line parallel to Z and one parallel to X")
+    made(placed, undercut.edge, corner.at)
 }
 
-/// The undercut with all its sizes; `up` points along the shoulder away from the cylinder.
-fn sized(undercut: &Undercut, up: Vec2) -> Result<Undercut, &'static str> {
-    let Undercut::Thread { pitch, depth, width, radius, slope } = *undercut else { return Ok(*undercut) };
-    let missing =
-        "a size of the thread undercut is missing: give I, K and R, or a pitch FP that is in the table of DIN 76";
-    let inside = "the depth of a thread undercut in a bore counts from the nominal diameter, which FP does not give: program I \
-                  with (nominal diameter + value of DIN 76 - bore) / 2";
-    let row = if up.y > 0.0 {
-        pitch.and_then(din_76_external).map(|[i, k, r]| (Some(i), k, r))
-    } else {
-        pitch.and_then(din_76_internal).map(|[k, r]| (None, k, r))
+/// The slope, and the rounding between it and the floor, which is never made smaller.
+fn slope_fits(shape: &Shape) -> Result<(), &'static str> {
+    let (Shape::Square { length, depth, entry, entry_radius, .. }
+    | Shape::Recessed { length, depth, entry, entry_radius, .. }) = *shape
+    else {
+        return Ok(());
     };
-    let width = width.or(row.map(|(_, k, _)| k)).ok_or(missing)?;
-    let radius = radius.or(row.map(|(_, _, r)| r)).ok_or(missing)?;
-    let table = row.and_then(|(i, _, _)| i);
-    let depth = depth.or(table).ok_or(if row.is_some() { inside } else { missing })?;
-    Ok(Undercut::E { depth, width, radius, slope })
+    let (sin, cos) = entry.sin_cos();
+    if !(sin > 0.0 && cos > 0.0) {
+        return Err(SLOPE);
+    }
+    // tan(W/2) = sin W / (1 + cos W)
+    let rises = entry_radius * sin / (1.0 + cos) * sin;
+    if rises > depth + 1e-9 || length <= depth * cos / sin { Err(RADIUS) } else { Ok(()) }
+}
+
+const ROOM: &str = "the undercut is wider than the element before it, or higher than the shoulder";
+const SLOPE: &str = "the slope of an undercut lies between 0 and 90 degrees";
+const RADIUS: &str = "the radius does not fit into the undercut";
+const SIZES: &str = "the sizes of the undercut do not fit together";
+
+fn refusal(shape: &Shape, fault: Fault) -> &'static str {
+    match (fault, shape) {
+        (Fault::Degenerate | Fault::NotSquare { .. }, _) => "an undercut stands between two lines",
+        (Fault::ReferenceTooShort { .. } | Fault::OtherTooShort { .. }, _) => ROOM,
+        (Fault::Angle, Shape::Square { .. }) => SLOPE,
+        (Fault::TooNarrow, Shape::Square { .. }) => "the undercut is too narrow for its radius",
+        (Fault::TooNarrow, Shape::Groove { .. }) => RADIUS,
+        (Fault::Angle | Fault::TooNarrow | Fault::Dimension, _) => SIZES,
+    }
+}
+
+/// A groove ends on the shoulder at the level of the cylinder: what of the face lies below it belongs to the groove.
+fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made, &'static str> {
+    let Placed { leave, join, elements, orientation, .. } = placed;
+    let sharp = |element: Element| (element, Transition::Sharp);
+    let mut made = Made {
+        leaves: leave,
+        joins: join,
+        edge: Transition::Sharp,
+        elements: elements.into_iter().map(sharp).collect(),
+    };
+    let Some(edge) = edge else { return Ok(made) };
+    let wall = if orientation.first_leads { made.elements.first() } else { made.elements.last() };
+    if matches!(edge, Transition::Rounding(_) | Transition::Chamfer(_))
+        && !matches!(wall, Some((Element::Line { .. }, _)))
+    {
+        return Err(RADIUS);
+    }
+    if orientation.first_leads {
+        made.edge = edge;
+        made.elements.push(sharp(Element::Line { from: join, to: corner }));
+        made.joins = corner;
+    } else {
+        if let Some((_, transition)) = made.elements.last_mut() {
+            *transition = edge;
+        }
+        made.elements.insert(0, sharp(Element::Line { from: corner, to: leave }));
+        made.leaves = corner;
+    }
+    Ok(made)
 }
 
 fn along_z(u: Vec2) -> bool {
@@ -172,109 +190,12 @@ fn along_x(u: Vec2) -> bool {
     u.x.abs() <= SAME_DIRECTION
 }
 
-fn fitting(made: Made, before: &Solved, after: &Solved) -> Result<Made, &'static str> {
-    let room = |p: Point2, line: &Solved, end: Point2| distance(p, end) <= distance(line.from, line.to) + 1e-6;
-    if room(made.leaves, before, before.to) && room(made.joins, after, after.from) {
-        return Ok(made);
-    }
-    Err("the undercut is wider than the element before it, or higher than the shoulder")
-}
-
-fn turned_around(made: Made) -> Made {
-    let mut transitions: Vec<Transition> = made.elements.iter().map(|(_, transition)| *transition).collect();
-    // A transition stands at the end of its element: going back it stands at the end of the element behind.
-    transitions.pop();
-    transitions.insert(0, made.edge);
-    let elements = made.elements.iter().zip(transitions).rev();
-    let back = |element: Element| match element {
-        Element::Line { from, to } => Element::Line { from: to, to: from },
-        Element::Arc { from, to, center, sweep } => Element::Arc { from: to, to: from, center, sweep: -sweep },
-    };
-    Made {
-        leaves: made.joins,
-        joins: made.leaves,
-        edge: Transition::Sharp,
-        elements: elements.map(|((element, _), transition)| (back(*element), transition)).collect(),
-    }
-}
-
-/// The undercut from the cylinder to the shoulder. `away` points along the cylinder away from the shoulder, `up` along
-/// the shoulder away from the cylinder.
-fn shape(undercut: &Undercut, corner: Point2, away: Vec2, up: Vec2) -> Result<Made, &'static str> {
-    let p = |a: f64, h: f64| corner + away * a + up * h;
-    let line = |from, to| Element::Line { from, to };
-    let sharp = Transition::Sharp;
-    match *undercut {
-        Undercut::U { depth, width, base, edge } => {
-            let round = if base > 0.0 { Transition::Rounding(base) } else { sharp };
-            if base * 2.0 > width || base > depth {
-                return Err("the radius does not fit into the undercut");
-            }
-            let top = p(0.0, 0.0);
-            let mut elements = vec![(line(p(width, 0.0), p(width, -depth)), round)];
-            elements.push((line(p(width, -depth), p(0.0, -depth)), round));
-            elements.push((line(p(0.0, -depth), top), sharp));
-            Ok(Made { leaves: p(width, 0.0), joins: top, edge, elements })
-        }
-        Undercut::E { depth, width, radius, slope } => {
-            let (mut elements, floor) = slope_and_fillet(&p, depth, width, radius, slope)?;
-            let end = p(radius, -depth);
-            if floor < radius - 1e-9 {
-                return Err("the undercut is too narrow for its radius");
-            }
-            elements.push((line(p(floor, -depth), end), sharp));
-            let top = p(0.0, radius - depth);
-            elements.push((minor_arc(end, top, p(radius, radius - depth)), sharp));
-            Ok(Made { leaves: p(width, 0.0), joins: top, edge: sharp, elements })
-        }
-        Undercut::Thread { .. } => Err("a size of the thread undercut is missing"),
-        Undercut::F { depth, width, radius, slope, face, lean } => {
-            let (mut elements, floor) = slope_and_fillet(&p, depth, width, radius, slope)?;
-            let (sin, cos) = Deg(lean).sin_cos();
-            let (a, h) = (radius - face - radius * cos, radius - depth + radius * sin);
-            if sin <= 0.0 || cos <= 0.0 || a >= 0.0 || floor < radius - face {
-                return Err("the sizes of the undercut do not fit together");
-            }
-            let end = p(radius - face, -depth);
-            elements.push((line(p(floor, -depth), end), sharp));
-            elements.push((minor_arc(end, p(a, h), p(radius - face, radius - depth)), sharp));
-            let top = p(0.0, h - a * cos / sin);
-            elements.push((line(p(a, h), top), sharp));
-            Ok(Made { leaves: p(width, 0.0), joins: top, edge: sharp, elements })
-        }
-    }
-}
-
-/// The slope and the fillet to the floor, and where the floor begins.
-fn slope_and_fillet(
-    p: &impl Fn(f64, f64) -> Point2,
-    depth: f64,
-    width: f64,
-    radius: f64,
-    slope: f64,
-) -> Result<(Pieces, f64), &'static str> {
-    let (sin, cos) = Deg(slope).sin_cos();
-    if !(sin > 0.0 && cos > 0.0) {
-        return Err("the slope of an undercut lies between 0 and 90 degrees");
-    }
-    // tan(W/2) = sin W / (1 + cos W)
-    let tangent = radius * sin / (1.0 + cos);
-    let sharp = width - depth * cos / sin;
-    let (a, h) = (sharp + tangent * cos, -depth + tangent * sin);
-    if h > 1e-9 || sharp <= 0.0 {
-        return Err("the radius does not fit into the undercut");
-    }
-    let floor = sharp - tangent;
-    let mut elements = vec![(Element::Line { from: p(width, 0.0), to: p(a, h) }, Transition::Sharp)];
-    if radius > 0.0 {
-        elements.push((minor_arc(p(a, h), p(floor, -depth), p(floor, radius - depth)), Transition::Sharp));
-    }
-    Ok((elements, floor))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geo::undercut::Edge;
+    use crate::ir::undercut::form_f;
+    use crate::machine::undercut::InternalDepth;
 
     fn shoulder(r: f64) -> (Solved, Solved) {
         let p = Point2::new;
@@ -300,18 +221,20 @@ mod tests {
 
     #[test]
     fn worked_example_7() {
-        let e = Undercut::E { depth: 0.3, width: 2.5, radius: 0.6, slope: 15.0 };
+        let tables = Undercuts::default();
+        let e = Undercut::from(square(0.3, 2.5, 0.6, 15.0));
         near(&ends(&e, 20.0), &[(40.0, -27.5), (39.4409, -28.5433), (39.4, -28.6986), (39.4, -29.4), (40.6, -30.0)]);
-        let f = Undercut::F { depth: 0.3, width: 2.5, radius: 0.6, slope: 15.0, face: 0.2, lean: 8.0 };
+        let f = Undercut::from(form_f(tables.size(0.6, 0.3).unwrap()));
         near(&ends(&f, 20.0)[3..], &[(39.4, -29.6), (40.767, -30.1942), (43.5301, -30.0)]);
-        let [depth, width, radius] = din_76_external(1.5).unwrap();
-        let g = Undercut::E { depth, width, radius, slope: 30.0 };
+        let g = PITCH.sized(&tables);
         near(&ends(&g, 10.0), &[(20.0, -24.8), (17.9144, -26.6062), (17.7, -27.0062), (17.7, -29.2), (19.3, -30.0)]);
     }
 
+    const PITCH: Thread = Thread { pitch: Some(1.5), depth: None, width: None, radius: None, slope: din76::ENTRY };
+
     #[test]
     fn the_same_undercut_from_the_other_side() {
-        let e = Undercut::E { depth: 0.3, width: 2.5, radius: 0.6, slope: 15.0 };
+        let e = Undercut::from(square(0.3, 2.5, 0.6, 15.0));
         let (before, after) = shoulder(20.0);
         let there = build(&e, &before, Some(&after)).unwrap();
         let turn = |s: Solved| Solved { from: s.to, to: s.from, arc: None };
@@ -321,16 +244,43 @@ mod tests {
     }
 
     #[test]
-    fn tables() {
-        assert_eq!(din_509(40.0), [0.3, 2.5, 0.6, 0.2]);
-        assert_eq!(din_509(18.0), [0.2, 2.0, 0.6, 0.1]);
-        assert_eq!(din_509_of_g85(18.0, false), [0.25, 2.0, 0.6, 0.1]);
-        assert_eq!(din_509_of_g85(18.0, true), [0.35, 2.5, 0.6, 0.2]);
-        assert_eq!(din_509_of_g85(80.0, false), [0.35, 2.5, 0.6, 0.2]);
-        assert_eq!(din_509_of_g85(80.0, true), [0.45, 4.0, 1.0, 0.3]);
-        assert_eq!((is_limit_of_g85(18.0), is_limit_of_g85(18.001)), (true, false));
+    fn sizes_by_the_words_and_the_table() {
+        let mut tables = Undercuts::default();
+        assert_eq!(PITCH.sized(&tables).outside, Ok(square(1.15, 5.2, 0.8, 30.0)));
+        // Inside the depth is missing, until the configuration says from where it counts.
+        assert!(PITCH.sized(&tables).inside.is_err());
+        let inside = Thread { depth: Some(1.0), ..PITCH };
+        assert_eq!(inside.sized(&tables).inside, Ok(square(1.0, 7.8, 0.8, 30.0)));
+        tables.internal_depth = Some(InternalDepth::Bore);
+        assert_eq!(PITCH.sized(&tables).inside, Ok(square(0.25, 7.8, 0.8, 30.0)));
+        tables.thread_length = Some(ThreadLength::Shortest);
+        let Ok(Shape::Square { length, .. }) = PITCH.sized(&tables).outside else { panic!("a shape") };
+        assert!((length - 3.2 - 1.15 / libm::tan(30f64.to_radians())).abs() < 1e-12);
+        assert!(Thread { pitch: Some(1.6), ..PITCH }.sized(&tables).outside.is_err());
         // The width 5.2 is that of the pitch 1.5 outside and of the pitch 1 inside.
-        assert_eq!((din_76_radius(5.2, false), din_76_radius(5.2, true)), (Some(0.8), Some(0.6)));
-        assert_eq!(din_76_external(1.6), None);
+        assert_eq!((radius_of_width(&tables, 5.2, false), radius_of_width(&tables, 5.2, true)), (Some(0.8), Some(0.6)));
+    }
+
+    #[test]
+    fn refusals() {
+        let (before, after) = shoulder(20.0);
+        let fails = |shape: Shape| build(&shape.into(), &before, Some(&after)).expect_err("refused");
+        assert_eq!(fails(square(0.3, 2.5, 0.6, 90.0)), SLOPE);
+        assert_eq!(fails(square(0.3, 2.5, 0.6, 0.0)), SLOPE);
+        assert_eq!(fails(square(0.3, 2.5, 10.0, 15.0)), RADIUS);
+        assert_eq!(fails(square(0.3, 1.3, 0.6, 15.0)), "the undercut is too narrow for its radius");
+        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), SIZES);
+        let groove = Shape::Groove { width: 2.0, depth: 0.5, edge: Edge::Sharp, radius: 1.0 };
+        assert_eq!(fails(groove), RADIUS);
+        assert!(fails(square(0.3, 35.0, 0.6, 15.0)).starts_with("the undercut is wider"));
+    }
+
+    /// A groove ends at the corner, the face goes on from there.
+    #[test]
+    fn a_groove_goes_up_to_the_corner() {
+        let groove = Shape::Groove { width: 3.0, depth: 1.0, edge: Edge::Sharp, radius: 0.3 };
+        let found = ends(&Undercut { edge: Some(Transition::Sharp), ..groove.into() }, 20.0);
+        near(&found[..2], &[(40.0, -27.0), (38.6, -27.0)]);
+        near(&found[found.len() - 2..], &[(38.6, -30.0), (40.0, -30.0)]);
     }
 }

@@ -8,12 +8,14 @@ use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, PieceKind};
 use crate::parser::sinumerik::ast::Search;
+use crate::sema::cycle_table::{Kind, Parameter, Rule};
+use crate::text::Span;
 
 use super::super::capture::ContourCall;
 use super::super::value::{Val, to_text, whole};
 use super::super::{Outcome, Reported, Run};
-use super::Arguments;
-use super::signatures::{Parameter, Rule, Signature, Source};
+use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
+use super::table::{Source, Unpublished, Variant};
 
 /// Most contours of one machining cycle.
 const MOST_CONTOURS: usize = 100;
@@ -30,34 +32,34 @@ pub(in super::super) struct Contours {
 
 impl Run<'_> {
     /// `CYCLE62(name, type, label, label)`
-    pub(super) fn contour_call(&mut self, args: &Arguments, signature: &Signature) -> Outcome {
-        self.check_parameters(args, signature)?;
-        let text = |place: usize| args.text(place).filter(|text| !text.is_empty());
-        let (name, first, last) = (text(1), text(3), text(4));
-        let kind = args.number(2).and_then(whole).unwrap_or(0);
+    pub(super) fn contour_call(&mut self, args: &Arguments) -> Outcome {
+        self.check_parameters(args)?;
+        let text = |key: Key| args.text(key).filter(|text| !text.is_empty());
+        let (name, first, last) = (text(KNAME), text(LAB1), text(LAB2));
+        let kind = args.number(TYPE).and_then(whole).unwrap_or(0);
         let call = match (kind, name, first, last) {
-            (0, Some(name), None, None) => self.contour_program(args, &name)?,
+            (0, Some(name), None, None) => self.contour_program(args, KNAME, &name)?,
             (1, Some(name), None, None) => {
                 let labels = (format!("E_LAB_A_{name}"), format!("E_LAB_E_{name}"));
                 let unit = self.unit();
-                self.contour_between(args, unit, &name, (&labels.0, &labels.1), 1)?
+                self.contour_between(args, unit, &name, (&labels.0, &labels.1), KNAME)?
             }
             (2, None, Some(first), Some(last)) => {
                 let unit = self.unit();
                 let name = format!("{first} to {last}");
-                self.contour_between(args, unit, &name, (&first, &last), 3)?
+                self.contour_between(args, unit, &name, (&first, &last), LAB1)?
             }
             (3, Some(name), Some(first), Some(last)) => {
-                let unit = self.find_program(&name, args.span_of(1))?;
+                let unit = self.find_program(&name, args.span_of(KNAME))?;
                 let shown = format!("{first} to {last} of {name}");
-                self.contour_between(args, unit, &shown, (&first, &last), 3)?
+                self.contour_between(args, unit, &shown, (&first, &last), LAB1)?
             }
             _ => {
                 let help = "CYCLE62(\"PROGRAM\",0), CYCLE62(\"CONTOUR\",1), CYCLE62(,2,\"LABEL1\",\"LABEL2\") or \
                     CYCLE62(\"PROGRAM\",3,\"LABEL1\",\"LABEL2\")";
                 return self.cycle_fault(
                     args,
-                    args.span_of(2),
+                    args.span_of(TYPE),
                     61701,
                     "type, name and labels do not go together",
                     help,
@@ -77,8 +79,8 @@ impl Run<'_> {
         self.check_elements(&call, &made)
     }
 
-    fn contour_program(&mut self, args: &Arguments, name: &str) -> Outcome<ContourCall> {
-        let unit = self.find_program(name, args.span_of(1))?;
+    fn contour_program(&mut self, args: &Arguments, key: Key, name: &str) -> Outcome<ContourCall> {
+        let unit = self.find_program(name, args.span_of(key))?;
         Ok(ContourCall { unit, part: None, name: name.to_owned(), loc: self.loc(args.span) })
     }
 
@@ -89,19 +91,19 @@ impl Run<'_> {
         unit: usize,
         name: &str,
         labels: (&str, &str),
-        place: usize,
+        key: Key,
     ) -> Outcome<ContourCall> {
-        let skeleton = match self.programs.skeleton(&self.job, unit, &mut self.symbols) {
+        let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
             Err(error) => return self.fail(codes::P0105, 0, args.span, format!("the file cannot be read: {error}")),
         };
         let mut find = |label: &str, from: u32| {
-            let name = self.symbols.intern(label.as_bytes());
+            let name = self.core.symbols.intern(label.as_bytes());
             skeleton
                 .label(name, from, Search::Forward)
                 .or_else(|| skeleton.label(name, from, Search::Backward).filter(|mark| mark.place.at >= from))
         };
-        let start_of_program = self.programs.units[unit].start.at;
+        let start_of_program = self.units.list[unit].start.at;
         let start = find(labels.0, start_of_program);
         let end = start.and_then(|start| find(labels.1, start.place.at));
         if let (Some(start), Some(end)) = (start, end) {
@@ -109,7 +111,7 @@ impl Run<'_> {
             return Ok(ContourCall { unit, part, name: name.to_owned(), loc: self.loc(args.span) });
         }
         let missing = if start.is_none() { labels.0 } else { labels.1 };
-        let program = self.programs.units[unit].name.clone();
+        let program = self.units.list[unit].name.clone();
         let known: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
         let like = crate::machine::tree::did_you_mean(missing, known);
         let help = match like {
@@ -119,39 +121,39 @@ impl Run<'_> {
         };
         let behind = if start.is_some() { " behind the label of the start" } else { "" };
         let message = format!("there is no label `{missing}`{behind} in `{program}` (alarm 61701)");
-        let found = Diagnostic::new(codes::S2091, self.loc(args.span_of(place)), message);
+        let found = Diagnostic::new(codes::S2091, self.loc(args.span_of(key)), message);
         self.report(found.help(help));
         Err(Reported)
     }
 
     /// A cycle whose tracks the control keeps to itself.
-    pub(super) fn contour_cycle(&mut self, args: &Arguments, signature: &'static Signature) -> Outcome {
-        if signature.name == "CYCLE62" {
-            return self.contour_call(args, signature);
+    pub(super) fn unpublished_cycle(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome {
+        self.check_parameters(args)?;
+        if let Some(variant) = &cycle.variant {
+            self.check_variant(args, variant)?;
         }
-        self.check_parameters(args, signature)?;
-        self.check_variant(args)?;
-        if !matches!(signature.contour, Source::Milled) && signature.name != "CYCLE72" {
+        if cycle.turned {
             self.in_turning_plane(args)?;
         }
-        let contours = self.contours_of(args, signature)?;
+        let what = args.cycle.signature.what;
+        let contours = self.contours_of(args, cycle)?;
         let shown = contours.iter().map(|(call, made)| shape(&call.name, made)).collect::<Vec<_>>().join("; ");
         let message = if contours.is_empty() {
-            format!("{} ({}) is not supported", args.name, signature.what)
+            format!("{} ({what}) is not supported", args.name())
         } else {
-            format!("{} ({}) is not supported; read without a fault: {shown}", args.name, signature.what)
+            format!("{} ({what}) is not supported; read without a fault: {shown}", args.name())
         };
-        let found = Diagnostic::new(codes::S9020, self.loc(args.span), message).here(named(args, signature));
-        let help = match groove_width(args) {
-            Some(width) => format!("the groove is {width:.4} mm wide at its top: replace it by plain moves"),
-            None => "replace it by plain moves, or have the CAM system put them out".to_owned(),
-        };
+        let found = Diagnostic::new(codes::S9020, self.loc(args.span), message).here(named(args));
+        let help = cycle
+            .advice
+            .and_then(|advice| advice(args))
+            .unwrap_or_else(|| "replace it by plain moves, or have the CAM system put them out".to_owned());
         self.report(found.help(help));
         Err(Reported)
     }
 
-    fn contours_of(&mut self, args: &Arguments, signature: &Signature) -> Outcome<Vec<(ContourCall, Captured)>> {
-        let calls = match signature.contour {
+    fn contours_of(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome<Vec<(ContourCall, Captured)>> {
+        let calls = match cycle.contour {
             Source::None => return Ok(Vec::new()),
             Source::Argument => vec![self.named_contour(args)?],
             Source::Turned | Source::Milled => {
@@ -160,11 +162,11 @@ impl Run<'_> {
             }
         };
         if calls.is_empty() {
-            let alarm = if signature.contour == Source::Turned { 61701 } else { 61930 };
+            let alarm = if cycle.contour == Source::Turned { 61701 } else { 61930 };
             let help = "call it by CYCLE62 in front of the cycle";
             return self.cycle_fault(args, args.span, alarm, "no contour is called", help);
         }
-        if signature.contour == Source::Turned && calls.len() > 2 {
+        if cycle.contour == Source::Turned && calls.len() > 2 {
             let help = "one contour is the finished part, two are blank and finished part";
             return self.cycle_fault(args, args.span, 61704, "more than two contours are called", help);
         }
@@ -172,19 +174,19 @@ impl Run<'_> {
         let mut failed = false;
         let count = calls.len();
         for (at, call) in calls.into_iter().enumerate() {
-            let closed = match signature.contour {
+            let closed = match cycle.contour {
                 Source::Turned if count == 2 && at == 0 => Some(61739),
                 Source::Milled => Some(61931),
                 _ => None,
             };
             let result = self.capture(&call).and_then(|contour| {
-                self.check_contour(args, signature, &call, &contour, closed)?;
+                self.check_contour(args, cycle, &call, &contour, closed)?;
                 Ok(contour)
             });
             match result {
                 Ok(contour) => made.push((call, contour)),
                 // The next one may show more.
-                Err(Reported) if !self.ended.get() => failed = true,
+                Err(Reported) if !self.has_ended() => failed = true,
                 Err(reported) => return Err(reported),
             }
         }
@@ -193,15 +195,16 @@ impl Run<'_> {
 
     /// `"NAME"` or `"LABEL1:LABEL2"`.
     fn named_contour(&mut self, args: &Arguments) -> Outcome<ContourCall> {
-        let Some(name) = args.text(1).filter(|name| !name.is_empty()) else {
+        let key = if args.place(NPP) > 0 { NPP } else { KNAME };
+        let Some(name) = args.text(key).filter(|name| !name.is_empty()) else {
             let help = "name a subprogram, or two labels: \"START:END\"";
-            return self.cycle_fault(args, args.span_of(1), 61027, "no contour is named", help);
+            return self.cycle_fault(args, args.span_of(key), 61027, "no contour is named", help);
         };
         match name.split_once(':') {
-            None => self.contour_program(args, &name),
+            None => self.contour_program(args, key, &name),
             Some((first, last)) => {
                 let unit = self.unit();
-                self.contour_between(args, unit, &name, (first.trim(), last.trim()), 1)
+                self.contour_between(args, unit, &name, (first.trim(), last.trim()), key)
             }
         }
     }
@@ -209,16 +212,16 @@ impl Run<'_> {
     fn check_contour(
         &mut self,
         args: &Arguments,
-        signature: &Signature,
+        cycle: &Unpublished,
         call: &ContourCall,
         contour: &Captured,
         closed: Option<u32>,
     ) -> Outcome {
-        let turned = signature.contour == Source::Turned || signature.name == "CYCLE95";
+        let turned = cycle.turned && cycle.contour != Source::None;
         if turned && contour.plane != Plane::Zx {
             return self.contour_fault(call, args.span, 0, "it does not lie in the plane of Z and X (G18)");
         }
-        if signature.name == "CYCLE95" && contour.pieces.len() + 1 < LEAST_BLOCKS {
+        if turned && cycle.contour == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
             return self.contour_fault(call, args.span, 10933, "it has fewer than 3 blocks with moves");
         }
         if contour.pieces.is_empty() {
@@ -265,38 +268,45 @@ impl Run<'_> {
     }
 
     /// Every argument against its rule.
-    fn check_parameters(&mut self, args: &Arguments, signature: &Signature) -> Outcome {
-        for (place, parameter) in (1..).zip(signature.parameters) {
-            let Some((value, _)) = args.value(place) else {
+    fn check_parameters(&mut self, args: &Arguments) -> Outcome {
+        for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
+            let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
+            let Some((value, span)) = given else {
                 if parameter.rule == Rule::Needed {
-                    return self.parameter_fault(args, place, parameter, 0, "is missing");
+                    return self.parameter_fault(args, (place, args.span), parameter, 0, "is missing");
                 }
                 continue;
             };
-            if parameter.rule == Rule::Name {
+            if matches!(parameter.kind, Kind::Text) {
                 if !matches!(value, Val::Text(_)) {
-                    return self.parameter_fault(args, place, parameter, 0, "has to be a text in quotation marks");
+                    return self.parameter_fault(
+                        args,
+                        (place, *span),
+                        parameter,
+                        0,
+                        "has to be a text in quotation marks",
+                    );
                 }
                 continue;
             }
             let Some(number) = value.number() else {
-                return self.parameter_fault(args, place, parameter, 0, "has to be a number");
+                return self.parameter_fault(args, (place, *span), parameter, 0, "has to be a number");
             };
             let wrong = match parameter.rule {
-                Rule::Any | Rule::Needed | Rule::Name => None,
-                Rule::NotNegative => (number < 0.0).then_some((61019, "must not be negative")),
+                Rule::Any | Rule::Needed => None,
+                Rule::Unsigned => (number < 0.0).then_some((61019, "must not be negative")),
                 // 0 is what an empty field becomes.
                 Rule::Above(alarm) => (number < 0.0).then_some((alarm, "must be above 0")),
                 Rule::Below90 => {
                     (!(0.0..90.0).contains(&number)).then_some((61019, "has to be from 0 to below 90 degrees"))
                 }
-                Rule::Choice(low, high) => {
+                Rule::OneOf(low, high) => {
                     let fits = whole(number).is_some_and(|n| (low..=high).contains(&n)) && number.fract() == 0.0;
                     (!fits).then_some((61002, "has no such value"))
                 }
             };
             if let Some((alarm, what)) = wrong {
-                return self.parameter_fault(args, place, parameter, alarm, what);
+                return self.parameter_fault(args, (place, *span), parameter, alarm, what);
             }
         }
         Ok(())
@@ -305,51 +315,26 @@ impl Run<'_> {
     fn parameter_fault(
         &self,
         args: &Arguments,
-        place: usize,
+        (place, span): (usize, Span),
         parameter: &Parameter,
         alarm: u32,
         what: &str,
     ) -> Outcome {
         let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };
         let message = format!("`{}` (argument {place}{meaning}) {what}", parameter.name);
-        self.cycle_fault(args, args.span_of(place), alarm, &message, "arguments are counted by their commas")
+        self.cycle_fault(args, span, alarm, &message, "arguments are counted by their commas")
     }
 
     /// The kind of machining, where its numbers are known.
-    fn check_variant(&mut self, args: &Arguments) -> Outcome {
-        let (place, fits, help) = match args.name.as_str() {
-            "CYCLE95" => {
-                let vari = args.number(9).and_then(whole).unwrap_or(0) % 100;
-                let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside";
-                (9, (1..=12).contains(&vari), help)
-            }
-            "CYCLE93" => {
-                let vari = args.number(16).and_then(whole).unwrap_or(0);
-                let help = "units 1 to 8 are the position of the groove, tens 1 takes chamfers as CHR";
-                (16, (1..=8).contains(&(vari % 10)) && (0..=1).contains(&(vari / 10)), help)
-            }
-            "CYCLE951" => {
-                let fits = matches!(args.digit(11, 0), 1 | 2) && matches!(args.digit(11, 1), 1 | 2);
-                (11, fits, "units 1 along Z, 2 along X; tens 1 roughing, 2 finishing")
-            }
-            "CYCLE952" => {
-                let fits = (1..=3).contains(&args.digit(4, 0)) && (1..=3).contains(&args.digit(4, 1));
-                (4, fits, "units 1 along Z, 2 along X, 3 along the contour; tens 1 roughing, 2 finishing, 3 both")
-            }
-            _ => return Ok(()),
-        };
-        if !fits {
-            return self.cycle_fault(args, args.span_of(place), 61002, "there is no such kind of machining", help);
+    fn check_variant(&self, args: &Arguments, variant: &Variant) -> Outcome {
+        if !(variant.fits)(args) {
+            let what = "there is no such kind of machining";
+            return self.cycle_fault(args, args.span_of(VARI), 61002, what, variant.help);
         }
-        let roughs_by = match args.name.as_str() {
-            "CYCLE95" if !(5..=8).contains(&(args.number(9).and_then(whole).unwrap_or(0) % 100)) => Some(2),
-            "CYCLE951" if args.digit(11, 1) == 1 => Some(8),
-            _ => None,
-        };
-        match roughs_by.filter(|place| args.or_zero(*place) == 0.0) {
-            Some(place) => {
+        match (variant.infeed)(args).filter(|key| args.or_zero(*key) == 0.0) {
+            Some(key) => {
                 let help = "roughing needs the greatest depth of a cut";
-                self.cycle_fault(args, args.span_of(place), 61610, "no infeed is given", help)
+                self.cycle_fault(args, args.span_of(key), 61610, "no infeed is given", help)
             }
             None => Ok(()),
         }
@@ -383,25 +368,30 @@ fn number(mm: f64) -> String {
 }
 
 /// Width of the top of a groove of CYCLE930: that of its floor and what its flanks take.
-fn groove_width(args: &Arguments) -> Option<f64> {
-    if args.name != "CYCLE930" || args.or_zero(22) == 2.0 {
+pub(super) fn groove_width(args: &Arguments) -> Option<f64> {
+    if args.or_zero(NR) == 2.0 {
         return None;
     }
-    let depth = match args.digit(26, 0) {
-        1 => args.number(5)?.abs(),
-        _ => (args.number(5)? - args.number(1)?).abs() / 2.0,
+    let depth = match args.digit(AMODE, 0) {
+        1 => args.number(DIAG)?.abs(),
+        _ => (args.number(DIAG)? - args.number(SPD)?).abs() / 2.0,
     };
-    let tan = |place: usize| libm::tan(args.or_zero(place).to_radians());
-    Some(args.number(3)? + depth * (tan(8) + tan(9)))
+    let tan = |key: Key| libm::tan(args.or_zero(key).to_radians());
+    Some(args.number(WIDG)? + depth * (tan(ANG1) + tan(ANG2)))
+}
+
+/// A coded number without the digits in front: modulo `base`.
+pub(super) fn last_digits(args: &Arguments, key: Key, base: i32) -> i32 {
+    args.number(key).and_then(whole).unwrap_or(0) % base
 }
 
 /// The arguments by their names.
-fn named(args: &Arguments, signature: &Signature) -> String {
+fn named(args: &Arguments) -> String {
     let mut shown = Vec::new();
-    for (place, parameter) in (1..).zip(signature.parameters) {
-        let text = args.value(place).and_then(|(value, _)| to_text(value)).unwrap_or_default();
+    for (parameter, (value, _)) in args.cycle.signature.parameters.iter().zip(&args.list) {
+        let text = if *value == Val::Missing { Vec::new() } else { to_text(value).unwrap_or_default() };
         if !text.is_empty() {
-            let quote = if parameter.rule == Rule::Name { "\"" } else { "" };
+            let quote = if matches!(parameter.kind, Kind::Text) { "\"" } else { "" };
             shown.push(format!("`{}` {quote}{}{quote}", parameter.name, String::from_utf8_lossy(&text)));
         }
     }

@@ -7,31 +7,21 @@ use crate::ir::Feed;
 use crate::ir::cycle::Drilling;
 use crate::ir::cycle::drilling::{Bore, Chip, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
 use crate::ir::function::{Spindle, Turn};
-use crate::machine::undercut::coarse_pitch;
+use crate::standard::din13::coarse_pitch;
 
 use super::super::value::whole;
 use super::super::{Outcome, Run};
-use super::Arguments;
+use super::arguments::{
+    AMODE, Arguments, DAM, DIS1, DMODE, DTB, DTD, DTS, ENC, FDEP, FDPR, FRF, GMODE, Key, MDEP, MPIT, PIT, PITA, POSS,
+    RPA, RPAP, RPO, S_FA, S_FD, S_ZA, S_ZD, SDAC, SDIR, SDR, SST, SST1, TECHNO, VARI, VRT,
+};
+use super::table::Hole;
 
 /// Way back to break the chip, where none is given, in mm.
 const BREAK: f64 = 1.0;
 
-/// Is it a hole?
-pub(super) fn is_hole(name: &str) -> bool {
-    matches!(
-        name,
-        "CYCLE81"
-            | "CYCLE82"
-            | "CYCLE83"
-            | "CYCLE84"
-            | "CYCLE840"
-            | "CYCLE85"
-            | "CYCLE86"
-            | "CYCLE87"
-            | "CYCLE88"
-            | "CYCLE89"
-    )
-}
+/// Largest metric size of a tap.
+const LARGEST: f64 = 48.0;
 
 /// An angle of the spindle within one turn.
 fn whole_turn(angle: f64) -> f64 {
@@ -40,31 +30,17 @@ fn whole_turn(angle: f64) -> f64 {
 
 impl Run<'_> {
     /// The hole that the arguments describe.
-    pub(super) fn hole(&mut self, args: &Arguments) -> Outcome<Drilling> {
+    pub(super) fn hole(&mut self, args: &Arguments, cycle: &Hole) -> Outcome<Drilling> {
         let axis = self.hole_axis(args)?;
-        self.no_diameters(&args.name, axis, args.span)?;
-        let levels = self.levels(args)?;
-        let feed = match args.name.as_str() {
-            "CYCLE85" => self.own_feed(args, 7)?,
-            "CYCLE84" => self.st.feed.unwrap_or(Feed::PerMinute(1.0)),
-            "CYCLE840" if args.or_zero(9) == 11.0 => self.feed_of_pitch(args)?,
-            _ => self.cycle_feed(args)?,
-        };
-        let method = match args.name.as_str() {
-            "CYCLE81" | "CYCLE82" | "CYCLE89" => self.plain_hole(args, feed)?,
-            "CYCLE83" => self.peck(args, &levels)?,
-            "CYCLE84" => self.rigid_tap(args, &levels)?,
-            "CYCLE840" => self.tap_with_chuck(args)?,
-            "CYCLE85" => Method::Ream { dwell: self.dwell_at_depth(args, 6)?, back: self.own_feed(args, 8)? },
-            "CYCLE86" => self.bore(args)?,
-            "CYCLE87" => Method::BoreWithStop { dwell: 0.0, turn: self.spindle_turn(args, 6)? },
-            _ => Method::BoreWithStop { dwell: self.dwell_of(args, 6)?, turn: self.spindle_turn(args, 7)? },
-        };
+        self.no_diameters(args.name(), axis, args.span)?;
+        let levels = self.levels(args, cycle.centring)?;
+        let feed = (cycle.feed)(self, args)?;
+        let method = (cycle.method)(self, args, &levels, feed)?;
         if matches!(method, Method::Tap(_)) {
             self.note_once(
                 codes::S8025,
                 args.span,
-                format!("{}: the tap needs a compensating chuck on the target", args.name),
+                format!("{}: the tap needs a compensating chuck on the target", args.name()),
             );
         }
         let hole = Drilling { axis, levels, feed, method };
@@ -82,109 +58,103 @@ impl Run<'_> {
         }
     }
 
-    fn plain_hole(&self, args: &Arguments, feed: Feed) -> Outcome<Method> {
-        if args.name == "CYCLE82" && args.or_zero(10) != 0.0 {
-            return self.not_built(args, 10, "predrilling and through-drilling (`_VARI`)");
+    /// CYCLE82.
+    pub(super) fn counterbore(&self, args: &Arguments) -> Outcome<Method> {
+        if args.or_zero(VARI) != 0.0 {
+            return self.not_built(args, VARI, "predrilling and through-drilling (`_VARI`)");
         }
-        for (place, name) in [(11, "S_ZA"), (12, "S_FA"), (13, "S_ZD"), (14, "S_FD")] {
-            if args.name == "CYCLE82" && args.or_zero(place) != 0.0 {
-                self.unused(args, place, name, "without predrilling or through-drilling in `_VARI`");
+        for key in [S_ZA, S_FA, S_ZD, S_FD] {
+            if args.or_zero(key) != 0.0 {
+                self.unused(args, key, key.0, "without predrilling or through-drilling in `_VARI`");
             }
         }
-        let dwell = self.dwell_at_depth(args, 6)?;
-        Ok(if args.name == "CYCLE89" { Method::Ream { dwell, back: feed } } else { Method::Drill { dwell } })
+        Ok(Method::Drill { dwell: self.dwell_at_depth(args, DTB)? })
     }
 
     /// A feed among the arguments, of the kind in force.
-    fn own_feed(&self, args: &Arguments, place: usize) -> Outcome<Feed> {
-        let value = self.needed(args, place, "the feed")?;
+    pub(super) fn own_feed(&self, args: &Arguments, key: Key) -> Outcome<Feed> {
+        let value = self.needed(args, key, "the feed")?;
         if value <= 0.0 {
-            return self.cycle_fault(
-                args,
-                args.span_of(place),
-                61003,
-                "the feed is not above 0",
-                "give a feed above 0",
-            );
+            return self.cycle_fault(args, args.span_of(key), 61003, "the feed is not above 0", "give a feed above 0");
         }
         Ok(self.feed_of(value))
     }
 
     /// The relative first depth counts where both are given; an absolute one of 0 is taken as none then.
     fn two_first_depths(&self, args: &Arguments, levels: &Levels) {
-        let (Some(absolute), Some(relative)) = (self.length_of(args, 6), self.length_of(args, 7)) else { return };
+        let (Some(absolute), Some(relative)) = (self.length_of(args, FDEP), self.length_of(args, FDPR)) else { return };
         let way = (levels.reference - absolute) * levels.outward();
         if relative != 0.0 && absolute != 0.0 && (way - relative.abs()).abs() > 1e-9 {
-            let message = "CYCLE83: FDEP and FDPR give different first depths; FDPR counts";
-            let found = crate::diag::Diagnostic::new(codes::S8018, self.loc(args.span_of(6)), message);
+            let message = format!("{}: FDEP and FDPR give different first depths; FDPR counts", args.name());
+            let found = crate::diag::Diagnostic::new(codes::S8018, self.loc(args.span_of(FDEP)), message);
             self.report(found.help("leave one of them out"));
         }
     }
 
-    fn peck(&self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
+    pub(super) fn peck(&self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
         self.two_first_depths(args, levels);
-        if args.digit(18, 1) == 1 {
+        if args.digit(GMODE, 1) == 1 {
             self.reading(
                 args,
-                18,
+                GMODE,
                 "the first depth counts for the tip of the drill, the last one for its full diameter",
             );
         }
-        let Some(first) = Peck::first_step(levels, self.length_of(args, 6), self.length_of(args, 7)) else {
+        let Some(first) = Peck::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
             return self.cycle_fault(
                 args,
-                args.span_of(6),
+                args.span_of(FDEP),
                 61107,
                 "the first drilling depth does not lie between the surface and the bottom",
                 "give FDEP (argument 6) below the surface, or FDPR (argument 7)",
             );
         };
         let unit = self.st.length_unit();
-        let percent = args.digit(20, 5) == 2;
-        let degression = match args.or_zero(8) {
+        let percent = args.digit(AMODE, 5) == 2;
+        let degression = match args.or_zero(DAM) {
             percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
-                self.reading(args, 20, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
-                let least = self.length_of(args, 14).unwrap_or(0.0).abs();
+                self.reading(args, AMODE, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
+                let least = self.length_of(args, MDEP).unwrap_or(0.0).abs();
                 Degression::Factor { factor: percentage / 100.0, least }
             }
             _ if percent => {
                 let help = "give 100 for steps of one size, less for shrinking ones";
-                return self.cycle_fault(args, args.span_of(8), 0, "the degression is above 0 to 100 percent", help);
+                return self.cycle_fault(args, args.span_of(DAM), 0, "the degression is above 0 to 100 percent", help);
             }
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
             factor if factor >= -1.0 => {
-                Degression::Factor { factor: -factor, least: self.length_of(args, 14).unwrap_or(0.0).abs() }
+                Degression::Factor { factor: -factor, least: self.length_of(args, MDEP).unwrap_or(0.0).abs() }
             }
             _ => {
                 let help = "DAM above 0 is an amount, below 0 a factor down to -1";
-                return self.cycle_fault(args, args.span_of(8), 0, "the degression factor is above 1", help);
+                return self.cycle_fault(args, args.span_of(DAM), 0, "the degression factor is above 1", help);
             }
         };
-        if let Some(place) = [15, 17].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+        if let Some(key) = args.below_zero(&[VRT, DIS1]) {
             let help = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
-            return self.cycle_fault(args, args.span_of(place), 0, "a way back is below 0", help);
+            return self.cycle_fault(args, args.span_of(key), 0, "a way back is below 0", help);
         }
-        let dwell = self.dwell_at_depth(args, 9)?;
-        let dwell_at_bottom = if args.or_zero(16) == 0.0 { dwell } else { self.dwell_of(args, 16)? };
+        let dwell = self.dwell_at_depth(args, DTB)?;
+        let dwell_at_bottom = if args.or_zero(DTD) == 0.0 { dwell } else { self.dwell_of(args, DTD)? };
         // With all eight digits the first feed is a percentage.
-        let percent = args.digit(20, 7) == 1;
-        let factor = match args.number(11) {
+        let percent = args.digit(AMODE, 7) == 1;
+        let factor = match args.number(FRF) {
             Some(factor) if percent => factor / 100.0,
             Some(factor) => factor,
             None => 1.0,
         };
         let first_feed = if factor <= 0.0 { 0.001 } else { factor.min(1.0) };
-        let removal = match args.or_zero(12) {
-            0.0 => Removal::Break { way: self.length_of(args, 15).filter(|way| *way > 0.0).unwrap_or(BREAK) },
+        let removal = match args.or_zero(VARI) {
+            0.0 => Removal::Break { way: self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK) },
             1.0 => Removal::Clear {
-                dwell: self.dwell_of(args, 10)?,
-                ahead: self.length_of(args, 17).filter(|way| *way > 0.0),
+                dwell: self.dwell_of(args, DTS)?,
+                ahead: self.length_of(args, DIS1).filter(|way| *way > 0.0),
             },
             _ => {
                 return self.cycle_fault(
                     args,
-                    args.span_of(12),
+                    args.span_of(VARI),
                     61002,
                     "VARI is 0 or 1",
                     "0 breaks the chip, 1 removes it",
@@ -195,38 +165,36 @@ impl Run<'_> {
     }
 
     /// Unit of PIT: 0 that of the program, 1 mm, 2 turns per inch, 3 inch.
-    fn pitch_unit(&self, args: &Arguments, place: usize) -> Outcome<i32> {
-        match whole(args.or_zero(place)).filter(|unit| (0..=3).contains(unit)) {
+    fn pitch_unit(&self, args: &Arguments) -> Outcome<i32> {
+        match whole(args.or_zero(PITA)).filter(|unit| (0..=3).contains(unit)) {
             Some(unit) => Ok(unit),
-            None => self.not_built(args, place, "this unit of the pitch (`_PITA`)"),
+            None => self.not_built(args, PITA, "this unit of the pitch (`_PITA`)"),
         }
     }
 
-    /// The pitch from PIT or MPIT, positive for a right-hand thread.
-    pub(super) fn pitch(&self, args: &Arguments, size: usize, pitch: usize, unit: i32) -> Outcome<f64> {
+    /// The pitch from PIT or MPIT, sizes up to M`largest`; positive for a right-hand thread.
+    pub(super) fn pitch(&self, args: &Arguments, largest: f64, unit: i32) -> Outcome<f64> {
         let mm = |value: f64| match unit {
             2 => 25.4 / value,
             3 => 25.4 * value,
             1 => value,
             _ => value * self.st.length_unit(),
         };
-        let by_size = match args.number(size).filter(|size| *size != 0.0) {
+        let by_size = match args.number(MPIT).filter(|size| *size != 0.0) {
             Some(diameter) => match coarse_pitch(diameter.abs()) {
-                Some(coarse) if (3.0..=if args.name == "CYCLE97" { 60.0 } else { 48.0 }).contains(&diameter.abs()) => {
-                    Some(coarse.copysign(diameter))
-                }
+                Some(coarse) if (3.0..=largest).contains(&diameter.abs()) => Some(coarse.copysign(diameter)),
                 _ => {
                     let message = format!("M{} is no size of this cycle", diameter.abs());
-                    return self.cycle_fault(args, args.span_of(size), 61001, &message, "give the pitch instead");
+                    return self.cycle_fault(args, args.span_of(MPIT), 61001, &message, "give the pitch instead");
                 }
             },
             None => None,
         };
-        let given = args.number(pitch).filter(|pitch| *pitch != 0.0).map(mm);
+        let given = args.number(PIT).filter(|pitch| *pitch != 0.0).map(mm);
         match (by_size, given) {
             (Some(a), Some(b)) if (a - b).abs() > 1e-6 => {
                 let message = format!("the pitch {b} contradicts the thread size, whose pitch is {a}");
-                self.cycle_fault(args, args.span_of(pitch), 61001, &message, "give the pitch or the size")
+                self.cycle_fault(args, args.span_of(PIT), 61001, &message, "give the pitch or the size")
             }
             (_, Some(pitch)) | (Some(pitch), None) => Ok(pitch),
             (None, None) => {
@@ -237,14 +205,14 @@ impl Run<'_> {
 
     /// The depth of a step of a tap: `_DAM` without its sign.
     fn tap_step(&self, args: &Arguments, levels: &Levels) -> Outcome<f64> {
-        let step = self.needed_length(args, 17, "the depth of a step `_DAM`")?.abs();
+        let step = self.needed_length(args, DAM, "the depth of a step `_DAM`")?.abs();
         if step == 0.0 {
             let help = "give `_DAM`, or `_VARI` 0 for one step";
-            return self.cycle_fault(args, args.span_of(17), 61808, "the depth of a step `_DAM` is 0", help);
+            return self.cycle_fault(args, args.span_of(DAM), 61808, "the depth of a step `_DAM` is 0", help);
         }
         if step > levels.way() {
             let message = "the first step `_DAM` is deeper than the hole";
-            return self.cycle_fault(args, args.span_of(17), 61809, message, "give `_VARI` 0 for one step");
+            return self.cycle_fault(args, args.span_of(DAM), 61809, message, "give `_VARI` 0 for one step");
         }
         Ok(step)
     }
@@ -258,37 +226,37 @@ impl Run<'_> {
         self.cycle_fault(args, args.span, 0, "tapping under a constant cutting speed (G96)", help)
     }
 
-    fn rigid_tap(&mut self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
+    pub(super) fn rigid_tap(&mut self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
         self.tapping_speed_is_fixed(args)?;
         self.master_is_main(args.span, "tapping")?;
-        let lead = self.hand(args, self.pitch(args, 8, 9, self.pitch_unit(args, 14)?)?)?;
-        let step = match args.or_zero(16) {
+        let lead = self.hand(args, self.pitch(args, LARGEST, self.pitch_unit(args)?)?)?;
+        let step = match args.or_zero(VARI) {
             0.0 => None,
             variant @ (1.0 | 2.0) => {
-                let back = self.length_of(args, 18).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                let back = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
                 let chip = if variant == 1.0 { Chip::Break { back } } else { Chip::Remove { ahead: back } };
                 Some(TapStep { way: self.tap_step(args, levels)?, chip })
             }
             _ => {
                 let help = "0 taps in one go, 1 breaks the chip, 2 removes it";
-                return self.cycle_fault(args, args.span_of(16), 61002, "`_VARI` is 0, 1 or 2", help);
+                return self.cycle_fault(args, args.span_of(VARI), 61002, "`_VARI` is 0, 1 or 2", help);
             }
         };
-        if args.or_zero(16) == 0.0 && args.or_zero(18) != 0.0 {
-            self.unused(args, 18, "_VRT", "when `_VARI` taps in one go");
+        if args.or_zero(VARI) == 0.0 && args.or_zero(VRT) != 0.0 {
+            self.unused(args, VRT, "_VRT", "when `_VARI` taps in one go");
         }
-        if args.or_zero(15) != 0.0 {
-            self.note_once(codes::S8002, args.span_of(15), "words that only shape speed and accuracy are left out");
+        if args.or_zero(TECHNO) != 0.0 {
+            self.note_once(codes::S8002, args.span_of(TECHNO), "words that only shape speed and accuracy are left out");
         }
-        if args.digit(23, 2) != 0 {
+        if args.digit(DMODE, 2) != 0 {
             self.reading(
                 args,
-                23,
+                DMODE,
                 "the hundreds of `_DMODE` name the spindle of a lathe, and the tap takes the master spindle",
             );
         }
-        let speed = |place: usize| args.number(place).filter(|speed| *speed > 0.0);
-        let speed_in = speed(11).or(self.st.speed);
+        let speed = |key: Key| args.number(key).filter(|speed| *speed > 0.0);
+        let speed_in = speed(SST).or(self.st.speed);
         if speed_in.is_none() {
             return self.cycle_fault(
                 args,
@@ -298,22 +266,22 @@ impl Run<'_> {
                 "give SST (argument 11) or program S",
             );
         }
-        if args.or_zero(10) < 0.0 {
-            return self.not_built(args, 10, "the start angle of the machine data (a negative POSS)");
+        if args.or_zero(POSS) < 0.0 {
+            return self.not_built(args, POSS, "the start angle of the machine data (a negative POSS)");
         }
-        if let Some(place) = [11, 12].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+        if let Some(key) = args.below_zero(&[SST, SST1]) {
             let help = "the sign of the pitch makes the hand of the thread";
-            return self.cycle_fault(args, args.span_of(place), 16763, "a speed is below 0", help);
+            return self.cycle_fault(args, args.span_of(key), 16763, "a speed is below 0", help);
         }
-        let after = self.after(args, 7)?;
+        let after = self.after(args)?;
         Ok(Method::Tap(Tap {
             lead: Some(lead.abs()),
             turn: if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise },
-            dwell: self.dwell_at_depth(args, 6)?,
+            dwell: self.dwell_at_depth(args, DTB)?,
             dwell_reversed: false,
             speed_in,
-            speed_out: speed(12).or(speed_in),
-            orient: args.number(10).map(whole_turn),
+            speed_out: speed(SST1).or(speed_in),
+            orient: args.number(POSS).map(whole_turn),
             step,
             after,
             speed_after: self.st.speed,
@@ -321,51 +289,58 @@ impl Run<'_> {
     }
 
     /// The state of the spindle behind a cycle: 3, 4 or 5.
-    fn after(&self, args: &Arguments, place: usize) -> Outcome<Spindle> {
-        match args.or_zero(place) {
+    fn after(&self, args: &Arguments) -> Outcome<Spindle> {
+        match args.or_zero(SDAC) {
             3.0 => Ok(Spindle::Start(Turn::Clockwise)),
             4.0 => Ok(Spindle::Start(Turn::CounterClockwise)),
             0.0 | 5.0 => Ok(Spindle::Stop),
-            _ => self.cycle_fault(args, args.span_of(place), 61102, "the spindle direction is 3, 4 or 5", "3 is M3"),
+            _ => self.cycle_fault(args, args.span_of(SDAC), 61102, "the spindle direction is 3, 4 or 5", "3 is M3"),
         }
     }
 
-    fn spindle_turn(&self, args: &Arguments, place: usize) -> Outcome<Turn> {
+    pub(super) fn spindle_turn(&self, args: &Arguments, key: Key) -> Outcome<Turn> {
         self.master_is_main(args.span, "the spindle of a cycle")?;
-        match args.or_zero(place) {
+        match args.or_zero(key) {
             3.0 => Ok(Turn::Clockwise),
             4.0 => Ok(Turn::CounterClockwise),
-            _ => self.cycle_fault(args, args.span_of(place), 61102, "no spindle direction is given", "give 3 or 4"),
+            _ => self.cycle_fault(args, args.span_of(key), 61102, "no spindle direction is given", "give 3 or 4"),
         }
     }
 
     /// ENC: with an encoder the pitch is kept (0, and 20 with a dwell), without one F makes it (1), or F made of S and the
     /// pitch (11).
     fn chuck_lead(&mut self, args: &Arguments) -> Outcome<Option<f64>> {
-        let pitched = args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0;
-        match args.or_zero(9) {
+        let pitched = args.or_zero(MPIT) != 0.0 || args.or_zero(PIT) != 0.0;
+        match args.or_zero(ENC) {
             0.0 => {}
-            20.0 => self.reading(args, 9, "ENC 20 is tapping with an encoder and a dwell"),
+            20.0 => self.reading(args, ENC, "ENC 20 is tapping with an encoder and a dwell"),
             1.0 => {
                 if pitched {
-                    let message = "CYCLE840: the tap needs a compensating chuck on the target; without an encoder F and S \
-                                   make the thread, and the pitch of the call is not used";
-                    self.note_once(codes::S8025, args.span_of(9), message.to_owned());
+                    let message = format!(
+                        "{}: the tap needs a compensating chuck on the target; without an encoder F and S make the \
+                         thread, and the pitch of the call is not used",
+                        args.name()
+                    );
+                    self.note_once(codes::S8025, args.span_of(ENC), message);
                 }
                 return Ok(None);
             }
             11.0 => {
-                self.reading(args, 9, "ENC 11 is tapping without an encoder, with a feed made of S and the pitch");
+                self.reading(args, ENC, "ENC 11 is tapping without an encoder, with a feed made of S and the pitch");
                 return Ok(None);
             }
-            _ => return self.not_built(args, 9, "this use of the encoder (ENC)"),
+            _ => return self.not_built(args, ENC, "this use of the encoder (ENC)"),
         }
-        Ok(Some(self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs()))
+        Ok(Some(self.pitch(args, LARGEST, self.pitch_unit(args)?)?.abs()))
     }
 
-    /// The feed of CYCLE840 under ENC 11.
+    /// The feed of CYCLE840: that in force, or under ENC 11 one made of S and the pitch.
+    pub(super) fn feed_of_chuck(&mut self, args: &Arguments) -> Outcome<Feed> {
+        if args.or_zero(ENC) == 11.0 { self.feed_of_pitch(args) } else { self.cycle_feed(args) }
+    }
+
     fn feed_of_pitch(&mut self, args: &Arguments) -> Outcome<Feed> {
-        let pitch = self.pitch(args, 10, 11, self.pitch_unit(args, 13)?)?.abs();
+        let pitch = self.pitch(args, LARGEST, self.pitch_unit(args)?)?.abs();
         match self.st.speed.filter(|speed| *speed > 0.0) {
             Some(_) if self.st.per_revolution() => Ok(Feed::PerRevolution(pitch)),
             Some(speed) => Ok(Feed::PerMinute(speed * pitch)),
@@ -378,21 +353,21 @@ impl Run<'_> {
 
     /// With an encoder and ENC 0 the cycle does not dwell.
     fn no_dwell(&self, args: &Arguments) -> f64 {
-        if args.or_zero(6) != 0.0 {
-            self.unused(args, 6, "DTB", "with an encoder and ENC 0; ENC 20 dwells");
+        if args.or_zero(DTB) != 0.0 {
+            self.unused(args, DTB, "DTB", "with an encoder and ENC 0; ENC 20 dwells");
         }
         0.0
     }
 
-    fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
+    pub(super) fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
         self.tapping_speed_is_fixed(args)?;
         self.master_is_main(args.span, "tapping")?;
-        let turn = match args.or_zero(7) {
+        let turn = match args.or_zero(SDR) {
             3.0 => Turn::CounterClockwise,
             4.0 => Turn::Clockwise,
             given if given != 0.0 => {
                 let help = "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
-                return self.cycle_fault(args, args.span_of(7), 61102, "SDR is 0, 3 or 4", help);
+                return self.cycle_fault(args, args.span_of(SDR), 61102, "SDR is 0, 3 or 4", help);
             }
             _ => match self.st.turn {
                 Some(turn) => turn,
@@ -407,15 +382,15 @@ impl Run<'_> {
                 }
             },
         };
-        if let Some(place) = [10, 11].into_iter().find(|place| args.or_zero(*place) < 0.0) {
+        if let Some(key) = args.below_zero(&[MPIT, PIT]) {
             let help =
                 "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
-            return self.cycle_fault(args, args.span_of(place), 61001, "the pitch is below 0", help);
+            return self.cycle_fault(args, args.span_of(key), 61001, "the pitch is below 0", help);
         }
         let lead = self.chuck_lead(args)?;
-        let dwell = if args.or_zero(9) == 0.0 { self.no_dwell(args) } else { self.dwell_at_depth(args, 6)? };
+        let dwell = if args.or_zero(ENC) == 0.0 { self.no_dwell(args) } else { self.dwell_at_depth(args, DTB)? };
         // With an automatic reversal the spindle turns on as before, and SDAC may be left out.
-        let as_before = args.or_zero(7) == 0.0 && args.or_zero(8) == 0.0;
+        let as_before = args.or_zero(SDR) == 0.0 && args.or_zero(SDAC) == 0.0;
         Ok(Method::Tap(Tap {
             lead,
             turn,
@@ -425,38 +400,39 @@ impl Run<'_> {
             speed_out: None,
             orient: None,
             step: None,
-            after: if as_before { Spindle::Start(turn) } else { self.after(args, 8)? },
+            after: if as_before { Spindle::Start(turn) } else { self.after(args)? },
             speed_after: None,
         }))
     }
 
     /// The units of `_GMODE` say whether the tool lifts off: 0 does; what 1 and 2 do says the configuration.
     fn lifts_off(&self, args: &Arguments) -> Outcome<bool> {
-        match (args.digit(12, 0), self.job.settings.control.siemens.cycle86_lift) {
+        match (args.digit(GMODE, 0), self.job.settings.control.siemens.cycle86_lift) {
             (0, _) => Ok(true),
             (_, Some(lift)) => Ok(lift),
             (digit, None) => {
-                let message = format!("CYCLE86: whether the tool lifts off under `_GMODE` {digit} is not known");
+                let message =
+                    format!("{}: whether the tool lifts off under `_GMODE` {digit} is not known", args.name());
                 let help = "say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`";
-                self.fail_help(codes::S9015, 0, args.span_of(12), message, help)
+                self.fail_help(codes::S9015, 0, args.span_of(GMODE), message, help)
             }
         }
     }
 
-    fn bore(&self, args: &Arguments) -> Outcome<Method> {
+    pub(super) fn bore(&self, args: &Arguments) -> Outcome<Method> {
         let mut lift = [0.0; 3];
         if self.lifts_off(args)? {
-            for (place, way) in [8, 9, 10].into_iter().zip(lift.iter_mut()) {
-                *way = self.length_of(args, place).unwrap_or(0.0);
+            for ((key, axis), way) in [RPA, RPO, RPAP].into_iter().zip(self.st.roles()).zip(lift.iter_mut()) {
+                *way = self.length_of(args, key).unwrap_or(0.0);
                 if *way != 0.0 {
-                    self.no_diameters(&args.name, self.st.roles()[place - 8], args.span_of(place))?;
+                    self.no_diameters(args.name(), axis, args.span_of(key))?;
                 }
             }
         }
         Ok(Method::Bore(Bore {
-            dwell: self.dwell_at_depth(args, 6)?,
-            turn: self.spindle_turn(args, 7)?,
-            orient: whole_turn(args.or_zero(11)),
+            dwell: self.dwell_at_depth(args, DTB)?,
+            turn: self.spindle_turn(args, SDIR)?,
+            orient: whole_turn(args.or_zero(POSS)),
             back: None,
             lift,
         }))

@@ -3,11 +3,12 @@
 //! Source: `reference/sinumerik-contours-undercuts-cycles` sections 5 and 6.
 
 mod alarms;
+mod arguments;
 mod contours;
 mod drilling;
 mod modes;
 mod pattern;
-mod signatures;
+mod table;
 mod thread;
 mod undercut;
 mod undercut_call;
@@ -19,11 +20,13 @@ use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
+use crate::sema::cycle_table::Kind;
 use crate::text::Span;
 
+use super::g_groups::Group;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
-use super::value::{Val, to_text, whole};
+use super::value::Val;
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
@@ -31,6 +34,10 @@ use crate::sema::run::Site;
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
+pub(super) use table::{find, rows};
+
+use arguments::{Arguments, DMODE, Key};
+use table::{Cycle as Row, Work};
 
 /// A drilling cycle that runs behind every positioning block.
 #[derive(Debug, Clone)]
@@ -53,92 +60,6 @@ pub(super) struct ModalCycle {
 /// the tool and its edge, whose tip a depth may count for.
 type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
 
-/// The arguments of a call, counted from 1 as the manuals do.
-#[derive(Debug, Clone)]
-struct Arguments {
-    name: String,
-    span: Span,
-    list: Vec<(Val, Span)>,
-}
-
-impl Arguments {
-    /// What was given in a place; `None` for an empty or missing argument.
-    fn value(&self, place: usize) -> Option<&(Val, Span)> {
-        self.list.get(place - 1).filter(|(value, _)| *value != Val::Missing)
-    }
-
-    fn span_of(&self, place: usize) -> Span {
-        self.value(place).map_or(self.span, |(_, span)| *span)
-    }
-
-    fn number(&self, place: usize) -> Option<f64> {
-        self.value(place).and_then(|(value, _)| value.number())
-    }
-
-    fn or_zero(&self, place: usize) -> f64 {
-        self.number(place).unwrap_or(0.0)
-    }
-
-    fn text(&self, place: usize) -> Option<String> {
-        let (value, _) = self.value(place)?;
-        let text = to_text(value)?;
-        Some(String::from_utf8_lossy(&text).trim().to_ascii_uppercase())
-    }
-
-    /// A decimal digit of a coded number, from the right: 0 is the units.
-    fn digit(&self, place: usize, position: u32) -> i32 {
-        let value = self.number(place).and_then(whole).unwrap_or(0);
-        value.unsigned_abs().checked_div(10u32.saturating_pow(position)).map_or(0, |v| (v % 10) as i32)
-    }
-}
-
-/// Places whose digits each mean something.
-fn codes_of(name: &str) -> &'static [usize] {
-    match name {
-        "CYCLE81" | "CYCLE89" => &[7, 8, 9],
-        "CYCLE82" => &[7, 8, 9, 10],
-        "CYCLE83" => &[18, 19, 20],
-        "CYCLE84" => &[16, 22, 23, 24],
-        "CYCLE840" => &[18, 19, 20],
-        "CYCLE85" => &[9, 10, 11],
-        "CYCLE86" => &[12, 13, 14],
-        "CYCLE940" => &[7, 21, 22],
-        "CYCLE98" => &[30, 31],
-        "CYCLE99" => &[14, 28, 29],
-        "HOLES1" | "HOLES2" => &[7, 11],
-        "CYCLE801" => &[8, 14],
-        "CYCLE802" => &[1, 2, 21, 23],
-        _ => &[],
-    }
-}
-
-/// Is the argument a text? Contour cycles check theirs by their signature.
-fn takes_text(name: &str, place: usize) -> bool {
-    match name {
-        "CYCLE84" => (19..=21).contains(&place),
-        "CYCLE840" => (15..=17).contains(&place),
-        "CYCLE94" | "CYCLE96" => place == 3,
-        "CYCLE940" => matches!(place, 3 | 18..=20),
-        "CYCLE98" => (27..=29).contains(&place),
-        "CYCLE99" => (25..=27).contains(&place),
-        "HOLES1" | "HOLES2" => place == 9,
-        "CYCLE801" => place == 12,
-        _ => signatures::of(name).is_some(),
-    }
-}
-
-/// Names of threads and tables, and texts of the editor beside a number.
-fn only_text(name: &str, place: usize) -> bool {
-    match name {
-        "CYCLE84" => (19..=21).contains(&place),
-        "CYCLE840" => (15..=17).contains(&place),
-        "CYCLE940" => matches!(place, 19 | 20),
-        "CYCLE98" => (27..=29).contains(&place),
-        "CYCLE99" => (25..=27).contains(&place),
-        _ => false,
-    }
-}
-
 impl Run<'_> {
     /// Runs a machining cycle; `None` for a name that is none, or that is not built.
     pub(super) fn machining_cycle(
@@ -148,12 +69,14 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Option<Outcome> {
-        let front_end = signatures::of(name).is_some();
-        if !is_built(name) && !front_end || front_end && self.own_program(name) {
-            return None;
+        let cycle = find(name)?;
+        match cycle.work {
+            Work::Nothing => return None,
+            Work::Contour(_) | Work::Unpublished(_) if self.own_program(name) => return None,
+            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) => {}
         }
         let result =
-            self.cycle_arguments(name, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
+            self.cycle_arguments(cycle, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
         if result.is_err() {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
@@ -163,12 +86,13 @@ impl Run<'_> {
 
     fn cycle_arguments(
         &mut self,
-        name: &str,
+        cycle: &'static Row,
         args: Option<Args>,
         span: Span,
         block: &Block,
         text: &[u8],
     ) -> Outcome<Arguments> {
+        let name = cycle.signature.name;
         self.no_cycle_in_contour(name, span)?;
         let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         let mut list = Vec::with_capacity(formulas.len());
@@ -176,25 +100,28 @@ impl Run<'_> {
             let value = self.eval(formula, block, text)?;
             list.push((value, formula.span));
         }
-        if list.len() > most_arguments(name) {
-            let at = list.get(most_arguments(name)).map_or(span, |(_, span)| *span);
-            let message = format!("{name} takes {} arguments", most_arguments(name));
-            return self.fail(codes::S2021, 12340, at, message);
+        let most = cycle.signature.parameters.len();
+        if list.len() > most {
+            let at = list.get(most).map_or(span, |(_, span)| *span);
+            return self.fail(codes::S2021, 12340, at, format!("{name} takes {most} arguments"));
         }
-        let args = Arguments { name: name.to_owned(), span, list };
+        let args = Arguments { cycle, span, list };
         self.check_values(&args)?;
         Ok(args)
     }
 
     fn check_values(&self, args: &Arguments) -> Outcome {
-        let name = args.name.as_str();
-        for (place, (value, at)) in (1..).zip(&args.list) {
-            if *value != Val::Missing && value.number().is_none() && !takes_text(name, place) {
+        let name = args.name();
+        // What a contour cycle takes is checked by the rules of its parameters.
+        let kinds = !args.cycle.work.is_read_only();
+        for ((place, parameter), (value, at)) in (1..).zip(args.cycle.signature.parameters).zip(&args.list) {
+            let text = matches!(parameter.kind, Kind::Text | Kind::Either);
+            if kinds && *value != Val::Missing && value.number().is_none() && !text {
                 let message = format!("argument {place} of {name} has to be a number");
                 return self.fail_help(codes::S2090, 12150, *at, message, "a number in quotation marks is a text");
             }
             // A number among the texts is a sign of a comma too many or too few.
-            if only_text(name, place) && value.number().is_some_and(|v| v != 0.0) {
+            if kinds && matches!(parameter.kind, Kind::Text) && value.number().is_some_and(|v| v != 0.0) {
                 let message = format!("argument {place} of {name} has to be a text");
                 return self.fail_help(codes::S2090, 12150, *at, message, "arguments are counted by their commas");
             }
@@ -202,7 +129,8 @@ impl Run<'_> {
                 return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
             }
             if let Some(coded) = value.number()
-                && codes_of(name).contains(&place)
+                && kinds
+                && matches!(parameter.kind, Kind::Digits(_))
                 && (coded < 0.0 || coded.fract() != 0.0)
             {
                 let message = format!("argument {place} is a code of digits, which {coded} is not");
@@ -233,21 +161,20 @@ impl Run<'_> {
             Outer::Basic | Outer::Printed(_) => self.note_outer(),
         }
         self.no_cycle_by_time(args.span)?;
-        if let Some(signature) = signatures::of(&args.name) {
-            return self.contour_cycle(args, signature);
+        if !args.cycle.work.is_read_only() {
+            self.speed_is_known()?;
+            if self.st.per_revolution() {
+                self.master_is_main(args.span, "a feed per revolution")?;
+            }
         }
-        self.speed_is_known()?;
-        if self.st.per_revolution() {
-            self.master_is_main(args.span, "a feed per revolution")?;
-        }
-        match args.name.as_str() {
-            "HOLES1" | "HOLES2" | "CYCLE801" | "CYCLE802" => self.pattern(args),
-            "CYCLE97" | "CYCLE98" | "CYCLE99" => self.thread_cycle(args),
-            "CYCLE94" | "CYCLE96" | "CYCLE940" => self.undercut_cycle(args),
-            _ => {
-                let hole = self.hole(args)?;
+        match &args.cycle.work {
+            Work::Hole(cycle) => {
+                let hole = self.hole(args, cycle)?;
                 self.drill(&hole)
             }
+            Work::Moves(run) | Work::Contour(run) => run(self, args),
+            Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
+            Work::Nothing => Ok(()),
         }
     }
 
@@ -259,12 +186,14 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Option<Outcome> {
-        if drilling::is_hole(name) {
-            let result = self.cycle_arguments(name, Some(args), block.span, block, text).and_then(|args| {
+        if let Some(cycle) = find(name)
+            && let Work::Hole(drilling) = &cycle.work
+        {
+            let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
                 self.modal_cycle = None;
                 self.modal = None;
-                let hole = self.hole(&args)?;
-                let feed_of_block = !matches!(name, "CYCLE85");
+                let hole = self.hole(&args, drilling)?;
+                let feed_of_block = drilling.modal_feed;
                 let under = (self.st.plane(), self.st.length_unit());
                 let (here, spindle) = (self.here, self.spindle_state());
                 let refused = false;
@@ -321,7 +250,7 @@ impl Run<'_> {
             );
         }
         let feed_of_block = modal.feed_of_block;
-        self.no_diameters(&modal.args.name, modal.hole.axis, Span::default())?;
+        self.no_diameters(modal.args.name(), modal.hole.axis, Span::default())?;
         let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed {
             hole.feed = feed;
@@ -337,7 +266,10 @@ impl Run<'_> {
     /// The hole of the modal call under the spindle of now.
     fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
         let here = std::mem::replace(&mut self.here, modal.here);
-        let made = self.hole(&modal.args);
+        let made = match &modal.args.cycle.work {
+            Work::Hole(drilling) => self.hole(&modal.args, drilling),
+            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
+        };
         self.here = here;
         let hole = made?;
         modal.hole = hole.clone();
@@ -356,7 +288,7 @@ impl Run<'_> {
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.thread_chain = None;
-        self.out.cycle(&cycle, &self.st.ctx, &self.here.origin);
+        self.core.send_cycle(&cycle, &self.st.ctx);
         self.st.position.move_to(&end);
         if let Cycle::Drilling(hole) = &cycle
             && let Some(after) = hole.spindle_after()
@@ -389,7 +321,7 @@ impl Run<'_> {
     /// Refuses the arguments of a cycle.
     fn cycle_fault<T>(&self, args: &Arguments, span: Span, alarm: u32, what: &str, help: &str) -> Outcome<T> {
         let code: &'static Code = codes::S2090;
-        self.fail_help(code, alarm, span, format!("{}: {what}", args.name), help)
+        self.fail_help(code, alarm, span, format!("{}: {what}", args.name()), help)
     }
 
     /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
@@ -407,68 +339,74 @@ impl Run<'_> {
         )
     }
 
+    /// Does `_DMODE` name another plane than the active one?
+    fn names_other_plane(&self, args: &Arguments) -> bool {
+        let plane = args.digit(DMODE, 0);
+        plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index)
+    }
+
     /// A variant that is known, but not built.
-    fn not_built<T>(&self, args: &Arguments, place: usize, what: &str) -> Outcome<T> {
+    fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
         self.fail_help(
             codes::S9015,
             0,
-            args.span_of(place),
-            format!("{}: {what} is not supported", args.name),
+            args.span_of(key),
+            format!("{}: {what} is not supported", args.name()),
             "use the plain variant of the cycle, or plain moves",
         )
     }
 
     /// An argument that the call gives and the cycle does not use.
-    fn unused(&self, args: &Arguments, place: usize, name: &str, why: &str) {
-        let message = format!("{}: `{name}` is not used {why}", args.name);
-        self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
+    fn unused(&self, args: &Arguments, key: Key, name: &str, why: &str) {
+        let message = format!("{}: `{name}` is not used {why}", args.name());
+        self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
     }
 
     /// A reading of an argument that is not confirmed.
-    fn reading(&self, args: &Arguments, place: usize, what: &str) {
-        let message = format!("{}: {what}; this is not confirmed", args.name);
-        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(place)), message);
+    fn reading(&self, args: &Arguments, key: Key, what: &str) {
+        let message = format!("{}: {what}; this is not confirmed", args.name());
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(key)), message);
         self.report(found.help("compare with what the machine does"));
     }
 
     /// A number that has to be there.
-    fn needed(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
-        match args.number(place) {
+    fn needed(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
+        match args.number(key) {
             Some(value) => Ok(value),
-            None if args.value(place).is_some() => self.cycle_fault(
+            None if args.value(key).is_some() => self.cycle_fault(
                 args,
-                args.span_of(place),
+                args.span_of(key),
                 0,
-                &format!("{name} (argument {place}) has to be a number"),
+                &format!("{name} (argument {}) has to be a number", args.place(key)),
                 "a number in quotation marks is a text",
             ),
             None => self.cycle_fault(
                 args,
                 args.span,
                 0,
-                &format!("{name} (argument {place}) is missing"),
+                &format!("{name} (argument {}) is missing", args.place(key)),
                 "arguments are counted by their commas",
             ),
         }
     }
 
     /// A length in mm that has to be there.
-    fn needed_length(&self, args: &Arguments, place: usize, name: &str) -> Outcome<f64> {
-        Ok(self.needed(args, place, name)? * self.st.length_unit())
+    fn needed_length(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
+        Ok(self.needed(args, key, name)? * self.st.length_unit())
     }
 
-    fn length_of(&self, args: &Arguments, place: usize) -> Option<f64> {
-        args.number(place).map(|value| value * self.st.length_unit())
+    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
+        args.number(key).map(|value| value * self.st.length_unit())
     }
 
     /// Seconds from a dwell that is negative for turns of the spindle.
-    fn dwell_of(&self, args: &Arguments, place: usize) -> Outcome<f64> {
-        let value = args.or_zero(place);
-        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, place, -value) }
+    fn dwell_of(&self, args: &Arguments, key: Key) -> Outcome<f64> {
+        let value = args.or_zero(key);
+        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, key, -value) }
     }
 
     /// Seconds that so many turns of the spindle take.
-    fn spindle_turns_of(&self, args: &Arguments, place: usize, turns: f64) -> Outcome<f64> {
+    fn spindle_turns_of(&self, args: &Arguments, key: Key, turns: f64) -> Outcome<f64> {
         if turns == 0.0 {
             return Ok(0.0);
         }
@@ -476,7 +414,7 @@ impl Run<'_> {
             Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
                 args,
-                args.span_of(place),
+                args.span_of(key),
                 0,
                 "a dwell in turns needs a fixed spindle speed",
                 "program S before the cycle, or give the dwell in seconds",
@@ -511,48 +449,7 @@ impl Run<'_> {
     }
 }
 
-/// Cycles that are expanded.
+/// Is this the name of a cycle that is compiled?
 pub(super) fn is_built(name: &str) -> bool {
-    drilling::is_hole(name)
-        || matches!(
-            name,
-            "HOLES1"
-                | "HOLES2"
-                | "CYCLE801"
-                | "CYCLE802"
-                | "CYCLE94"
-                | "CYCLE96"
-                | "CYCLE940"
-                | "CYCLE97"
-                | "CYCLE98"
-                | "CYCLE99"
-        )
-}
-
-fn most_arguments(name: &str) -> usize {
-    if let Some(signature) = signatures::of(name) {
-        return signature.parameters.len();
-    }
-    match name {
-        "CYCLE81" => 9,
-        "CYCLE82" => 14,
-        "CYCLE83" => 20,
-        "CYCLE84" => 24,
-        "CYCLE840" => 20,
-        "CYCLE85" => 11,
-        "CYCLE86" => 14,
-        "CYCLE87" => 6,
-        "CYCLE88" => 7,
-        "CYCLE89" => 9,
-        "CYCLE94" | "CYCLE96" => 4,
-        "CYCLE940" => 22,
-        "CYCLE97" => 17,
-        "CYCLE98" => 31,
-        "CYCLE99" => 30,
-        "HOLES1" => 11,
-        "HOLES2" => 11,
-        "CYCLE801" => 14,
-        "CYCLE802" => 33,
-        _ => 31,
-    }
+    find(name).is_some_and(Row::is_built)
 }

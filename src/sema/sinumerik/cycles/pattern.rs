@@ -6,18 +6,96 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
+use crate::sema::cycle_table::{Name, Rule};
 
-use super::super::g_groups::Group;
 use super::super::value::whole;
 use super::super::{Outcome, Reported, Run};
-use super::Arguments;
+use super::arguments::{
+    ANG1, ANG2, Arguments, CPA, CPO, DBH, DIS1, DIS2, DMODE, FDIS, HIDE, INDA, Key, NSP, NUM, NUM1, NUM2, RAD, SPCA,
+    SPCO, STA, STA1, VARI, XA, YA,
+};
 
-/// Positions of CYCLE802.
-const POSITIONS: usize = 9;
+/// The positions of CYCLE802.
+const POSITIONS: [(Key, Key); 9] = [
+    (Key("X0"), Key("Y0")),
+    (Key("X1"), Key("Y1")),
+    (Key("X2"), Key("Y2")),
+    (Key("X3"), Key("Y3")),
+    (Key("X4"), Key("Y4")),
+    (Key("X5"), Key("Y5")),
+    (Key("X6"), Key("Y6")),
+    (Key("X7"), Key("Y7")),
+    (Key("X8"), Key("Y8")),
+];
+
+/// Alarm and fault of a pattern without a hole.
+const NO_HOLE: (u32, &str) = (61103, "the pattern has no hole");
+
+/// Begin of the names of arguments that CYCLE802 has besides.
+const FURTHER: &str = "S_AB";
 
 impl Run<'_> {
-    /// Goes to each position and runs the modal cycle there.
-    pub(super) fn pattern(&mut self, args: &Arguments) -> Outcome {
+    /// HOLES1
+    pub(super) fn row(&mut self, args: &Arguments) -> Outcome {
+        self.begin_pattern(args)?;
+        self.plain_variant(args)?;
+        self.all_positions_in_order(args)?;
+        self.no_signs(args)?;
+        let made = Row {
+            reference: self.point_in_plane(args, SPCA, SPCO),
+            direction: Deg(args.or_zero(STA1)),
+            first: self.length_or_zero(args, FDIS),
+            spacing: self.length_or_zero(args, DBH),
+            count: self.holes(args, NUM),
+        };
+        let positions = made.positions().map(Iterator::collect);
+        self.drill_pattern(args, SPCA, positions, NO_HOLE)
+    }
+
+    /// HOLES2
+    pub(super) fn circle_of_holes(&mut self, args: &Arguments) -> Outcome {
+        self.begin_pattern(args)?;
+        self.plain_variant(args)?;
+        self.all_positions_in_order(args)?;
+        self.no_signs(args)?;
+        let made = Circle {
+            center: self.point_in_plane(args, CPA, CPO),
+            radius: self.length_or_zero(args, RAD),
+            start: Deg(args.or_zero(STA1)),
+            step: Deg(args.or_zero(INDA)),
+            count: self.holes(args, NUM),
+        };
+        let positions = made.positions().map(Iterator::collect);
+        self.drill_pattern(args, CPA, positions, NO_HOLE)
+    }
+
+    /// CYCLE801
+    pub(super) fn grid(&mut self, args: &Arguments) -> Outcome {
+        self.begin_pattern(args)?;
+        self.all_positions_in_order(args)?;
+        self.no_signs(args)?;
+        if !matches!(args.or_zero(VARI), 0.0 | 1.0) {
+            return self.not_built(args, VARI, "this variant of the pattern (`_VARI`)");
+        }
+        if args.or_zero(ANG1) != 0.0 || args.or_zero(ANG2) != 0.0 {
+            return self.not_built(args, ANG1, "an oblique grid");
+        }
+        let made = Grid {
+            reference: self.point_in_plane(args, SPCA, SPCO),
+            turn: Deg(args.or_zero(STA)),
+            column_spacing: self.length_or_zero(args, DIS1),
+            row_spacing: self.length_or_zero(args, DIS2),
+            columns: self.holes(args, NUM1),
+            rows: self.holes(args, NUM2),
+            shear: Shear { rows: Deg(0.0), columns: Deg(0.0) },
+            frame: args.or_zero(VARI) != 0.0,
+        };
+        let positions = made.positions().map(Iterator::collect);
+        self.drill_pattern(args, SPCA, positions, (62105, "the pattern has no column or no row"))
+    }
+
+    /// A pattern needs a cycle that it runs.
+    fn begin_pattern(&self, args: &Arguments) -> Outcome {
         if self.modal_lost {
             return Err(Reported);
         }
@@ -30,15 +108,31 @@ impl Run<'_> {
                 "call it before: MCALL CYCLE81(…)",
             );
         }
-        self.pattern_modes(args)?;
-        self.no_signs(args)?;
-        let [first, second, _] = self.st.roles();
-        for axis in [first, second] {
-            self.no_diameters(&args.name, axis, args.span)?;
-        }
-        let positions = self.positions(args)?;
+        Ok(())
+    }
+
+    /// Goes to each position and runs the modal cycle there.
+    fn drill_pattern(
+        &mut self,
+        args: &Arguments,
+        first: Key,
+        made: Result<Vec<Point2>, Fault>,
+        empty: (u32, &str),
+    ) -> Outcome {
+        let positions = match made {
+            Ok(positions) => positions,
+            Err(fault) => {
+                let (alarm, what) = match fault {
+                    Fault::None => empty,
+                    Fault::Overlap => (61106, "the holes go round more than once"),
+                    Fault::TooMany => (0, "the pattern has more than 100000 holes"),
+                    Fault::Value => (0, "the data of the pattern make no positions"),
+                };
+                return self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes");
+            }
+        };
         if self.modal_cycle.is_none() {
-            return self.not_built(args, 1, "a pattern with a modal program of one's own");
+            return self.not_built(args, first, "a pattern with a modal program of one's own");
         }
         // Computing them is work, too.
         self.budget.take(positions.len() as u64 / 16);
@@ -51,43 +145,36 @@ impl Run<'_> {
         Ok(())
     }
 
+    fn plain_variant(&self, args: &Arguments) -> Outcome {
+        if args.or_zero(VARI) != 0.0 {
+            return self.not_built(args, VARI, "a variant of the pattern (`_VARI`)");
+        }
+        Ok(())
+    }
+
     /// Arguments that leave positions out or change their order.
-    fn pattern_modes(&self, args: &Arguments) -> Outcome {
-        let (vari, hide, start, plane) = match args.name.as_str() {
-            "HOLES1" => (7, 9, 10, 11),
-            "HOLES2" => (7, 9, 10, 11),
-            "CYCLE801" => (0, 12, 13, 14),
-            _ => (21, 0, 0, 23),
-        };
-        if vari != 0 && args.or_zero(vari) != 0.0 {
-            return self.not_built(args, vari, "a variant of the pattern (`_VARI`)");
+    fn all_positions_in_order(&self, args: &Arguments) -> Outcome {
+        if args.text(HIDE).is_some_and(|text| !text.is_empty() && text != "0") {
+            return self.not_built(args, HIDE, "hidden positions (`_HIDE`)");
         }
-        if hide != 0 && args.text(hide).is_some_and(|text| !text.is_empty() && text != "0") {
-            return self.not_built(args, hide, "hidden positions (`_HIDE`)");
+        if args.or_zero(NSP) != 0.0 {
+            return self.not_built(args, NSP, "another first position (`_NSP`)");
         }
-        if start != 0 && args.or_zero(start) != 0.0 {
-            return self.not_built(args, start, "another first position (`_NSP`)");
-        }
-        let digit = args.digit(plane, 0);
-        if digit != 0 && digit != i32::from(self.st.codes.of(Group::Plane).index) {
-            return self.not_built(args, plane, "a plane other than the active one (`_DMODE`)");
-        }
-        for place in 24..=33 {
-            if args.name == "CYCLE802" && args.or_zero(place) != 0.0 {
-                return self.not_built(args, place, "further arguments of CYCLE802");
-            }
+        if self.names_other_plane(args) {
+            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(())
     }
 
     /// A number of holes: an INT of the cycle, so a REAL is rounded.
-    fn holes(&self, args: &Arguments, place: usize) -> u32 {
-        let given = args.or_zero(place);
+    fn holes(&self, args: &Arguments, key: Key) -> u32 {
+        let given = args.or_zero(key);
         // No pattern has so many; it is refused there.
         let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
         if given != f64::from(count) {
-            let message = format!("{}: argument {place} is {given}, and the cycle counts {count}", args.name);
-            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(place)), message);
+            let message =
+                format!("{}: argument {} is {given}, and the cycle counts {count}", args.name(), args.place(key));
+            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(key)), message);
             self.report(found.help("write a whole number"));
         }
         count
@@ -96,85 +183,53 @@ impl Run<'_> {
     /// Distances and numbers stand without a sign; standard cycles V06.02.09 take the magnitude of one, others are not
     /// known.
     fn no_signs(&self, args: &Arguments) -> Outcome {
-        let places: &[usize] = match args.name.as_str() {
-            "HOLES1" => &[4, 5, 6],
-            "HOLES2" => &[3, 6],
-            "CYCLE801" => &[4, 5, 6, 7],
-            _ => &[],
-        };
-        let Some(place) = places.iter().find(|place| args.or_zero(**place) < 0.0) else { return Ok(()) };
-        let message = format!("argument {place} is {}, and has no sign in the manuals", args.or_zero(*place));
+        let below =
+            (1..).zip(args.cycle.signature.parameters).zip(&args.list).find_map(|((place, known), (value, span))| {
+                let given = value.number().filter(|given| known.rule == Rule::Unsigned && *given < 0.0)?;
+                Some((place, given, *span))
+            });
+        let Some((place, given, span)) = below else { return self.lengths_are_plain(args) };
+        let place: usize = place;
+        let message = format!("argument {place} is {given}, and has no sign in the manuals");
         let help =
             "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
-        self.cycle_fault(args, args.span_of(*place), 61019, &message, help)
+        self.cycle_fault(args, span, 61019, &message, help)
     }
 
-    fn positions(&self, args: &Arguments) -> Outcome<Vec<Point2>> {
-        let unit = self.st.length_unit();
-        let length = |place: usize| args.or_zero(place) * unit;
-        let count = |place: usize| self.holes(args, place);
-        let made = match args.name.as_str() {
-            "HOLES1" => Row {
-                reference: Point2::new(length(1), length(2)),
-                direction: Deg(args.or_zero(3)),
-                first: length(4),
-                spacing: length(5),
-                count: count(6),
-            }
-            .positions()
-            .map(Iterator::collect),
-            "HOLES2" => Circle {
-                center: Point2::new(length(1), length(2)),
-                radius: length(3),
-                start: Deg(args.or_zero(4)),
-                step: Deg(args.or_zero(5)),
-                count: count(6),
-            }
-            .positions()
-            .map(Iterator::collect),
-            "CYCLE801" => {
-                if !matches!(args.or_zero(8), 0.0 | 1.0) {
-                    return self.not_built(args, 8, "this variant of the pattern (`_VARI`)");
-                }
-                if args.or_zero(10) != 0.0 || args.or_zero(11) != 0.0 {
-                    return self.not_built(args, 10, "an oblique grid");
-                }
-                Grid {
-                    reference: Point2::new(length(1), length(2)),
-                    turn: Deg(args.or_zero(3)),
-                    column_spacing: length(4),
-                    row_spacing: length(5),
-                    columns: count(6),
-                    rows: count(7),
-                    shear: Shear { rows: Deg(0.0), columns: Deg(0.0) },
-                    frame: args.or_zero(8) != 0.0,
-                }
-                .positions()
-                .map(Iterator::collect)
-            }
-            _ => return self.free_positions(args),
-        };
-        match made {
-            Ok(positions) => Ok(positions),
-            Err(fault) => {
-                let (alarm, what) = match fault {
-                    Fault::None if args.name == "CYCLE801" => (62105, "the pattern has no column or no row"),
-                    Fault::None => (61103, "the pattern has no hole"),
-                    Fault::Overlap => (61106, "the holes go round more than once"),
-                    Fault::TooMany => (0, "the pattern has more than 100000 holes"),
-                    Fault::Value => (0, "the data of the pattern make no positions"),
-                };
-                self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes")
+    fn lengths_are_plain(&self, args: &Arguments) -> Outcome {
+        let [first, second, _] = self.st.roles();
+        for axis in [first, second] {
+            self.no_diameters(args.name(), axis, args.span)?;
+        }
+        Ok(())
+    }
+
+    fn length_or_zero(&self, args: &Arguments, key: Key) -> f64 {
+        args.or_zero(key) * self.st.length_unit()
+    }
+
+    fn point_in_plane(&self, args: &Arguments, first: Key, second: Key) -> Point2 {
+        Point2::new(self.length_or_zero(args, first), self.length_or_zero(args, second))
+    }
+
+    /// CYCLE802: up to nine positions, absolute as the masks say.
+    pub(super) fn free_positions(&mut self, args: &Arguments) -> Outcome {
+        self.begin_pattern(args)?;
+        self.plain_variant(args)?;
+        self.all_positions_in_order(args)?;
+        for parameter in args.cycle.signature.parameters {
+            if let Name::Word(name) = parameter.name
+                && name.starts_with(FURTHER)
+                && args.or_zero(Key(name)) != 0.0
+            {
+                return self.not_built(args, Key(name), "further arguments of CYCLE802");
             }
         }
-    }
-
-    /// Up to nine positions, absolute as the masks say.
-    fn free_positions(&self, args: &Arguments) -> Outcome<Vec<Point2>> {
+        self.no_signs(args)?;
         let unit = self.st.length_unit();
         let mut positions = Vec::new();
-        for at in 0..POSITIONS {
-            let (x, y) = (args.number(3 + 2 * at), args.number(4 + 2 * at));
+        for (x, y) in POSITIONS {
+            let (x, y) = (args.number(x), args.number(y));
             let (Some(x), Some(y)) = (x, y) else {
                 if x.is_some() || y.is_some() {
                     return self.cycle_fault(args, args.span, 0, "a position has one coordinate only", "give both");
@@ -182,13 +237,13 @@ impl Run<'_> {
                 continue;
             };
             // One digit for each position, 1 absolute; the digit of an incremental one is not confirmed.
-            for mask in [1, 2] {
+            for mask in [XA, YA] {
                 if args.or_zero(mask) != 111_111_111.0 {
                     return self.not_built(args, mask, "a mask that is not 111111111, all absolute (`_XA`, `_YA`)");
                 }
             }
             positions.push(Point2::new(x * unit, y * unit));
         }
-        Ok(positions)
+        self.drill_pattern(args, XA, Ok(positions), NO_HOLE)
     }
 }

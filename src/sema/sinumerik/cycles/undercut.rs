@@ -7,55 +7,66 @@ use crate::ir::cycle::Cycle;
 use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
-use crate::machine::undercut::proposed_pitch;
+use crate::standard::din13::proposed_pitch;
 
-use super::super::g_groups::Group;
 use super::super::{Outcome, Run};
-use super::Arguments;
+use super::arguments::{
+    AMODE, Arguments, DIATH, DMODE, EPD, EPL, FAL, FALX, FALZ, FFP, FORM, Key, LAGE, MID, PITI, PTABA, R1, R2, SDIS,
+    SPD, SPL, STA, VARI, VRT,
+};
 use super::undercut_call::{
     CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
 };
 
 /// Safety clearance of the classic cycles, in mm.
 const CLEARANCE: f64 = 1.0;
-/// Names of the arguments of CYCLE940 by place.
-const NAMES: [&str; 22] = [
-    "_SPD", "_SPL", "_FORM", "_LAGE", "_SDIS", "_FFP", "_VARI", "_EPD", "_EPL", "_R1", "_R2", "_STA", "_VRT", "_MID",
-    "_FAL", "_FALX", "_FALZ", "_PITI", "_PTAB", "_PTABA", "_DMODE", "_AMODE",
-];
-
-/// Places of CYCLE940 that only some forms use, and the forms (reference, table in 5.1).
-const OF_FORMS: [(usize, &str); 11] = [
-    (7, "ABCDT"),
-    (8, "EFT"),
-    (9, "EFT"),
-    (10, "T"),
-    (11, "T"),
-    (12, "ABCDT"),
-    (14, "ABCDT"),
-    (15, "ABCDT"),
-    (16, "ABCDT"),
-    (17, "ABCDT"),
-    (18, "ABCDEF"),
+/// Arguments of CYCLE940 that only some forms use, and the forms.
+const OF_FORMS: [(Key, &str); 11] = [
+    (VARI, "ABCDT"),
+    (EPD, "EFT"),
+    (EPL, "EFT"),
+    (R1, "T"),
+    (R2, "T"),
+    (STA, "ABCDT"),
+    (MID, "ABCDT"),
+    (FAL, "ABCDT"),
+    (FALX, "ABCDT"),
+    (FALZ, "ABCDT"),
+    (PITI, "ABCDEF"),
 ];
 
 /// The form: one letter.
 fn one_letter(args: &Arguments) -> Option<u8> {
-    let form = args.text(3)?;
+    let form = args.text(FORM)?;
     Some(if form.len() == 1 { form.as_bytes()[0] } else { b'?' })
 }
 
 impl Run<'_> {
-    pub(super) fn undercut_cycle(&mut self, args: &Arguments) -> Outcome {
+    /// CYCLE940
+    pub(super) fn undercut_940(&mut self, args: &Arguments) -> Outcome {
         self.undercut_conditions(args)?;
-        let tables = &self.job.settings.undercut;
-        let made = if args.name == "CYCLE940" {
-            self.undercut_arguments(args)?;
-            cycle940(&self.call_940(args), tables)
-        } else {
-            let call = self.classic_call(args)?;
-            if args.name == "CYCLE94" { cycle94(&call, tables) } else { cycle96(&call, tables) }
-        };
+        self.undercut_arguments(args)?;
+        let made = cycle940(&self.call_940(args), &self.job.settings.undercut);
+        self.cut_undercut(args, made)
+    }
+
+    /// CYCLE94
+    pub(super) fn undercut_by_diameter(&mut self, args: &Arguments) -> Outcome {
+        self.undercut_conditions(args)?;
+        let call = self.classic_call(args, SPD)?;
+        let made = cycle94(&call, &self.job.settings.undercut);
+        self.cut_undercut(args, made)
+    }
+
+    /// CYCLE96
+    pub(super) fn undercut_of_thread(&mut self, args: &Arguments) -> Outcome {
+        self.undercut_conditions(args)?;
+        let call = self.classic_call(args, DIATH)?;
+        let made = cycle96(&call, &self.job.settings.undercut);
+        self.cut_undercut(args, made)
+    }
+
+    fn cut_undercut(&mut self, args: &Arguments, made: Result<(UndercutCycle, Rests), CallFault>) -> Outcome {
         match made {
             Ok((cycle, rests)) => {
                 self.undercut_notes(args, &rests);
@@ -88,73 +99,79 @@ impl Run<'_> {
 
     /// Arguments that change the cut and are not known.
     fn undercut_arguments(&self, args: &Arguments) -> Outcome {
-        if args.text(3).is_none() {
+        if args.text(FORM).is_none() {
             return self.undercut_fault(args, CallFault::Missing("_FORM"));
         }
-        if args.text(20).is_some_and(|text| !text.is_empty()) {
-            return self.not_built(args, 20, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
+        if args.text(PTABA).is_some_and(|text| !text.is_empty()) {
+            return self.not_built(args, PTABA, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
-        let plane = args.digit(21, 0);
-        if plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index) {
-            return self.not_built(args, 21, "a plane other than the active one (`_DMODE`)");
+        if self.names_other_plane(args) {
+            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
-        if (0..10).any(|place| args.digit(22, place) > i32::from(place < 4)) {
-            return self.not_built(args, 22, "another reading of an argument (`_AMODE`)");
+        if (0..10).any(|place| args.digit(AMODE, place) > i32::from(place < 4)) {
+            return self.not_built(args, AMODE, "another reading of an argument (`_AMODE`)");
         }
-        if (1..10).any(|place| args.digit(7, place) > i32::from(place < 2)) {
-            return self.not_built(args, 7, "this kind of machining (`_VARI`)");
+        if (1..10).any(|place| args.digit(VARI, place) > i32::from(place < 2)) {
+            return self.not_built(args, VARI, "this kind of machining (`_VARI`)");
         }
-        let form = args.text(3).unwrap_or_default();
+        let form = args.text(FORM).unwrap_or_default();
         let known = OF_FORMS.iter().any(|(_, forms)| forms.contains(form.as_str()));
-        for (place, forms) in OF_FORMS {
-            if args.or_zero(place) != 0.0 && known && !form.is_empty() && !forms.contains(form.as_str()) {
-                let message = format!("CYCLE940: form {form} does not use `{}`", NAMES[place - 1]);
-                self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(place)), message));
+        for (key, forms) in OF_FORMS {
+            if args.or_zero(key) != 0.0 && known && !form.is_empty() && !forms.contains(form.as_str()) {
+                let message = format!("{}: form {form} does not use `{}`", args.name(), args.written(key));
+                self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
             }
         }
-        let internal = args.or_zero(4) >= 2.0;
+        let internal = args.or_zero(LAGE) >= 2.0;
         if matches!(form.as_str(), "A" | "B") && internal || matches!(form.as_str(), "C" | "D") && !internal {
             let help = "forms A and B are external, C and D internal";
-            return self.cycle_fault(args, args.span_of(4), 61613, "the position contradicts the form", help);
+            return self.cycle_fault(args, args.span_of(LAGE), 61613, "the position contradicts the form", help);
         }
-        if !matches!(form.as_str(), "E" | "F") && !(1..=3).contains(&args.digit(7, 0)) {
+        if !matches!(form.as_str(), "E" | "F") && !(1..=3).contains(&args.digit(VARI, 0)) {
             let help = "1 roughs, 2 finishes, 3 does both";
-            return self.cycle_fault(args, args.span_of(7), 61002, "`_VARI` is 1, 2 or 3", help);
+            return self.cycle_fault(args, args.span_of(VARI), 61002, "`_VARI` is 1, 2 or 3", help);
         }
-        if args.number(12) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
-            return self.cycle_fault(args, args.span_of(12), 0, "the entry angle `_STA` is 0", "give 30 to 90 degrees");
+        if args.number(STA) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
+            return self.cycle_fault(
+                args,
+                args.span_of(STA),
+                0,
+                "the entry angle `_STA` is 0",
+                "give 30 to 90 degrees",
+            );
         }
-        if args.digit(7, 0) == 2 && "ABCDT".contains(form.as_str()) {
-            for place in [14, 15, 16, 17].into_iter().filter(|place| args.or_zero(*place) != 0.0) {
-                self.unused(args, place, NAMES[place - 1], "while finishing alone (`_VARI` 2)");
+        if args.digit(VARI, 0) == 2 && "ABCDT".contains(form.as_str()) {
+            for key in [MID, FAL, FALX, FALZ].into_iter().filter(|key| args.or_zero(*key) != 0.0) {
+                self.unused(args, key, &args.written(key), "while finishing alone (`_VARI` 2)");
             }
         }
         let form_e = form == "E" || form == "F";
-        for (place, name) in [(8, "_EPD"), (9, "_EPL")] {
-            let negative = args.digit(22, place as u32 - 8) == 1 && args.or_zero(place) < 0.0;
+        for (key, digit) in [(EPD, 0), (EPL, 1)] {
+            let negative = args.digit(AMODE, digit) == 1 && args.or_zero(key) < 0.0;
             if form_e && negative {
-                let message = format!("the allowance `{name}` is negative");
-                return self.cycle_fault(args, args.span_of(place), 0, &message, "give an allowance above 0, or none");
+                let message = format!("the allowance `{}` is negative", args.written(key));
+                return self.cycle_fault(args, args.span_of(key), 0, &message, "give an allowance above 0, or none");
             }
         }
-        if form_e && args.digit(22, 0) != 1 && args.or_zero(8) != 0.0 {
-            let inwards = (args.or_zero(8) - args.or_zero(1)) * if args.or_zero(4) < 2.0 { 1.0 } else { -1.0 } < 0.0;
+        if form_e && args.digit(AMODE, 0) != 1 && args.or_zero(EPD) != 0.0 {
+            let inwards =
+                (args.or_zero(EPD) - args.or_zero(SPD)) * if args.or_zero(LAGE) < 2.0 { 1.0 } else { -1.0 } < 0.0;
             if inwards {
                 let help = "an allowance lies outside the finished part";
                 return self.cycle_fault(
                     args,
-                    args.span_of(8),
+                    args.span_of(EPD),
                     0,
                     "the diameter with allowance `_EPD` lies inside the part",
                     help,
                 );
             }
         }
-        if form == "E" && args.or_zero(9) != 0.0 {
+        if form == "E" && args.or_zero(EPL) != 0.0 {
             return self.cycle_fault(
                 args,
-                args.span_of(9),
+                args.span_of(EPL),
                 0,
                 "form E has no allowance along Z (`_EPL`)",
                 "leave it out; form F relieves the face, too",
@@ -164,37 +181,37 @@ impl Run<'_> {
     }
 
     fn call_940(&self, args: &Arguments) -> Cycle940 {
-        let mm = |place: usize| self.length_of(args, place);
+        let mm = |key: Key| self.length_of(args, key);
         Cycle940 {
-            spd: mm(1),
-            spl: mm(2),
+            spd: mm(SPD),
+            spl: mm(SPL),
             form: one_letter(args),
-            lage: args.number(4),
-            sdis: mm(5),
-            ffp: args.number(6).map(|feed| feed * self.st.feed_unit()),
-            vari: args.number(7),
-            epd: mm(8),
-            epl: mm(9),
-            r1: mm(10),
-            r2: mm(11),
-            sta: args.number(12),
-            vrt: mm(13),
-            mid: mm(14),
-            fal: mm(15),
-            falx: mm(16),
-            falz: mm(17),
-            piti: args.number(18),
-            amode: args.number(22),
+            lage: args.number(LAGE),
+            sdis: mm(SDIS),
+            ffp: args.number(FFP).map(|feed| feed * self.st.feed_unit()),
+            vari: args.number(VARI),
+            epd: mm(EPD),
+            epl: mm(EPL),
+            r1: mm(R1),
+            r2: mm(R2),
+            sta: args.number(STA),
+            vrt: mm(VRT),
+            mid: mm(MID),
+            fal: mm(FAL),
+            falx: mm(FALX),
+            falz: mm(FALZ),
+            piti: args.number(PITI),
+            amode: args.number(AMODE),
         }
     }
 
-    fn classic_call(&mut self, args: &Arguments) -> Outcome<Classic> {
-        let position = match args.or_zero(4) {
+    fn classic_call(&mut self, args: &Arguments, diameter: Key) -> Outcome<Classic> {
+        let position = match args.or_zero(VARI) {
             0.0 => self.active_tool().and_then(|tool| tool.orientation),
             given if (1.0..=4.0).contains(&given) && given.fract() == 0.0 => Some(given as u8),
             _ => Some(0),
         };
-        let by_tool = args.or_zero(4) == 0.0;
+        let by_tool = args.or_zero(VARI) == 0.0;
         let edge = self.active_tool().and_then(|tool| tool.orientation).filter(|edge| (1..=4).contains(edge));
         if let (false, Some(edge), Some(given)) = (by_tool, edge, position.filter(|given| (1..=4).contains(given)))
             && edge != given
@@ -202,7 +219,7 @@ impl Run<'_> {
             let message =
                 format!("the position `_VARI` {given} contradicts the edge of the tool, which lies at {edge}");
             let help = "give the position of the tool that cuts the undercut, or leave the argument out";
-            return self.cycle_fault(args, args.span_of(4), 61608, &message, help);
+            return self.cycle_fault(args, args.span_of(VARI), 61608, &message, help);
         }
         let Some(position) = position.filter(|position| !by_tool || (1..=4).contains(position)) else {
             return self.cycle_fault(
@@ -214,8 +231,8 @@ impl Run<'_> {
             );
         };
         Ok(Classic {
-            diameter: self.needed_length(args, 1, "the diameter")?,
-            spl: self.needed_length(args, 2, "the corner along Z")?,
+            diameter: self.needed_length(args, diameter, "the diameter")?,
+            spl: self.needed_length(args, SPL, "the corner along Z")?,
             form: one_letter(args).unwrap_or(b'?'),
             position,
             feed: self.cycle_feed(args)?,
@@ -224,8 +241,8 @@ impl Run<'_> {
     }
 
     fn undercut_fault<T>(&self, args: &Arguments, fault: CallFault) -> Outcome<T> {
-        let new = args.name == "CYCLE940";
-        let place = |name: &str| NAMES.iter().position(|known| *known == name).map_or(1, |at| at + 1);
+        let new = args.place(LAGE) > 0;
+        let corner = if args.place(DIATH) > 0 { DIATH } else { SPD };
         match fault {
             CallFault::Missing(name) => {
                 let message = format!("`{name}` is missing");
@@ -248,39 +265,39 @@ impl Run<'_> {
                     "_EPL" => "an absolute Z lies in front of the face; `_AMODE` 10 reads an increment",
                     _ => "`_STA` is 30 to 90 degrees; clearance, feed and infeed are above 0",
                 };
-                self.cycle_fault(args, args.span_of(place(name)), 61019, &message, help)
+                self.cycle_fault(args, args.span_of(Key(name.trim_start_matches('_'))), 61019, &message, help)
             }
             CallFault::Form => {
                 let help = "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free (CYCLE940)";
-                self.cycle_fault(args, args.span_of(3), 61609, "there is no such form", help)
+                self.cycle_fault(args, args.span_of(FORM), 61609, "there is no such form", help)
             }
             CallFault::Position => {
                 let help = "forms A and B are external, C and D internal";
                 self.cycle_fault(
                     args,
-                    args.span_of(4),
+                    args.span_of(if new { LAGE } else { VARI }),
                     61613,
                     "the position does not exist or contradicts the form",
                     help,
                 )
             }
             CallFault::Diameter => {
-                let diameter = args.or_zero(1) * self.st.length_unit();
+                let diameter = args.or_zero(corner) * self.st.length_unit();
                 let help = match proposed_pitch(diameter) {
-                    _ if args.name == "CYCLE94" => "give a diameter from 3 mm".to_owned(),
+                    _ if !new && corner == SPD => "give a diameter from 3 mm".to_owned(),
                     Some(pitch) => format!("the pitch {pitch} is usual for this diameter: CYCLE940 takes it"),
                     None => "give a diameter from 3 mm, for CYCLE96 a metric size from M3 to M68".to_owned(),
                 };
                 self.cycle_fault(
                     args,
-                    args.span_of(1),
+                    args.span_of(corner),
                     61601,
                     &format!("the diameter {diameter} has no undercut"),
                     &help,
                 )
             }
             CallFault::Size => {
-                let at = args.span_of(if new { 18 } else { 1 });
+                let at = args.span_of(if new { PITI } else { corner });
                 let help = if new {
                     "`_PITI` is 0 to 9 for forms E and F, 0 to 23 for A to D"
                 } else {
@@ -291,25 +308,28 @@ impl Run<'_> {
             CallFault::Pitch => {
                 let inside = matches!(one_letter(args), Some(b'C' | b'D'));
                 let surface = if inside { Surface::Internal } else { Surface::External };
-                let help =
-                    match proposed_index(&self.job.settings.undercut, surface, args.or_zero(1) * self.st.length_unit())
-                    {
-                        Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
-                        None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
-                    };
+                let help = match proposed_index(
+                    &self.job.settings.undercut,
+                    surface,
+                    args.or_zero(corner) * self.st.length_unit(),
+                ) {
+                    Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
+                    None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
+                };
                 self.cycle_fault(args, args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
             }
             CallFault::SizeMissing => {
-                let help = match proposed_size(&self.job.settings.undercut, args.or_zero(1) * self.st.length_unit()) {
-                    Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
-                    None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
-                };
+                let help =
+                    match proposed_size(&self.job.settings.undercut, args.or_zero(corner) * self.st.length_unit()) {
+                        Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
+                        None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
+                    };
                 self.cycle_fault(args, args.span, 61001, "the size `_PITI` (argument 18) is missing", &help)
             }
             CallFault::BothAllowances => {
                 let help = "the control takes either `_FAL` or `_FALX` and `_FALZ`: give one of them";
                 let message = "an allowance on all sides stands beside one along an axis";
-                self.cycle_fault(args, args.span_of(15), 0, message, help)
+                self.cycle_fault(args, args.span_of(FAL), 0, message, help)
             }
         }
     }
@@ -333,20 +353,20 @@ impl Run<'_> {
             self.note_once(codes::S8022, args.span, message);
         }
         if rests.allowance_along_x {
-            self.reading(args, 16, "`_FALX` counts on the radius");
+            self.reading(args, FALX, "`_FALX` counts on the radius");
         }
         if rests.other_allowance {
-            let place = if args.or_zero(15) != 0.0 { 15 } else { 17 };
+            let key = if args.or_zero(FAL) != 0.0 { FAL } else { FALZ };
             self.reading(
                 args,
-                place,
+                key,
                 "the thousands of `_AMODE` (1 for `_FAL`, else `_FALX` and `_FALZ`) choose the other allowance, and roughing leaves this one",
             );
         }
         if rests.roughing {
             self.note_once(
                 codes::S8023,
-                args.span_of(14),
+                args.span_of(MID),
                 "roughing of the undercut is up to the control; it is cut in equal steps parallel to its floor",
             );
         }

@@ -8,9 +8,12 @@ use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::UndercutCycle;
 use crate::ir::cycle::undercut::Leave;
-use crate::ir::undercut::{CORE, Doubts, Surface, ThreadForm, form_e, form_f, thread, usual_pitch};
+use crate::ir::undercut::{Doubts, Surface, ThreadForm, form_e, form_f, thread, usual_pitch};
 use crate::machine::Undercuts;
-use crate::machine::undercut::coarse_pitch;
+use crate::standard::din13::{CORE, coarse_pitch};
+use crate::standard::din509;
+
+use super::super::undercut_sizes::cycle_size;
 
 /// Pitches in the order of the cycle's list, `_PITI` 0 to 23.
 const PITCHES: [f64; 24] = [
@@ -26,8 +29,8 @@ pub(super) fn proposed_index(tables: &Undercuts, surface: Surface, diameter: f64
 
 /// The size of DIN 509 that belongs to a diameter as a rule, and its index in the cycle's list.
 pub(super) fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<(String, u32)> {
-    let size = tables.size_for(diameter)?;
-    let at = (0..PITCHES.len() as u32).find(|at| tables.cycle_size(*at).is_some_and(|(known, _)| known == size))?;
+    let (_, size) = tables.size_for(diameter, din509::NORMAL)?;
+    let at = (0..PITCHES.len() as u32).find(|at| cycle_size(tables, *at).is_some_and(|(known, _)| known == size))?;
     Some((format!("{:?}x{:?}", size.radius, size.depth), at))
 }
 
@@ -214,7 +217,7 @@ fn shape940(
                 return Err(CallFault::SizeMissing);
             }
             let index = index().ok_or(CallFault::Range("_PITI"))?;
-            let place = u32::try_from(index).ok().and_then(|index| tables.cycle_size(index));
+            let place = u32::try_from(index).ok().and_then(|index| cycle_size(tables, index));
             let (size, sure) = place.ok_or(CallFault::Size)?;
             rests.size_index = !sure;
             Ok(if form == b'E' { form_e(size) } else { form_f(size) })
@@ -323,7 +326,7 @@ pub(super) fn cycle94(call: &Classic, tables: &Undercuts) -> Result<(UndercutCyc
     if call.diameter.is_nan() || call.diameter < 3.0 {
         return Err(CallFault::Diameter);
     }
-    let size = tables.size_for(call.diameter).ok_or(CallFault::Size)?;
+    let (_, size) = tables.size_for(call.diameter, din509::NORMAL).ok_or(CallFault::Size)?;
     let shape = if form == b'E' { form_e(size) } else { form_f(size) };
     let rests = Rests { size_by_diameter: call.diameter > 10.0, convention: true, ..Rests::default() };
     Ok((classic(call, call.diameter, shape)?, rests))

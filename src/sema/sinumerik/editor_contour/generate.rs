@@ -6,6 +6,7 @@ use crate::ir::undercut::{Surface, ThreadForm, Undercut, form_e, form_f, thread,
 use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::{Record, Undercut as Form};
 
+use super::super::undercut_sizes::editor_size;
 use super::made::{Block, Contour, CornerWord, NoUndercut, Unsolved, Written};
 use super::material::Material;
 use super::solve::{Begin, Solved};
@@ -246,7 +247,7 @@ impl Generator<'_> {
     fn doubts(&self, undercut: Form, corner: &Corner) -> Option<String> {
         match undercut {
             Form::E(index) | Form::F(index) => {
-                let (_, sure) = self.tables.editor_size(index)?;
+                let (_, sure) = editor_size(self.tables, index)?;
                 (!sure).then(|| "the list of sizes by their index (`[undercut] din509_in_editor`)".to_owned())
             }
             Form::Thread { pitch, entry } => {
@@ -260,7 +261,7 @@ impl Generator<'_> {
 
     /// The undercut with its dimensions.
     fn sized(&self, undercut: Form, corner: &Corner) -> Result<Undercut, NoUndercut> {
-        let size = |index: u32| self.tables.editor_size(index).map(|(size, _)| size).ok_or(NoUndercut::Index(index));
+        let size = |index: u32| editor_size(self.tables, index).map(|(size, _)| size).ok_or(NoUndercut::Index(index));
         match undercut {
             Form::E(index) => size(index).map(|size| Undercut::new(form_e(size))),
             Form::F(index) => size(index).map(|size| Undercut::new(form_f(size))),

@@ -95,7 +95,7 @@ impl Run<'_> {
                 // One more than can be solved is enough to know that there are too many.
                 if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
                     stored.records.push(record);
-                    stored.record_places.push(self.here.origin.loc);
+                    stored.record_places.push(self.core.here.origin.loc);
                 }
                 Ok(())
             }
@@ -190,7 +190,7 @@ impl Run<'_> {
             stored.rapid = Some(stored.blocks.len());
         }
         stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
-        stored.places.push(self.here.origin.loc);
+        stored.places.push(self.core.here.origin.loc);
     }
 
     /// Notes the corner at the end of the last block.
@@ -205,7 +205,7 @@ impl Run<'_> {
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
         // Blocks that were refused are not there to be compared.
-        if self.errors.get() > 0 {
+        if self.errors() > 0 {
             return Ok(());
         }
         let written = if stored.start.is_some() { stored.written } else { self.written_now() };

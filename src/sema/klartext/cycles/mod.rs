@@ -1,0 +1,190 @@
+//! The cycles of CYCL DEF: one row each, one file a family.
+
+pub(super) mod drilling;
+mod named;
+pub(super) mod patterns;
+pub(super) mod transformations;
+
+use core::fmt;
+
+use crate::geo::Point2;
+use crate::ir::Feed;
+use crate::ir::cycle::drilling::Method;
+use crate::lexer::klartext::{QKind, QRef};
+use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+
+use super::defined_cycle::DefinedCycle;
+use super::{Outcome, Run};
+
+/// A cycle: what its definition gives, and what it does.
+#[derive(Debug)]
+pub(super) struct Row {
+    /// The first and the last number of cycles that are known by one name.
+    pub numbers: (u32, u32),
+    pub nature: Nature,
+    pub signature: Signature,
+    /// What to write in place of a word that the cycle does not take.
+    pub form: &'static str,
+}
+
+/// What a cycle is.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Nature {
+    DatumShift,
+    Mirror,
+    Dwell,
+    Rotation,
+    Scaling,
+    ProgramCall,
+    Orientation,
+    Tilt,
+    AxisScaling,
+    Tolerance,
+    Preset,
+    /// Sets data that other cycles use.
+    Data,
+    /// Drills when called.
+    Drilling(&'static Drilling),
+    /// Would run when called.
+    Machining,
+    /// Runs the machining cycle at once, at many places: the places, where the pattern is compiled.
+    Pattern(Option<PlacesOf>),
+    Unknown,
+}
+
+/// Makes the places of a pattern.
+pub(super) type PlacesOf = fn(&mut Run<'_>, &DefinedCycle) -> Outcome<Vec<Point2>>;
+
+/// A drilling cycle.
+#[derive(Debug)]
+pub(super) struct Drilling {
+    pub method: fn(&mut Run<'_>, &DefinedCycle, Cut) -> Outcome<Method>,
+    /// What gives the feed; `None` where a pitch does.
+    pub feed: Option<Name>,
+    /// What gives the dwell at the depth.
+    pub dwell: Option<Name>,
+    /// It cuts a thread.
+    pub taps: bool,
+}
+
+/// Feed, and dwell at the depth in seconds.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cut {
+    pub feed: Feed,
+    pub dwell: f64,
+}
+
+/// A Q parameter of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Q(pub u32);
+
+impl fmt::Display for Q {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Q{}", self.0)
+    }
+}
+
+impl Nature {
+    /// Does it act at once, so that what it says would be lost if it were not taken?
+    pub fn acts(self) -> bool {
+        !self.is_machining() && !matches!(self, Nature::Pattern(_) | Nature::Data | Nature::Unknown)
+    }
+
+    /// Does it run when it is called?
+    pub fn is_machining(self) -> bool {
+        matches!(self, Nature::Drilling(_) | Nature::Machining)
+    }
+
+    pub fn drilling(self) -> Option<&'static Drilling> {
+        match self {
+            Nature::Drilling(drilling) => Some(drilling),
+            _ => None,
+        }
+    }
+}
+
+impl Row {
+    /// Do its values stand in parts, `1.1`, `1.2`, …, which have to be there?
+    pub fn has_parts(&self, number: u32) -> bool {
+        match self.nature {
+            Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Unknown => false,
+            Nature::Drilling(_) | Nature::Machining => number < 20,
+            _ => true,
+        }
+    }
+
+    /// The parameters that a definition has to set.
+    pub fn needed(&self) -> impl Iterator<Item = Name> {
+        self.signature.parameters.iter().filter(|known| known.rule == Rule::Needed).map(|known| known.name)
+    }
+
+    /// May a definition of the cycle `number` set this parameter?
+    pub fn takes(&self, number: u32, q: QRef) -> bool {
+        if q.kind != QKind::Q {
+            return false;
+        }
+        if self.signature.parameters.iter().any(|known| matches!(known.name, Name::Q(_))) {
+            return self.signature.parameters.iter().any(|known| known.name == Name::Q(q.number));
+        }
+        matches!(q.number, 200..=1199) || (matches!(number, 20..=39) && q.number <= 21)
+    }
+
+    /// How the manuals call it.
+    pub fn name(&self) -> &'static str {
+        self.signature.what
+    }
+}
+
+const FAMILIES: &[&[Row]] = &[drilling::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
+
+/// All cycles that are known, family by family.
+pub(super) fn rows() -> impl Iterator<Item = &'static Row> {
+    FAMILIES.iter().copied().flatten()
+}
+
+/// The cycle of this number.
+pub(super) fn find(number: u32) -> &'static Row {
+    rows().find(|row| (row.numbers.0..=row.numbers.1).contains(&number)).unwrap_or(&UNKNOWN)
+}
+
+const UNKNOWN: Row = Row {
+    numbers: (0, 0),
+    nature: Nature::Unknown,
+    signature: Signature { name: "", what: "", status: Status::Refused { code: "K9001" }, source: "", parameters: &[] },
+    form: REMOVE,
+};
+
+const REMOVE: &str = "remove the word";
+
+const fn q(q: Q, kind: Kind, what: &'static str) -> Parameter {
+    Parameter::new(Name::Q(q.0), kind, what)
+}
+
+/// Parameters that many cycles have.
+pub(super) const CLEARANCE: Q = Q(200);
+pub(super) const DEPTH: Q = Q(201);
+pub(super) const SURFACE: Q = Q(203);
+pub(super) const SECOND_CLEARANCE: Q = Q(204);
+
+const SET_UP: Parameter = q(CLEARANCE, Kind::Length, "set-up clearance above the surface, 0 or more").needed();
+const AT_SURFACE: Parameter = q(SURFACE, Kind::Length, "coordinate of the surface").needed();
+const SECOND: Parameter =
+    q(SECOND_CLEARANCE, Kind::Length, "2nd set-up clearance above the surface, where the tool goes in the end")
+        .needed();
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_parameters_are_unique() {
+        let mut numbers: Vec<(u32, u32)> = rows().map(|row| row.numbers).collect();
+        numbers.sort_unstable();
+        assert!(numbers.windows(2).all(|pair| pair[0].1 < pair[1].0), "{numbers:?}");
+        for row in rows() {
+            let list = row.signature.parameters;
+            let twice = (1..list.len()).find(|at| list[..*at].iter().any(|before| before.name == list[*at].name));
+            assert!(twice.is_none(), "{}: {twice:?}", row.signature.name);
+        }
+    }
+}

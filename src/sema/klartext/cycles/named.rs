@@ -1,0 +1,71 @@
+//! Cycles that are known by number and name, and refused where they are called.
+
+use crate::sema::cycle_table::{Signature, Status};
+
+use super::{Nature, REMOVE, Row};
+
+const fn named(number: u32, name: &'static str, what: &'static str) -> Row {
+    group(number, number, name, what)
+}
+
+const fn group(first: u32, last: u32, name: &'static str, what: &'static str) -> Row {
+    let status = Status::Refused { code: "K9001" };
+    let signature = Signature { name, what, status, source: "", parameters: &[] };
+    Row { numbers: (first, last), nature: Nature::Machining, signature, form: REMOVE }
+}
+
+pub(super) const ROWS: &[Row] = &[
+    named(3, "CYCL DEF 3", "SLOT MILLING"),
+    named(4, "CYCL DEF 4", "POCKET MILLING"),
+    named(5, "CYCL DEF 5", "CIRCULAR POCKET"),
+    named(6, "CYCL DEF 6", "ROUGH-OUT"),
+    named(15, "CYCL DEF 15", "PILOT DRILLING"),
+    named(16, "CYCL DEF 16", "CONTOUR MILLING"),
+    named(18, "CYCL DEF 18", "THREAD CUTTING"),
+    named(21, "CYCL DEF 21", "PILOT DRILLING"),
+    named(22, "CYCL DEF 22", "ROUGH-OUT"),
+    named(23, "CYCL DEF 23", "FLOOR FINISHING"),
+    named(24, "CYCL DEF 24", "SIDE FINISHING"),
+    named(25, "CYCL DEF 25", "CONTOUR TRAIN"),
+    named(27, "CYCL DEF 27", "CYLINDER SURFACE"),
+    named(28, "CYCL DEF 28", "CYLINDER SURFACE SLOT"),
+    named(29, "CYCL DEF 29", "CYLINDER SURFACE RIDGE"),
+    named(39, "CYCL DEF 39", "CYLINDER SURFACE CONTOUR"),
+    named(204, "CYCL DEF 204", "BACK BORING"),
+    named(208, "CYCL DEF 208", "BORE MILLING"),
+    named(209, "CYCL DEF 209", "TAPPING WITH CHIP BREAKING"),
+    named(210, "CYCL DEF 210", "SLOT RECIPROCATING"),
+    named(211, "CYCL DEF 211", "CIRCULAR SLOT"),
+    named(212, "CYCL DEF 212", "POCKET FINISHING"),
+    named(213, "CYCL DEF 213", "STUD FINISHING"),
+    named(214, "CYCL DEF 214", "CIRCULAR POCKET FINISHING"),
+    named(215, "CYCL DEF 215", "CIRCULAR STUD FINISHING"),
+    named(225, "CYCL DEF 225", "ENGRAVING"),
+    named(230, "CYCL DEF 230", "MULTIPASS MILLING"),
+    named(231, "CYCL DEF 231", "RULED SURFACE"),
+    named(232, "CYCL DEF 232", "FACE MILLING"),
+    named(233, "CYCL DEF 233", "FACE MILLING"),
+    named(241, "CYCL DEF 241", "SINGLE-LIP DEEP-HOLE DRILLING"),
+    named(251, "CYCL DEF 251", "RECTANGULAR POCKET"),
+    named(252, "CYCL DEF 252", "CIRCULAR POCKET"),
+    named(253, "CYCL DEF 253", "SLOT MILLING"),
+    named(254, "CYCL DEF 254", "CIRCULAR SLOT"),
+    named(256, "CYCL DEF 256", "RECTANGULAR STUD"),
+    named(257, "CYCL DEF 257", "CIRCULAR STUD"),
+    named(258, "CYCL DEF 258", "POLYGON STUD"),
+    named(262, "CYCL DEF 262", "THREAD MILLING"),
+    named(263, "CYCL DEF 263", "THREAD MILLING AND COUNTERSINKING"),
+    named(264, "CYCL DEF 264", "THREAD DRILLING AND MILLING"),
+    named(265, "CYCL DEF 265", "HELICAL THREAD DRILLING AND MILLING"),
+    named(267, "CYCL DEF 267", "OUTSIDE THREAD MILLING"),
+    group(272, 277, "CYCL DEF 272 to 277", "OCM cycle"),
+    group(285, 288, "CYCL DEF 285 to 288", "gear cycle"),
+    named(880, "CYCL DEF 880", "gear cycle"),
+    group(290, 292, "CYCL DEF 290 to 292", "interpolation turning"),
+    group(800, 879, "CYCL DEF 800 to 879", "turning cycle"),
+    named(882, "CYCL DEF 882", "turning cycle"),
+    named(883, "CYCL DEF 883", "turning cycle"),
+    named(892, "CYCL DEF 892", "turning cycle"),
+    group(1000, 1030, "CYCL DEF 1000 to 1030", "grinding cycle"),
+    group(1271, 1278, "CYCL DEF 1271 to 1278", "OCM figure"),
+];

@@ -1,0 +1,556 @@
+//! Drilling cycles: 1, 2, 17, 200 to 203, 205 to 207, 240. Their parameters become a [`Drilling`].
+//!
+//! Source: reference sections 4.4, 6.0 to 6.2. The parameters Q200 and up stay variables: a call takes what they hold
+//! then. The values of the old dotted cycles are those of the definition.
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::cycle::drilling::{Bore, Breaks, DeepHole, Levels, Method, Tap};
+use crate::ir::cycle::{Cycle, Drilling};
+use crate::ir::function::{Spindle, Turn};
+use crate::ir::{Feed, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::sema::cycle_table::Name;
+
+use super::cycles::drilling::{
+    AHEAD_ABOVE, AHEAD_BELOW, ANGLE, BREAK_DEPTH, BREAK_WAY, BREAKS, BY_DIAMETER, DECREMENT, DEEPENED, DEPTH_REFERENCE,
+    DIRECTION, DWELL, DWELL_ABOVE, FEED, LEAST_PLUNGE, PITCH, PLUNGE, RETRACT_FEED, ROUGH_DIAMETER,
+};
+use super::cycles::{CLEARANCE, Cut, DEPTH, Q, SECOND_CLEARANCE, SURFACE};
+use super::defined_cycle::DefinedCycle;
+use super::{Outcome, Reported, Run};
+
+/// Way by which cycle 202 lifts the edge off the wall, in mm.
+const LIFT: f64 = 0.2;
+/// Old cycle 1: distance in front of the last depth down to this depth, and below as a part of the depth.
+const SHALLOW: f64 = 30.0;
+const NEAR: f64 = 0.6;
+const SHARE: f64 = 50.0;
+const FURTHEST: f64 = 7.0;
+/// The feed of a hole whose pitch makes it.
+const NO_FEED: Feed = Feed::PerMinute(1.0);
+/// Longest dwell in seconds.
+const LONGEST: f64 = 3600.0;
+
+/// Where the tool goes behind a hole of a pattern.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Retract {
+    /// To the second set-up clearance, or to the set-up clearance where that is higher.
+    Far,
+    /// To the set-up clearance.
+    Near,
+    /// To this height, or to the 2nd set-up clearance where that is higher.
+    To(f64),
+}
+
+/// Heights of a hole by their Q parameters, in mm.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Heights {
+    pub surface: f64,
+    pub clearance: f64,
+    /// 2nd set-up clearance as an absolute height; not below the set-up clearance.
+    pub second: f64,
+}
+
+impl Heights {
+    /// Where rapid traverse ends.
+    pub fn start(&self) -> f64 {
+        self.surface + self.clearance
+    }
+}
+
+impl Run<'_> {
+    /// Are all parameters of the definition there? Looked at when it is complete.
+    pub(super) fn check_definition(&mut self, cycle: &DefinedCycle) -> Outcome {
+        let row = cycle.row();
+        if row.nature.drilling().is_none() {
+            return Ok(());
+        }
+        if row.has_parts(cycle.number) {
+            let Some(missing) = row.needed().find(|name| !cycle.gives(*name)) else { return Ok(()) };
+            return self.fail_help(
+                codes::K2402,
+                self.block_span(),
+                format!("cycle {0} lacks the value of part {0}{missing}", cycle.number),
+                "program all parts of the cycle",
+            );
+        }
+        self.all_are_set(cycle, &format!("cycle {}", cycle.number))
+    }
+
+    /// Every Q parameter that the cycle needs.
+    pub(super) fn all_are_set(&self, cycle: &DefinedCycle, what: &str) -> Outcome {
+        let needed = cycle.row().needed();
+        let missing: Vec<String> = needed.filter(|name| !cycle.gives(*name)).map(|name| name.to_string()).collect();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        let message = format!("{what} lacks {}", missing.join(", "));
+        self.fail_help(codes::K2402, self.block_span(), message, "program all parameters of the cycle")
+    }
+
+    /// Drills where the tool stands. `shift` lifts the surface, in mm.
+    pub(super) fn drill(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome {
+        if self.st.side != Side::None {
+            self.report(
+                Diagnostic::new(codes::K2407, self.here.origin.loc, "a cycle is called while RL or RR is active")
+                    .help("program a straight block with R0 in front of the call"),
+            );
+            return Err(Reported);
+        }
+        // The control itself starts the spindle for rigid tapping.
+        let drilling = cycle.row().nature.drilling();
+        let by_pitch = drilling.is_some_and(|drilling| drilling.feed.is_none());
+        if self.st.spindle.is_none() && !by_pitch {
+            self.report(
+                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("program M3 in front of the call"),
+            );
+            return Err(Reported);
+        }
+        if self.st.speed.is_none_or(|speed| speed <= 0.0) {
+            self.report(
+                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("program S in the TOOL CALL"),
+            );
+            return Err(Reported);
+        }
+        self.cuts_now()?;
+        self.check_pitch(cycle)?;
+        if self.st.plunge_share.is_some() {
+            self.report(
+                Diagnostic::new(codes::K2709, self.here.origin.loc, "M103 does not change the feeds of this cycle")
+                    .help("program M103 without F in front of the cycle, or the feed of the cycle as it is meant"),
+            );
+        }
+        let Some(hole) = self.hole(cycle, shift, retract)? else { return Ok(()) };
+        if let Err(fault) = hole.check() {
+            return self.cycle_value(cycle, &fault.to_string());
+        }
+        let cycle = Cycle::Drilling(hole);
+        let end = cycle.leaves(self.st.position.at());
+        self.core.send_cycle(&cycle, &self.st.ctx);
+        let axis = self.st.axis();
+        self.st.position.cycle_leaves(&end, AxisSet::of(axis));
+        self.st.moved = true;
+        if matches!(cycle, Cycle::Drilling(Drilling { method: Method::Tap(Tap { after: Spindle::Stop, .. }), .. })) {
+            self.st.spindle = None;
+        }
+        Ok(())
+    }
+
+    /// A scaling changes the depth of a thread, but no tap has another pitch.
+    fn check_pitch(&mut self, cycle: &DefinedCycle) -> Outcome {
+        let t = &self.st.transform;
+        let scaled = t.scale != 1.0 || t.axis_scale != [1.0; 3];
+        if scaled && cycle.row().nature.drilling().is_some_and(|drilling| drilling.taps) {
+            return self.cycle_unbuilt(cycle, "tapping under a scaling, which would change the pitch of the thread,");
+        }
+        Ok(())
+    }
+
+    fn hole(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome<Option<Drilling>> {
+        let axis = self.st.axis();
+        if !AxisSet::MAIN.contains(axis) {
+            return self.cycle_value(cycle, &format!("the tool axis {} cannot drill", axis.letter()));
+        }
+        let row = cycle.row();
+        let Some(drilling) = row.nature.drilling() else { return Ok(None) };
+        if row.has_parts(cycle.number) {
+            let levels = self.old_levels(cycle, axis)?;
+            let dwell = match drilling.dwell {
+                Some(Name::Part(part)) => self.part_dwell(cycle, part)?,
+                _ => 0.0,
+            };
+            let feed = match drilling.feed {
+                Some(Name::Part(part)) => self.part_feed(cycle, part)?,
+                _ => NO_FEED,
+            };
+            let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
+            return Ok(Some(Drilling { axis, levels, feed, method }));
+        }
+        let heights = self.heights(cycle, shift)?;
+        let deep = self.depth_of(cycle)?;
+        if deep == 0.0 {
+            self.report(
+                Diagnostic::new(codes::K2404, self.here.origin.loc, format!("cycle {} has depth 0", cycle.number))
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("program the depth Q201 with a minus sign"),
+            );
+            return Ok(None);
+        }
+        let far = match retract {
+            Retract::Far => heights.second,
+            Retract::Near => heights.start(),
+            Retract::To(height) => height.max(heights.second),
+        };
+        let levels = Levels {
+            retract: far,
+            reference: heights.surface,
+            clearance: heights.clearance,
+            depth: heights.surface + deep,
+        };
+        let feed = match drilling.feed {
+            Some(_) => self.cycle_feed(cycle, FEED, None)?,
+            None => NO_FEED,
+        };
+        if self.cycle_option(cycle, DEPTH_REFERENCE)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "a depth that counts from the full diameter (Q395=1)");
+        }
+        let dwell = if drilling.dwell.is_some() { self.cycle_dwell(cycle, DWELL)? } else { 0.0 };
+        let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
+        Ok(Some(Drilling { axis, levels, feed, method }))
+    }
+
+    /// The heights that Q200, Q203 and Q204 give.
+    pub(super) fn heights(&mut self, cycle: &DefinedCycle, shift: f64) -> Outcome<Heights> {
+        let clearance = self.cycle_length(cycle, CLEARANCE)?;
+        if clearance < 0.0 {
+            return self.cycle_value(cycle, &format!("the set-up clearance Q200 is {clearance}"));
+        }
+        let surface = self.cycle_length(cycle, SURFACE)? + shift;
+        let second = self.cycle_length(cycle, SECOND_CLEARANCE)?;
+        if second < clearance && second != 0.0 {
+            self.report(
+                Diagnostic::new(
+                    codes::K2406,
+                    self.here.origin.loc,
+                    format!(
+                        "the 2nd set-up clearance Q204 = {second} lies below the set-up clearance Q200 = {clearance}"
+                    ),
+                )
+                .also(cycle.loc, "the cycle is defined here")
+                .help("the tool stays at the set-up clearance; check the way to the next position"),
+            );
+        }
+        Ok(Heights { surface, clearance, second: surface + second.max(clearance) })
+    }
+
+    /// Depth from the surface, negative or 0.
+    fn depth_of(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+        if self.cycle_option(cycle, BY_DIAMETER)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "centring by the diameter (Q343=1) needs the tip angle of the tool");
+        }
+        let deep = self.cycle_length(cycle, DEPTH)?;
+        if deep > 0.0 {
+            return self.cycle_value(cycle, &format!("the depth Q201 = {deep} is positive"));
+        }
+        Ok(deep)
+    }
+
+    /// Cycle 200: out of the hole after every step.
+    pub(super) fn drilling(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let ahead = self.cycle_length(cycle, CLEARANCE)?;
+        let first = self.infeed(cycle)?;
+        let dwell_out = self.cycle_dwell(cycle, DWELL_ABOVE)?;
+        Ok(Method::Deep(DeepHole {
+            first,
+            less: 0.0,
+            least: 0.0,
+            breaks: Breaks::Never,
+            way: 0.0,
+            ahead: [ahead; 2],
+            dwell_out,
+            dwell: cut.dwell,
+            back: None,
+        }))
+    }
+
+    /// Cycle 201.
+    pub(super) fn reaming(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        Ok(Method::Ream { dwell: cut.dwell, back: self.cycle_feed(cycle, RETRACT_FEED, Some(cut.feed))? })
+    }
+
+    /// Cycle 207.
+    pub(super) fn rigid_tapping(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let lead = self.cycle_length(cycle, PITCH)?;
+        self.tapping(cut, Some(lead))
+    }
+
+    /// Cycle 240.
+    pub(super) fn centering(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        if self.cycle_option(cycle, ROUGH_DIAMETER)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "centring of a hole that is drilled already (Q342)");
+        }
+        Ok(Method::Drill { dwell: cut.dwell })
+    }
+
+    /// Q202.
+    fn infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+        let step = self.cycle_length(cycle, PLUNGE)?;
+        if step <= 0.0 {
+            return self.cycle_value(cycle, &format!("the plunging depth Q202 = {step} is not above zero"));
+        }
+        Ok(step)
+    }
+
+    pub(super) fn universal(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let first = self.infeed(cycle)?;
+        let ahead = self.cycle_length(cycle, CLEARANCE)?;
+        let times = self.cycle_number(cycle, BREAKS)?;
+        if !(times >= 0.0 && times.fract() == 0.0 && times <= 99_999.0) {
+            return self.cycle_value(cycle, &format!("the number of chip breaks Q213 = {times} is no whole number"));
+        }
+        // Older software lifts by this fixed way.
+        let way = if cycle.sets(BREAK_WAY) { self.cycle_length(cycle, BREAK_WAY)? } else { LIFT };
+        Ok(Method::Deep(DeepHole {
+            first,
+            less: self.cycle_length(cycle, DECREMENT)?,
+            least: self.cycle_length(cycle, LEAST_PLUNGE)?,
+            breaks: if times > 0.0 { Breaks::Times(times as u32) } else { Breaks::Never },
+            way,
+            ahead: [ahead; 2],
+            dwell_out: self.cycle_dwell(cycle, DWELL_ABOVE)?,
+            dwell: cut.dwell,
+            back: self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?,
+        }))
+    }
+
+    pub(super) fn pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        if self.cycle_option(cycle, DEEPENED)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "a deepened start (Q379)");
+        }
+        let first = self.infeed(cycle)?;
+        let ahead = [self.cycle_length(cycle, AHEAD_ABOVE)?, self.cycle_length(cycle, AHEAD_BELOW)?];
+        if ahead[0] != ahead[1] {
+            self.job.diags.push_once(Diagnostic::new(
+                codes::K2408,
+                self.here.origin.loc,
+                "the advanced stop distance changes from Q258 to Q259 in even steps",
+            ));
+        }
+        let every = self.cycle_length(cycle, BREAK_DEPTH)?;
+        let back = if cycle.sets(RETRACT_FEED) { self.retract_feed(cycle, RETRACT_FEED, None)? } else { None };
+        Ok(Method::Deep(DeepHole {
+            first,
+            less: self.cycle_length(cycle, DECREMENT)?,
+            least: self.cycle_length(cycle, LEAST_PLUNGE)?,
+            breaks: if every > 0.0 { Breaks::Every(every) } else { Breaks::Never },
+            way: self.cycle_length(cycle, BREAK_WAY)?,
+            ahead,
+            dwell_out: 0.0,
+            dwell: cut.dwell,
+            back,
+        }))
+    }
+
+    pub(super) fn boring(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let lift = match self.cycle_number(cycle, DIRECTION)? {
+            0.0 => [0.0; 3],
+            1.0 => [-LIFT, 0.0, 0.0],
+            2.0 => [0.0, -LIFT, 0.0],
+            3.0 => [LIFT, 0.0, 0.0],
+            4.0 => [0.0, LIFT, 0.0],
+            other => {
+                return self.cycle_value(cycle, &format!("the disengaging direction Q214 = {other} is not 0 to 4"));
+            }
+        };
+        let back = self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?;
+        // Whole turns more or less are the same angle, and the target takes 0 to 360.
+        let angle = self.cycle_option(cycle, ANGLE)?;
+        let orient = if (0.0..=360.0).contains(&angle) { angle } else { angle.rem_euclid(360.0) };
+        if lift != [0.0; 3] {
+            if *self.st.ctx.frame.linear() != nalgebra::Matrix3::identity() {
+                return self.cycle_unbuilt(cycle, "lifting the edge off the wall under a mirror, rotation or scaling");
+            }
+            let (first, second, _) = self.st.plane().axes();
+            for axis in [first, second] {
+                self.position_of(Axis::ALL[axis], self.block_span(), "cycle 202")?;
+            }
+        }
+        let turn = self.st.spindle.unwrap_or(Turn::Clockwise);
+        Ok(Method::Bore(Bore { dwell: cut.dwell, turn, orient, back, lift }))
+    }
+
+    /// `lead` is positive for a right-hand thread; without one the feed of the hole holds both ways.
+    pub(super) fn tapping(&mut self, cut: Cut, lead: Option<f64>) -> Outcome<Method> {
+        let here = self.here.origin.loc;
+        self.job.diags.push_once(Diagnostic::new(
+            codes::K2409,
+            here,
+            "the spindle is reversed by M4 and M3: the tap needs a compensating chuck on the target",
+        ));
+        let turn = match lead {
+            Some(lead) if lead < 0.0 => Turn::CounterClockwise,
+            Some(_) => Turn::Clockwise,
+            None => self.st.spindle.unwrap_or(Turn::Clockwise),
+        };
+        Ok(Method::Tap(Tap {
+            lead: lead.map(f64::abs),
+            turn,
+            dwell: cut.dwell,
+            dwell_reversed: true,
+            speed_in: None,
+            speed_out: None,
+            orient: None,
+            step: None,
+            after: if lead.is_some() { Spindle::Stop } else { Spindle::Start(turn) },
+            speed_after: None,
+        }))
+    }
+
+    /// Cycles 1, 2 and 17: the tool stands at the set-up clearance and comes back to it.
+    fn old_levels(&mut self, cycle: &DefinedCycle, axis: Axis) -> Outcome<Levels> {
+        let span = self.block_span();
+        let start = self.position_of(axis, span, &format!("cycle {}", cycle.number))?;
+        let mm = cycle.mm;
+        // The signs of the set-up clearance and the pecking depth have no meaning: old programs give all the same.
+        let clearance = self.part(cycle, 1)?.abs() * mm;
+        let deep = self.part(cycle, 2)? * mm;
+        if deep > 0.0 {
+            return self.cycle_value(cycle, "the depth is positive");
+        }
+        if deep == 0.0 {
+            return self.cycle_value(cycle, "the depth is 0");
+        }
+        let reference = start - clearance;
+        Ok(Levels { retract: start, reference, clearance, depth: reference + deep })
+    }
+
+    /// Cycle 1.
+    pub(super) fn old_pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let first = self.part(cycle, 3)?.abs() * cycle.mm;
+        let depth = self.part(cycle, 2)?.abs() * cycle.mm;
+        let ahead = if depth <= SHALLOW { NEAR } else { (depth / SHARE).min(FURTHEST) };
+        Ok(Method::Deep(DeepHole {
+            first,
+            less: 0.0,
+            least: 0.0,
+            breaks: Breaks::Never,
+            way: 0.0,
+            ahead: [ahead; 2],
+            dwell_out: 0.0,
+            dwell: cut.dwell,
+            back: None,
+        }))
+    }
+
+    /// Cycle 17.
+    pub(super) fn old_rigid_tapping(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let lead = self.part(cycle, 3)? * cycle.mm;
+        self.tapping(cut, Some(lead))
+    }
+
+    fn part(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<f64> {
+        match cycle.part(part) {
+            Some(value) => Ok(value),
+            None => self.cycle_value(cycle, &format!("part {}.{part} has no value", cycle.number)),
+        }
+    }
+
+    fn part_dwell(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<f64> {
+        let seconds = self.part(cycle, part)?;
+        self.check_dwell(cycle, seconds)
+    }
+
+    fn part_feed(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<Feed> {
+        let value = self.part(cycle, part)?;
+        self.check_feed(cycle, value)
+    }
+
+    // Values by their Q parameters.
+
+    /// What the parameter holds now.
+    pub(super) fn cycle_number(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        if let Some(word) = cycle.word(q) {
+            return self.cycle_unbuilt(cycle, &format!("{word} as the value of {q}"));
+        }
+        if !cycle.sets(q) {
+            return self.cycle_value(cycle, &format!("{q} is missing"));
+        }
+        let span = self.block_span();
+        self.parameter(crate::lexer::klartext::QRef { kind: crate::lexer::klartext::QKind::Q, number: q.0 }, span)
+    }
+
+    pub(super) fn cycle_length(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        let mm = self.level().frame.unit.mm();
+        Ok(self.cycle_number(cycle, q)? * mm)
+    }
+
+    /// A parameter that newer software has: 0 where the definition does not set it.
+    pub(super) fn cycle_option(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        if cycle.sets(q) || cycle.word(q).is_some() { self.cycle_number(cycle, q) } else { Ok(0.0) }
+    }
+
+    fn cycle_dwell(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        let seconds = self.cycle_option(cycle, q)?;
+        self.check_dwell(cycle, seconds)
+    }
+
+    fn check_dwell(&mut self, cycle: &DefinedCycle, seconds: f64) -> Outcome<f64> {
+        if (0.0..=LONGEST).contains(&seconds) {
+            return Ok(seconds);
+        }
+        self.cycle_value(cycle, &format!("a dwell of {seconds} s is out of range"))
+    }
+
+    /// A feed; 0 stands for `instead` where that is given.
+    fn cycle_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Feed> {
+        if cycle.word(q) == Some("FAUTO") {
+            return self.tool_feed_of(cycle, q);
+        }
+        let value = self.cycle_number(cycle, q)?;
+        match instead {
+            Some(feed) if value == 0.0 => Ok(feed),
+            _ => self.check_feed(cycle, value),
+        }
+    }
+
+    /// FAUTO: the F of the last TOOL CALL.
+    fn tool_feed_of(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<Feed> {
+        match self.st.tool_feed {
+            Some((feed, _)) if matches!(feed, Feed::PerRevolution(_)) == self.st.per_revolution => Ok(feed),
+            Some(_) => self.cycle_unbuilt(cycle, &format!("{q}=FAUTO with a TOOL CALL that counts F in another way")),
+            None => {
+                self.report(
+                    Diagnostic::new(
+                        codes::K2003,
+                        self.here.origin.loc,
+                        format!("the last TOOL CALL has no F, so {q}=FAUTO has no value"),
+                    )
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("put F into the TOOL CALL, or a number behind the parameter"),
+                );
+                Err(Reported)
+            }
+        }
+    }
+
+    /// A retract: FMAX is rapid traverse.
+    fn retract_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Option<Feed>> {
+        if cycle.word(q) == Some("FMAX") { Ok(None) } else { self.cycle_feed(cycle, q, instead).map(Some) }
+    }
+
+    fn check_feed(&mut self, cycle: &DefinedCycle, value: f64) -> Outcome<Feed> {
+        if value > 0.0 {
+            self.large_per_revolution(cycle.loc, value);
+            return Ok(self.feed_of(value));
+        }
+        self.cycle_value(cycle, &format!("a feed of {value} is not above zero"))
+    }
+
+    /// Refuses a value of the cycle.
+    pub(super) fn cycle_value<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(codes::K2403, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
+                .also(cycle.loc, "the cycle is defined here")
+                .help("check the values of the definition"),
+        );
+        Err(Reported)
+    }
+
+    /// Refuses a variant that is not built.
+    pub(super) fn cycle_unbuilt<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(
+                codes::K9001,
+                self.here.origin.loc,
+                format!("cycle {}: {what} is not supported", cycle.number),
+            )
+            .also(cycle.loc, "the cycle is defined here")
+            .help("use the plain variant of the cycle, or program its moves as blocks"),
+        );
+        Err(Reported)
+    }
+}

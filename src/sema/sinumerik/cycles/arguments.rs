@@ -1,0 +1,103 @@
+//! The arguments of a call, read by the names of their parameters.
+
+use crate::sema::cycle_table::{Name, Parameter};
+use crate::text::Span;
+
+use super::super::value::{Val, to_text, whole};
+use super::table::Cycle;
+
+/// A parameter as the code names it. The lists of the manuals have most names with and without `_` in front; they are one
+/// name here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) struct Key(pub(super) &'static str);
+
+macro_rules! keys {
+    ($($name:ident)*) => {
+        $(pub(super) const $name: Key = Key(stringify!($name));)*
+        /// All of them.
+        #[cfg(test)]
+        pub(super) const ALL: &[Key] = &[$($name),*];
+    };
+}
+
+keys! {
+    AMODE ANG1 ANG2 APP AXN CPA CPO DAM DBH DIAG DIATH DIS1 DIS2 DM1 DM2 DM3 DM4 DMODE DP DPR DTB DTD DTS ENC EPD EPL FAL
+    FALX FALZ FDEP FDIS FDPR FFP FFR FORM FPD FPL FRF GDEP GMODE GST GUD HIDE IANG IFLANK INDA KNAME LAB1 LAB2 LAGE MDEP
+    MID MPIT NID NPP NR NRC NSP NUM NUM1 NUM2 NUMT NUMTH PIT PIT1 PITA PITI PO1 PO2 PO3 PO4 POSS PP1 PP2 PP3 PTABA R1 R2
+    RAD RFF RFP ROP RPA RPAP RPO RTP SDAC SDIR SDIS SDR SPCA SPCO SPD SPL SST SST1 STA STA1 S_FA S_FD S_XRS S_ZA S_ZD TDEP
+    TECHNO TYPE VARI VRT WIDG XA YA
+}
+
+/// What a call gives, and the cycle whose parameters these are.
+#[derive(Debug, Clone)]
+pub(in super::super) struct Arguments {
+    pub cycle: &'static Cycle,
+    /// The call.
+    pub span: Span,
+    pub list: Vec<(Val, Span)>,
+}
+
+impl Cycle {
+    /// The place of a parameter, counted from 1 as the manuals do.
+    pub(super) fn place(&self, key: Key) -> Option<usize> {
+        let at = self.signature.parameters.iter().position(|parameter| match parameter.name {
+            Name::Word(name) => name.strip_prefix('_').unwrap_or(name) == key.0,
+            Name::Q(_) | Name::Part(_) => false,
+        });
+        at.map(|at| at + 1)
+    }
+
+    pub(super) fn parameter(&self, key: Key) -> Option<&'static Parameter> {
+        self.signature.parameters.get(self.place(key)? - 1)
+    }
+}
+
+impl Arguments {
+    pub fn name(&self) -> &'static str {
+        self.cycle.signature.name
+    }
+
+    pub fn place(&self, key: Key) -> usize {
+        self.cycle.place(key).unwrap_or(0)
+    }
+
+    /// The parameter as the list of the cycle writes it.
+    pub fn written(&self, key: Key) -> String {
+        self.cycle.parameter(key).map_or_else(String::new, |parameter| parameter.name.to_string())
+    }
+
+    /// What was given; `None` for an empty or missing argument, and for a parameter that the cycle does not have.
+    pub fn value(&self, key: Key) -> Option<&(Val, Span)> {
+        self.list.get(self.cycle.place(key)? - 1).filter(|(value, _)| *value != Val::Missing)
+    }
+
+    /// The call, where nothing was given.
+    pub fn span_of(&self, key: Key) -> Span {
+        self.value(key).map_or(self.span, |(_, span)| *span)
+    }
+
+    pub fn number(&self, key: Key) -> Option<f64> {
+        self.value(key).and_then(|(value, _)| value.number())
+    }
+
+    pub fn or_zero(&self, key: Key) -> f64 {
+        self.number(key).unwrap_or(0.0)
+    }
+
+    /// The first of them that was given below 0.
+    pub fn below_zero(&self, keys: &[Key]) -> Option<Key> {
+        keys.iter().copied().find(|key| self.or_zero(*key) < 0.0)
+    }
+
+    pub fn text(&self, key: Key) -> Option<String> {
+        let (value, _) = self.value(key)?;
+        let text = to_text(value)?;
+        Some(String::from_utf8_lossy(&text).trim().to_ascii_uppercase())
+    }
+
+    /// A decimal digit of a coded number, from the right: 0 is the units.
+    pub fn digit(&self, key: Key, position: u32) -> i32 {
+        let value = self.number(key).and_then(whole).unwrap_or(0);
+        value.unsigned_abs().checked_div(10u32.saturating_pow(position)).map_or(0, |v| (v % 10) as i32)
+    }
+}

@@ -1,0 +1,59 @@
+//! Cycles that are known by their names, so that a refusal can say what they are.
+
+use crate::sema::cycle_table::{Signature, Status};
+
+use super::{Cycle, Work};
+
+const fn named(name: &'static str, what: &'static str) -> Cycle {
+    let status = Status::Refused { code: "S9005" };
+    Cycle { signature: Signature { name, what, status, source: "", parameters: &[] }, work: Work::Nothing }
+}
+
+const MEASURING: &str = "measuring cycle";
+
+pub(super) const ROWS: &[Cycle] = &[
+    named("CYCLE60", "engraving"),
+    named("CYCLE61", "face milling"),
+    named("CYCLE70", "thread milling"),
+    named("CYCLE71", "face milling"),
+    named("CYCLE73", "pocket with islands"),
+    named("CYCLE74", "contour of a pocket"),
+    named("CYCLE75", "contour of an island"),
+    named("CYCLE76", "rectangular spigot"),
+    named("CYCLE77", "circular spigot"),
+    named("CYCLE78", "drilling and thread milling"),
+    named("CYCLE79", "multi-edge"),
+    named("CYCLE90", "thread milling"),
+    named("CYCLE91", "machining cycle"),
+    named("CYCLE92", "cut-off"),
+    named("CYCLE210", "machining cycle"),
+    named("CYCLE830", "deep-hole drilling 2"),
+    named("CYCLE899", "open slot"),
+    named("CYCLE950", "extended stock removal along a contour"),
+    named("CYCLE961", MEASURING),
+    named("CYCLE971", MEASURING),
+    named("CYCLE972", MEASURING),
+    named("CYCLE973", MEASURING),
+    named("CYCLE974", MEASURING),
+    named("CYCLE976", MEASURING),
+    named("CYCLE977", MEASURING),
+    named("CYCLE978", MEASURING),
+    named("CYCLE979", MEASURING),
+    named("CYCLE982", MEASURING),
+    named("CYCLE994", MEASURING),
+    named("CYCLE995", MEASURING),
+    named("CYCLE996", MEASURING),
+    named("CYCLE997", MEASURING),
+    named("CYCLE998", MEASURING),
+    named("CYCLE1001", "machining cycle"),
+    named("POCKET1", "rectangular pocket"),
+    named("POCKET2", "circular pocket"),
+    named("POCKET3", "rectangular pocket"),
+    named("POCKET4", "circular pocket"),
+    named("SLOT1", "slots on a circle"),
+    named("SLOT2", "circular slots on a circle"),
+    named("LONGHOLE", "long holes on a circle"),
+    named("E_DR", "drilling of ShopMill"),
+    named("E_DR_SIN", "drilling of ShopMill"),
+    named("F_DRILL", "drilling of ShopTurn"),
+];

@@ -1,7 +1,0 @@
-%1.nc
-[part]
-N1 G94 F100
-N2 G0 X50 Z2
-N3 G97 S800
-N4 M3
-END

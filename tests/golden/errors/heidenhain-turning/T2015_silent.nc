@@ -1,7 +1,0 @@
-%1.nc
-[part]
-N1 M8
-N2 G94 F100
-N3 G0 X50 Z2
-N4 G1 Z-5
-END

@@ -1,6 +1,0 @@
-%1.nc
-[part]
-N1 G95 F0.2 G97 S800 M3
-N2 G0 X44 Z2
-N3 G85 X40 Z-30
-END

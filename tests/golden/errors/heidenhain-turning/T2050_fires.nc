@@ -1,5 +1,0 @@
-%1.nc
-N1 G94 F100
-N2 G0 X50 Z2 [faceN3 G1 Z-5]
-N4 G1 X60
-END

@@ -1,7 +1,0 @@
-%1.nc
-[part]
-N1 G94 F100
-N2 G0 X50 Z2
-N3 G1 A170 Z-5
-N4 M5
-END

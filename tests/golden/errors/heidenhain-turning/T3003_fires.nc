@@ -1,8 +1,0 @@
-%1.nc
-[part]
-N1 G94 F100 M3
-N2 G0 X50 Z2
-N3 G31 F1.5 U-0.9 I0.3 B3 P1
-N4 G1 Z-20
-N5 G80
-END

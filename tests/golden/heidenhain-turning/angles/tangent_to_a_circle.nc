@@ -1,9 +1,0 @@
-PROGRAMMKOPF
-#EINHEIT METRISCH
-[open line that touches the circle of radius 10 about X60 Z-50]
-BEARBEITUNG
-N1 G95 F0.25 G97 S1000 M3
-N2 G0 X20 Z0
-N3 G1 X? Z?
-N4 G12 X80 Z-50 I30 K-50
-ENDE

@@ -1,9 +1,0 @@
-PROGRAMMKOPF
-#EINHEIT METRISCH
-[LA is the depth as a diameter, LB the number of grooves]
-BEARBEITUNG
-N1 G94 F50
-N2 G0 X50 Z-10
-N3 L"GROOVES" V1 LA4 LB2
-N4 G0 X60
-ENDE

@@ -1,7 +1,0 @@
-%1.nc
-[B0 is a corner]
-N1 G95 F0.25 G97 S1000 M3
-N2 G0 X0 Z0
-N3 G1 X20 B0
-N4 G1 Z-12
-END

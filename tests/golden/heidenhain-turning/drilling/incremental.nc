@@ -1,6 +1,0 @@
-%1.nc
-[Zi-12 from Z2 is Z-10]
-N1 G94 F100 G97 S900 M3
-N2 G0 X0 Z2
-N3 G71 Zi-12
-END

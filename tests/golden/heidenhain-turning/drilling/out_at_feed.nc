@@ -1,6 +1,0 @@
-%1.nc
-[D1: back at feed]
-N1 G94 F100 G97 S900 M3
-N2 G0 X0 Z2
-N3 G71 X0 Z-30 D1
-END

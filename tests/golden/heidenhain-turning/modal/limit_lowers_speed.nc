@@ -1,8 +1,0 @@
-%1.nc
-[G26 lowers the speed of G97]
-N1 G26 S1000
-N2 G97 S1200 M3
-N3 G95 F0.2
-N4 G0 X50 Z2
-N5 G1 Z-5
-END

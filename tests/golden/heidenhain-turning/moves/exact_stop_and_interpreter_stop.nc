@@ -1,8 +1,0 @@
-%1.nc
-[G9 and G909 change no path]
-N1 G95 F0.25 G97 S1000 M3
-N2 G0 X50 Z2
-N3 G1 Z-5 G9
-N4 G909
-N5 G1 X60
-END

@@ -1,6 +1,0 @@
-%1.nc
-[worked example 2: X19.54 19.08 18.62 18.16]
-N1 G97 S800 M3
-N2 G0 X26 Z5
-N3 G31 X20 Z-20 F1.5 U-0.92 I0.3 B3 P1 V1
-END

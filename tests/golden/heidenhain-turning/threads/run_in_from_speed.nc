@@ -1,6 +1,0 @@
-%1.nc
-[B and P missing: 1.5*800/1000=1.2: Z6.2 to Z-21.2]
-N1 G97 S800 M3
-N2 G0 X26 Z5
-N3 G31 X20 Z-20 F1.5 U-0.3 I0.3 V1
-END

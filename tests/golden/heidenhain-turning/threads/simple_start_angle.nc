@@ -1,6 +1,0 @@
-%1.nc
-[C120: 0.5 mm of run-in more]
-N1 G97 S800 M3
-N2 G0 X26 Z5
-N3 G32 X20 Z-20 F1.5 P0.92 I0.92 C120
-END

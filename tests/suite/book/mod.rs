@@ -1,0 +1,135 @@
+//! The cases of the golden books under `tests/golden`. `tests/golden/README.md` describes the format.
+
+mod read;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use partc::machine::Settings;
+use partc::text::{FileError, Files, Memory, Opened, Request};
+
+use super::common::{Compiled, compile_bytes, settings};
+
+/// A case: a program, the programs that it calls, and its configuration.
+#[derive(Debug, Default, Clone)]
+pub struct Case {
+    /// Folder below `tests/golden`, and the behaviour: `sinumerik/drilling/cycle83_amount`, in whichever book of
+    /// the folder it stands.
+    pub name: String,
+    /// Path of the book below `tests/golden`, without its extension.
+    pub book: String,
+    /// Title of the chapter; the first word is the code in books of diagnostic codes.
+    pub chapter: String,
+    pub heading: String,
+    /// The heading of the table, and the row: its value, or name and value.
+    pub table: Option<(String, String)>,
+    pub dialect: String,
+    /// Name of the program's file.
+    pub file: String,
+    pub program: Vec<u8>,
+    /// The text of a `partc.toml`; empty where there is none.
+    pub config: String,
+    /// Called programs, by name.
+    pub called: BTreeMap<String, Vec<u8>>,
+}
+
+impl Case {
+    /// The program, if it is UTF-8.
+    pub fn text(&self) -> Option<&str> {
+        std::str::from_utf8(&self.program).ok()
+    }
+
+    pub fn settings(&self) -> Settings {
+        settings(&self.config)
+    }
+
+    pub fn compile(&self) -> Compiled {
+        compile_bytes(&self.file, self.program.clone(), &self.dialect, &self.settings(), self)
+    }
+
+    /// Compiles another program in place of this one.
+    pub fn compile_instead(&self, program: &str) -> Compiled {
+        compile_bytes(&self.file, program.as_bytes().to_vec(), &self.dialect, &self.settings(), self)
+    }
+
+    /// Name of the program without its extension.
+    pub fn stem(&self) -> &str {
+        self.file.rsplit_once('.').map_or(&self.file, |(stem, _)| stem)
+    }
+}
+
+impl Files for Case {
+    fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
+        let name = request.name.rsplit(['/', '\\']).next().unwrap_or(request.name);
+        let extended = request.extensions.iter().map(|extension| format!("{name}.{extension}"));
+        for candidate in std::iter::once(name.to_owned()).chain(extended) {
+            if let Some(bytes) = self.called.get(&candidate) {
+                let text = Box::new(Memory::new(bytes.clone()));
+                return Ok(Opened { name: candidate.clone(), identity: candidate, text });
+            }
+        }
+        Err(FileError::NotFound { tried: vec![name.to_owned()], similar: Vec::new() })
+    }
+}
+
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
+}
+
+/// All files of a kind below `tests/golden`, as paths below it without the extension.
+pub fn files(extension: &str) -> Vec<String> {
+    let root = root();
+    let (mut folders, mut found) = (vec![root.clone()], Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a readable folder") {
+            let path = entry.expect("a readable entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|found| found == extension) {
+                let inside = path.strip_prefix(&root).expect("below the root").with_extension("");
+                found.push(
+                    inside.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/"),
+                );
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// All cases, those of one book together.
+fn books() -> &'static [Case] {
+    static ALL: OnceLock<Vec<Case>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let config = |name: &str| {
+            fs::read_to_string(root().join(format!("configs/{name}.toml")))
+                .unwrap_or_else(|_| panic!("no configuration {name}"))
+        };
+        let read = |book: &String| {
+            let text = fs::read_to_string(root().join(book).with_extension("book")).expect("a readable book");
+            read::book(book, &text, &config)
+        };
+        files("book").iter().flat_map(read).collect()
+    })
+}
+
+/// The cases of a book, in the order of the book.
+pub fn of(book: &str) -> Vec<&'static Case> {
+    books().iter().filter(|case| case.book == book).collect()
+}
+
+/// The cases below a folder, ordered by name.
+pub fn cases(under: &str) -> Vec<&'static Case> {
+    let inside =
+        |case: &&Case| case.name.strip_prefix(under).is_some_and(|rest| under.is_empty() || rest.starts_with('/'));
+    let mut found: Vec<&Case> = books().iter().filter(inside).collect();
+    found.sort_by_key(|case| (case.name.rsplit_once('/').map(|(folder, _)| folder), &case.file));
+    found
+}
+
+/// The case of a name.
+pub fn find(name: &str) -> Option<&'static Case> {
+    books().iter().find(|case| case.name == name)
+}
