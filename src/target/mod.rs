@@ -3,13 +3,14 @@
 //! Nothing here runs: `emit` prints with the table, `machine` and the command line offer the names.
 
 mod grbl;
+mod grblhal;
 mod linuxcnc;
 mod words;
 
 pub use words::*;
 
 /// All targets; the first one is the default.
-pub const ALL: &[&Target] = &[&linuxcnc::TARGET, &grbl::TARGET];
+pub const ALL: &[&Target] = &[&linuxcnc::TARGET, &grbl::TARGET, &grblhal::TARGET];
 
 /// Their names, in the same order.
 pub const NAMES: [&str; ALL.len()] = {

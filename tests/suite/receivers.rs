@@ -140,6 +140,17 @@ const LINUXCNC: Rules = Rules {
     streamed: false,
 };
 
+const GRBLHAL: Rules = Rules {
+    length: 256,
+    digits: 8,
+    m: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30],
+    more_offsets: true,
+    turns: true,
+    most_tool: 2_147_483_647.0,
+    double: true,
+    streamed: true,
+};
+
 /// The events of a program behind its head, without the words whose effect every move shows.
 fn events(text: &str, rules: &Rules) -> Result<Vec<Event>, String> {
     // The frame and the radii of a lathe are words of LinuxCNC alone.
@@ -307,7 +318,7 @@ fn judge(case: &Case, counts: &mut [Count]) -> Result<(), String> {
 }
 
 /// Targets whose receivers have a reader here.
-const JUDGED: [(&str, &Rules); 1] = [("grbl", &grbl_reader::GRBL)];
+const JUDGED: [(&str, &Rules); 2] = [("grbl", &grbl_reader::GRBL), ("grblhal", &GRBLHAL)];
 
 /// Every golden program on every target: taken by the receiver and moving alike, or refused with a code of the target.
 #[test]
