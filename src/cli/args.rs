@@ -41,6 +41,11 @@ pub(super) enum Command {
         #[arg(long, value_enum, default_value = "human")]
         format: Format,
     },
+    /// List the targets and what each can say
+    Targets {
+        #[arg(long, value_enum, default_value = "human")]
+        format: Format,
+    },
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
     /// Print the manual page

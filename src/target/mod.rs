@@ -2,6 +2,7 @@
 //!
 //! Nothing here runs: `emit` prints with the table, `machine` and the command line offer the names.
 
+mod abilities;
 mod grbl;
 mod grblhal;
 mod linuxcnc;

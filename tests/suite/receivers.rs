@@ -38,6 +38,18 @@ fn command_line_configuration_and_registry_know_the_same_targets() {
     folder.run(&["compile", "--target", "nobody", "A.H"]).exits(2).says(&offered);
 }
 
+#[test]
+fn the_list_of_targets_is_what_the_document_shows() {
+    let folder = Folder::new("target_list");
+    let list = folder.run(&["targets"]).exits(0).quietly().out.clone();
+    let document = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/targets.md");
+    let document = fs::read_to_string(document).expect("docs/targets.md");
+    assert!(document.contains(&list), "docs/targets.md is to hold this table:\n{list}");
+    let json = folder.run(&["targets", "--format", "json"]).exits(0).json();
+    assert_eq!(json[0]["name"], json!(target::NAMES[0]));
+    assert_eq!(json[0]["abilities"]["threads"], json!("G33"));
+}
+
 /// A literal in the printer core would be a word that a table cannot change.
 #[test]
 fn no_word_of_a_target_stands_in_the_printer() {
