@@ -8,7 +8,7 @@ use crate::emit::plot::Plot;
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
 use crate::ir::motion;
-use crate::ir::verify::Verify;
+use crate::ir::verify;
 use crate::lower::Lower;
 use crate::machine::Settings;
 use crate::sema::Job;
@@ -41,9 +41,9 @@ impl Session {
         let settings = settings.as_ref();
         let job = self.job(settings, files);
         if cfg!(debug_assertions) {
-            let mut verify = Verify::new(out);
-            let mut lower = Lower::new(&self.diags, &settings.machine, &mut verify);
-            let hash = (dialect.run)(&job, &mut lower);
+            let mut motion = verify::Motion::new(out);
+            let mut lower = Lower::new(&self.diags, &settings.machine, &mut motion);
+            let hash = (dialect.run)(&job, &mut verify::Contour::new(&mut lower));
             lower.finish();
             return hash;
         }

@@ -157,7 +157,7 @@ impl Compensation {
             Path::Arc(arc, _) if arc.plane != mv.plane => {
                 Some(("an arc outside the working plane cannot run under the target's radius compensation", resolve))
             }
-            _ => None,
+            Path::Rapid | Path::Line(_) | Path::Arc(..) => None,
         }
     }
 
@@ -184,7 +184,16 @@ impl Compensation {
             Function::ToolChange { .. } | Function::WorkOffset(_) => true,
             Function::Plane(plane) => *plane != selected,
             Function::Cutter(cutter) => *cutter != self.cutter,
-            _ => false,
+            Function::ToolPrepare { .. }
+            | Function::Spindle(_)
+            | Function::SpindleOf { .. }
+            | Function::Coolant(_)
+            | Function::Dwell(_)
+            | Function::Stop
+            | Function::OptionalStop
+            | Function::Aux(_)
+            | Function::Comment(_)
+            | Function::End { .. } => false,
         };
         let ends = ends && self.side != Side::None;
         if ends {

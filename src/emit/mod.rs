@@ -3,6 +3,8 @@
 //! In: motion items. Out: bytes, and optionally the source of every line. Decides nothing about geometry:
 //! it rounds, checks what it rounded, and prints.
 
+#![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
+
 pub mod arc;
 pub mod comment;
 mod compensation;

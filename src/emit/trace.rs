@@ -126,10 +126,10 @@ impl Sink for Trace<'_> {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        match function {
-            Function::ToolChange { number } => self.tool = Some(*number),
-            Function::WorkOffset(_) => self.at.clear(),
-            _ => {}
+        if let Function::ToolChange { number } = function {
+            self.tool = Some(*number);
+        } else if let Function::WorkOffset(_) = function {
+            self.at.clear();
         }
     }
 

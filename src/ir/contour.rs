@@ -1,5 +1,7 @@
 //! What was programmed, without its dialect: absolute coordinates in the programmed frame, millimetres,
 //! radius values; arcs by whatever data the program gave, corners still to be cut.
+//!
+//! The comment of a variant says what its producer guarantees; [`super::verify::Contour`] checks it.
 
 use std::rc::Rc;
 
@@ -21,12 +23,16 @@ pub struct Ctx {
 
 pub type CtxRef = Rc<Ctx>;
 
-/// A programmed path element.
+/// A programmed path element. It starts where the item before left the tool; where that is not known the producer
+/// has refused every element that needs it, so that only straight moves follow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Move {
-    /// Programmed axes only; the others stay.
+    /// Programmed axes only, one at least, rotary ones in degrees; the others stay. Polar and incremental words are
+    /// resolved.
     pub end: Pos,
     pub path: Path,
+    /// Side of the compensation in force during the move. It may change at any move: what the target cannot switch
+    /// there it refuses.
     pub side: Side,
     pub coords: Coords,
 }
@@ -37,16 +43,21 @@ pub enum Coords {
     /// The frame of the context.
     #[default]
     Frame,
-    /// Machine coordinates; frame and work offset do not apply.
+    /// Machine coordinates: frame and work offset do not apply. The path is straight; afterwards the programmed position
+    /// of these axes, and of all that depend on them under a rotation, is unknown until an absolute word names them.
     Machine,
 }
 
 /// How a move gets to its end, with the feed where it cuts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path {
+    /// A straight line as fast as the machine goes. What dog-legs it makes is for the machine.
     Rapid,
+    /// A straight line in all axes together. The feed is above zero and finite.
     Line(Feed),
+    /// An arc, evenly along the other axes: a helix. The feed is above zero and finite.
     Arc(Arc, Feed),
+    /// The spindle turns, as far as the producer can tell.
     Thread(Thread),
 }
 
@@ -66,13 +77,14 @@ impl Path {
 /// A line cut in step with the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thread {
-    /// Way per turn of the spindle in mm.
+    /// Way per turn of the spindle in mm, above zero.
     pub lead: f64,
     /// Axis along which `lead` counts; `None` for along the path.
     pub along: Option<Axis>,
 }
 
-/// An arc or helix in `plane`.
+/// An arc or helix in `plane`, which need not be the working plane. Its start in the plane is known, its end is named or
+/// stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
     pub plane: Plane,
@@ -88,13 +100,13 @@ pub enum ArcShape {
     /// About `center` by exactly `sweep` degrees, counter-clockwise positive, any number of turns. The end
     /// point is the one that follows from it.
     Sweep { center: Point2, sweep: Deg },
-    /// By radius; a negative one takes the longer arc. The end may lie `tol` mm too far.
+    /// By radius, which is not zero; a negative one takes the longer arc. The end may lie `tol` mm too far.
     Radius { radius: f64, ccw: bool, tol: f64 },
     /// By the angle between the radii to its ends: `sweep` degrees, counter-clockwise positive, below a turn.
     Opening { sweep: Deg },
-    /// Through a point between its ends.
+    /// Through a point between its ends, in coordinates of the plane.
     Via { point: Point2 },
-    /// Tangential to the element before.
+    /// Tangential to the element before. That there is one with a direction is checked in lower.
     Tangent,
 }
 
@@ -102,7 +114,7 @@ pub enum ArcShape {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
     pub shape: CornerShape,
-    /// Feed on the inserted element; `None` for the feed of the element behind.
+    /// Feed on the inserted element; `None` for the feed of the next element, or of the one before where that is rapid.
     pub feed: Option<Feed>,
     /// What happens between the two elements comes in front of the inserted one, not behind it.
     pub early: bool,
@@ -150,18 +162,13 @@ pub enum LargeCorner {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CornerShape {
-    Rounding {
-        radius: f64,
-    },
-    /// Chamfer by the length cut off each neighbour.
-    Chamfer {
-        side: f64,
-    },
-    /// Chamfer by its own length.
-    ChamferLength {
-        length: f64,
-    },
-    /// Relief of an inside corner of a turned part.
+    /// Arc of this radius in mm, above zero, tangential to both neighbours.
+    Rounding { radius: f64 },
+    /// Chamfer by the length in mm cut off each neighbour, above zero.
+    Chamfer { side: f64 },
+    /// Chamfer by its own length in mm, above zero.
+    ChamferLength { length: f64 },
+    /// Relief of an inside corner of a turned part; in the plane ZX only.
     Undercut(Undercut),
 }
 
@@ -177,13 +184,21 @@ pub struct Load {
 /// Takes what was programmed, in order. Each item comes with the state it was programmed under and the
 /// block that caused it.
 pub trait Sink {
+    /// The next element of the path.
     fn movement(&mut self, mv: &Move, ctx: &CtxRef, origin: &Origin);
+    /// A corner at the end of the last element; the next element is its second neighbour.
     fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin);
+    /// Happens after the element before and in front of the next one, in the order of the calls. Where a corner waits for
+    /// its second neighbour, functions wait with it: those before it in the stream come in front of the inserted element,
+    /// those after it behind, or in front as [`Corner::early`] says. A tool change, work offset, plane or end does not
+    /// wait: a corner in front of it has no second neighbour.
     fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin);
     /// A cycle with all its arguments; where it leaves the tool is [`Cycle::leaves`].
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin);
     /// The position is no longer what the moves so far say: an error was reported, or the program moves in
-    /// a way that is not in the stream.
+    /// a way that is not in the stream. Sent before the next element, never between the two neighbours of a corner that is
+    /// to be cut. All axes are unknown behind it: who knows some of them better keeps that to himself and refuses only
+    /// what needs the others.
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin);
     /// Before everything else: the tool stands here, although no move says so; in the programmed frame.
     fn begins_at(&mut self, at: &Pos);

@@ -2,6 +2,8 @@
 //!
 //! Both are streams of items with an [`Origin`]. Nothing here knows a dialect or a target.
 
+#![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
+
 pub mod captured;
 pub mod contour;
 pub mod cycle;

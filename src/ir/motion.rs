@@ -1,4 +1,6 @@
 //! What the machine shall do: absolute millimetres, radius values, workpiece coordinates, nothing inherited.
+//!
+//! The comment of a variant says what its producer guarantees; [`super::verify::Motion`] checks it.
 
 use crate::geo::{Plane, Point2};
 use crate::machine::axis::AxisSet;
@@ -8,15 +10,17 @@ use super::{Feed, Function, Origin, Pos, Side};
 /// A move from the end of the move before.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Move {
-    /// All axes whose position is known after the move.
+    /// All axes whose position is known after the move. Those that are not in `axes` stand where they stood before it.
     pub end: Pos,
-    /// Axes this move is about: programmed ones, and those a frame turned with them.
+    /// Axes this move is about: programmed ones, those a frame turned with them, and both of the plane of an arc or of an
+    /// inserted corner. One at least, each with its place in `end`; whether it gets another coordinate is not said.
     pub axes: AxisSet,
     pub path: Path,
     pub side: Side,
-    /// Working plane, which compensation refers to.
+    /// Working plane, which compensation refers to. That of an arc may be another one: then a target cannot compensate it.
     pub plane: Plane,
-    /// `end` is in machine coordinates.
+    /// `end` is in machine coordinates and holds exactly `axes`; the path is straight. Afterwards the workpiece position of
+    /// these axes is unknown.
     pub machine: bool,
 }
 
@@ -24,12 +28,12 @@ pub struct Move {
 pub enum Path {
     #[default]
     Rapid,
+    /// A straight line; the feed is above zero and finite.
     Line(Feed),
+    /// The other axes go evenly along. The feed is above zero and finite.
     Arc(Arc, Feed),
-    /// A line in step with the spindle: mm along the path per turn.
-    Thread {
-        lead: f64,
-    },
+    /// A line in step with the spindle: mm along the path per turn, above zero.
+    Thread { lead: f64 },
 }
 
 impl Path {
@@ -49,8 +53,9 @@ impl Path {
     }
 }
 
-/// Arc or helix. `sweep` in rad, counter-clockwise positive seen against the plane normal; it may exceed
-/// a turn. `from` is where the arc starts, so that no printer has to remember.
+/// Arc or helix. `sweep` in rad, counter-clockwise positive seen against the plane normal; it is not zero and may exceed
+/// a turn. `from` is where the arc starts, so that no printer has to remember. Both ends lie on the circle, and the sweep
+/// leads from one to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
     pub plane: Plane,
@@ -63,7 +68,8 @@ pub struct Arc {
 pub trait Sink {
     fn movement(&mut self, mv: &Move, origin: &Origin);
     fn function(&mut self, function: &Function, origin: &Origin);
-    /// What the target believes of its position no longer holds.
+    /// What the target believes of its position no longer holds: an error was reported, or the program moves in a way that
+    /// is not in the stream.
     fn lost(&mut self, origin: &Origin);
     /// Axes stand here although no move said so.
     fn begins_at(&mut self, _: &Pos) {}

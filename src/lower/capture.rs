@@ -10,7 +10,7 @@ use crate::ir::{Origin, Pos};
 
 use super::arcs::Last;
 use super::corner::Corners;
-use super::step::{Step, plane_axes};
+use super::step::{Checked, Step, plane_axes};
 
 /// A contour while it is described, and what waits until it is complete.
 #[derive(Debug)]
@@ -31,6 +31,7 @@ pub struct Before {
     pub ctx: CtxRef,
     pub last: Last,
     pub corners: Corners,
+    pub chain: Checked,
 }
 
 impl Recording {

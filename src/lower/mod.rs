@@ -3,6 +3,8 @@
 //! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
 //! look-ahead), [`frames`] map to workpiece coordinates, [`limits`] are checked.
 
+#![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
+
 pub mod arcs;
 pub mod capture;
 pub mod corner;
@@ -18,12 +20,13 @@ use crate::diag::{Code, Diagnostic, Diags};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos, motion};
+use crate::ir::{Function, Origin, Pos, motion, verify};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, Last};
 use capture::{Before, Recording};
 use corner::{Corners, Event};
+use step::Checked;
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.
 const ARC: u64 = 3;
@@ -41,6 +44,8 @@ pub struct Lower<'a> {
     last: Last,
     adjusted: Adjusted,
     corners: Corners,
+    /// What the steps behind the corners led to, for their check.
+    chain: Checked,
     /// A contour that is described now.
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
@@ -68,6 +73,7 @@ impl<'a> Lower<'a> {
             last: Last::default(),
             adjusted: Adjusted::default(),
             corners: Corners::default(),
+            chain: Checked::default(),
             recording: None,
             start: Pos::UNKNOWN,
             moves: 0,
@@ -94,7 +100,8 @@ impl<'a> Lower<'a> {
 
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
         let recording = self.recording.as_deref_mut();
-        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out, recording })
+        let chain = &mut self.chain;
+        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out, chain, recording })
     }
 
     /// The frame changed: the tool stays, its programmed position does not.
@@ -178,6 +185,7 @@ impl<'a> Lower<'a> {
 
     /// The moves do not say any more where the tool is.
     fn position_lost(&mut self, origin: &Origin) {
+        self.chain.lost();
         match &mut self.recording {
             Some(recording) => recording.reported(),
             None => self.out.lost(origin),
@@ -186,26 +194,32 @@ impl<'a> Lower<'a> {
 
     /// Some functions change where the tool tip is in workpiece coordinates.
     fn displace(&mut self, function: &Function) {
-        match function {
-            Function::WorkOffset(_) => {
-                self.at = self.ctx.frame.unapply(&self.start);
-                self.last.forget();
-            }
+        if let Function::WorkOffset(_) = function {
+            self.at = self.ctx.frame.unapply(&self.start);
+            self.last.forget();
+        } else if let Function::ToolChange { .. } = function {
             // A tool of another length.
-            Function::ToolChange { .. } => {
-                let (_, _, third) = self.ctx.plane.axes();
-                self.at.forget(Axis::ALL[third]);
-                self.start.forget(Axis::ALL[third]);
-                self.last.forget();
-            }
-            _ => {}
+            let (_, _, third) = self.ctx.plane.axes();
+            self.at.forget(Axis::ALL[third]);
+            self.start.forget(Axis::ALL[third]);
+            self.last.forget();
         }
     }
 
     #[inline]
     fn push(&mut self) {
+        if cfg!(debug_assertions) {
+            self.corners.slot().check();
+        }
         let (corners, mut finish) = self.split();
         corners.push(finish.diags, &mut |event| finish.event(event));
+    }
+
+    fn expand(&mut self, cycle: &Cycle, start: &Pos, ctx: &CtxRef, origin: &Origin) -> Result<(), Box<Diagnostic>> {
+        if cfg!(debug_assertions) {
+            return cycles::expand(cycle, start, ctx, origin, &mut verify::Contour::standing(self, start, ctx));
+        }
+        cycles::expand(cycle, start, ctx, origin, self)
     }
 
     #[inline]
@@ -253,7 +267,7 @@ impl Sink for Lower<'_> {
         let known = modal && self.refused.as_deref() == Some(cycle);
         let found = match known {
             true => None,
-            false => match cycles::expand(cycle, &start, ctx, origin, self) {
+            false => match self.expand(cycle, &start, ctx, origin) {
                 Ok(()) => return,
                 Err(found) => Some(found),
             },
@@ -295,6 +309,7 @@ impl Sink for Lower<'_> {
             ctx: Rc::clone(&self.ctx),
             last: std::mem::take(&mut self.last),
             corners: std::mem::take(&mut self.corners),
+            chain: std::mem::take(&mut self.chain),
         };
         self.recording = Some(Box::new(Recording::new(limit, self.diags.errors(), before)));
     }
@@ -304,6 +319,7 @@ impl Sink for Lower<'_> {
         let Some(recording) = self.recording.take() else { return Err(Unfit::NoStart(*origin)) };
         let (before, made) = recording.finish(self.diags.errors(), origin);
         (self.at, self.ctx, self.last, self.corners) = (before.at, before.ctx, before.last, before.corners);
+        self.chain = before.chain;
         made
     }
 }
@@ -313,12 +329,16 @@ struct Finish<'a> {
     diags: &'a Diags,
     machine: &'a Machine,
     out: &'a mut dyn motion::Sink,
+    chain: &'a mut Checked,
     recording: Option<&'a mut Recording>,
 }
 
 impl Finish<'_> {
     #[inline]
     fn event(&mut self, event: Event<'_>) {
+        if cfg!(debug_assertions) {
+            self.chain.event(&event);
+        }
         if self.recording.is_some() {
             return self.record(event);
         }

@@ -3,8 +3,10 @@
 use crate::geo::{Element, Plane};
 use crate::ir::contour::CtxRef;
 use crate::ir::motion::{Move, Path};
-use crate::ir::{Origin, Pos};
+use crate::ir::{Origin, Pos, verify};
 use crate::machine::{Axis, AxisSet};
+
+use super::corner::Event;
 
 /// One element from `start` to the end of `mv`.
 #[derive(Debug, Clone, Default)]
@@ -29,6 +31,12 @@ impl Step {
             }
             Path::Arc(..) => None,
         }
+    }
+
+    /// Checks what a step promises by itself.
+    pub fn check(&self) {
+        let kept = verify::element(&self.start, &self.mv);
+        debug_assert!(kept.is_ok(), "{kept:?}: {self:?}");
     }
 
     /// Plane of an arc, or the working plane.
@@ -64,6 +72,36 @@ impl Step {
     pub fn leaves(&self, plane: Plane) -> bool {
         let others = self.mv.axes.without(plane_axes(plane));
         others.iter().any(|axis| self.start.get(axis) != self.mv.end.get(axis))
+    }
+}
+
+/// Checks steps between the passes: each starts where the one before ended, as long as the frame stays.
+#[derive(Debug, Default)]
+pub struct Checked {
+    chain: verify::Chain,
+    ctx: CtxRef,
+}
+
+impl Checked {
+    pub fn step(&mut self, step: &Step) {
+        if !std::rc::Rc::ptr_eq(&self.ctx, &step.ctx) {
+            self.chain.lost();
+            self.ctx = std::rc::Rc::clone(&step.ctx);
+        }
+        let kept = self.chain.take(&step.start, &step.mv);
+        debug_assert!(kept.is_ok(), "{kept:?}: {step:?}");
+    }
+
+    pub fn event(&mut self, event: &Event<'_>) {
+        match event {
+            Event::Step(step) => self.step(step),
+            Event::Function(function, _) => self.chain.function(function),
+        }
+    }
+
+    /// The position is not known any more.
+    pub fn lost(&mut self) {
+        self.chain.lost();
     }
 }
 

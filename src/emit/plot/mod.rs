@@ -261,12 +261,12 @@ impl Sink for Plot<'_> {
                         self.arc(view, arc, from, to, mv);
                     }
                     // Seen along its own direction a cut is a point: where a drill goes in.
-                    _ if distance(from, to) <= SAME_POINT => {
+                    Path::Rapid | Path::Line(_) | Path::Thread { .. } if distance(from, to) <= SAME_POINT => {
                         if pen != Pen::Rapid {
                             self.dot(to);
                         }
                     }
-                    _ => {
+                    Path::Rapid | Path::Line(_) | Path::Thread { .. } => {
                         self.pen(pen, from);
                         self.line(to, pen);
                     }
@@ -286,26 +286,22 @@ impl Sink for Plot<'_> {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        match function {
-            Function::ToolChange { number } => {
-                let tool = Some(*number);
-                self.colour = match self.tools.iter().position(|known| *known == tool) {
-                    Some(index) => index,
-                    None => {
-                        // The place of the unknown first tool is free if nothing was drawn with it.
-                        if self.tools == [None] && self.extents.is_empty() {
-                            self.tools.clear();
-                        }
-                        self.tools.push(tool);
-                        self.tools.len() - 1
+        if let Function::ToolChange { number } = function {
+            let tool = Some(*number);
+            self.colour = match self.tools.iter().position(|known| *known == tool) {
+                Some(index) => index,
+                None => {
+                    // The place of the unknown first tool is free if nothing was drawn with it.
+                    if self.tools == [None] && self.extents.is_empty() {
+                        self.tools.clear();
                     }
-                };
-            }
-            Function::WorkOffset(_) => {
-                self.close();
-                self.at.clear();
-            }
-            _ => {}
+                    self.tools.push(tool);
+                    self.tools.len() - 1
+                }
+            };
+        } else if let Function::WorkOffset(_) = function {
+            self.close();
+            self.at.clear();
         }
     }
 

@@ -286,10 +286,12 @@ impl Printer<'_> {
                 for &(axis, from) in &start {
                     let from = from as f64 * unit;
                     let end = mv.end.get(axis).unwrap_or(from);
-                    let value = match axis {
-                        _ if axis == x => p.x,
-                        _ if axis == y => p.y,
-                        _ => from + (end - from) * t,
+                    let value = if axis == x {
+                        p.x
+                    } else if axis == y {
+                        p.y
+                    } else {
+                        from + (end - from) * t
                     };
                     point.end.set(axis, value);
                 }

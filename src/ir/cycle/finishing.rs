@@ -127,7 +127,7 @@ impl Finishing {
         };
         let target = match self.end {
             FinishingEnd::Point { to, .. } => is_point(to),
-            _ => true,
+            FinishingEnd::Stay | FinishingEnd::Lift | FinishingEnd::Start { .. } => true,
         };
         let nose = self.nose.radius >= 0.0
             && is_coordinate(self.nose.radius)

@@ -155,13 +155,13 @@ pub fn check_lowering_with(cycle: &Cycle, start: Point2, most: f64) -> Result<()
     use crate::geo::Plane;
     use crate::ir::Origin;
     use crate::ir::contour::{Ctx, Sink};
-    use crate::ir::verify::Verify;
+    use crate::ir::verify;
     use crate::lower::Lower;
     use crate::machine::Machine;
 
     let (diags, machine) = (Diags::default(), Machine::default());
     let mut arcs = Arcs::default();
-    let mut verify = Verify::new(&mut arcs);
+    let mut verify = verify::Motion::new(&mut arcs);
     let mut lower = Lower::new(&diags, &machine, &mut verify);
     let ctx = std::rc::Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() });
     let origin = Origin::default();
