@@ -150,6 +150,13 @@ mod tests {
         assert_eq!(Places::new(4).units(1e10), None);
     }
 
+    #[test]
+    fn digits_are_those_that_are_written() {
+        let digits = |value: f64| Places::new(4).digits(Places::new(4).units(value).unwrap());
+        assert_eq!([digits(0.0), digits(0.0001), digits(1234.5678), digits(-12345.6789)], [1, 5, 8, 9]);
+        assert_eq!([digits(120_000.0), digits(10_000.5), digits(99_999.0)], [6, 6, 5]);
+    }
+
     proptest! {
         #[test]
         fn printed_is_the_rounded_value(value in -1e6f64..1e6, places in 0u8..=6) {

@@ -14,11 +14,12 @@ use partc::ir::{Function, Origin, Pos};
 use partc::machine::settings::ToolChange;
 use partc::machine::{Settings, schema};
 use partc::target::{self, Target};
+use partc::text::files::NoFiles;
 use partc::text::{Memory, Opened};
 
 use super::book::{Case, cases};
 use super::cli_run::Folder;
-use super::common::settings;
+use super::common::{compile_bytes, settings};
 use super::grbl_reader::{self, Event, Feed, Rules};
 
 #[test]
@@ -36,6 +37,59 @@ fn command_line_configuration_and_registry_know_the_same_targets() {
     let folder = Folder::new("target_names");
     let offered = format!("possible values: {}]", names.join(", "));
     folder.run(&["compile", "--target", "nobody", "A.H"]).exits(2).says(&offered);
+}
+
+/// The lines of a SINUMERIK program behind the head.
+fn body(target: &str, configuration: &str, program: &str) -> String {
+    let mut settings = settings(configuration);
+    settings.output.target = target::find(target).expect("a target");
+    let compiled = compile_bytes("PART.MPF", program.as_bytes().to_vec(), "sinumerik", &settings, &NoFiles);
+    assert!(!compiled.has_errors(), "{:#?}", compiled.rendered);
+    let lines = compiled.output.lines().skip_while(|line| !line.contains("G80")).skip(1);
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+const PART: &str = "G0 X40 Y10 Z-1\nG3 X40 Y10 Z-7 I-10 J0 TURN=2 F100\nG3 X20 Y30 I-20 J0\nG4 F4000\nM30\n";
+
+#[test]
+fn grbl_has_halves_instead_of_turns_and_short_waits() {
+    let halves = "G0 X40 Y10 Z-1\n\
+        G3 X20 Y10 Z-2 I-10 J0 F100\nG3 X40 Y10 Z-3 I10 J0\n\
+        G3 X20 Y10 Z-4 I-10 J0\nG3 X40 Y10 Z-5 I10 J0\n\
+        G3 X20 Y10 Z-6 I-10 J0\nG3 X40 Y10 Z-7 I10 J0\n\
+        G3 X20 Y30 I-20 J0\nG4 P3000\nG4 P1000\nM30";
+    assert_eq!(body("grbl", "", PART), halves);
+    let turns = "G0 X40 Y10 Z-1\nG3 X40 Y10 Z-7 I-10 J0 P3 F100\nG3 X20 Y30 I-20 J0\nG4 P3000\nG4 P1000\nM30";
+    assert_eq!(body("grblhal", "", PART), turns);
+}
+
+#[test]
+fn a_tool_is_changed_by_hand_where_nothing_else_changes_it() {
+    let stop = "[output]\ntool_change = \"stop\"";
+    let program = "T3 M6\nG0 X0 Y0 Z5\nT0 M6\nM30\n";
+    let by_hand = "M5\n(change to tool 3)\nM0\nG0 X0 Y0 Z5\nM5\n(take the tool out)\nM0\nM30";
+    assert_eq!(body("grbl", stop, program), by_hand);
+    assert_eq!(body("grblhal", "", program), "T3 M6\nG0 X0 Y0 Z5\nT0 M6\nM30");
+}
+
+/// A receiver acts on some characters as they arrive.
+#[test]
+fn comments_do_nothing_to_a_receiver() {
+    let program = "G0 X0 Y0 Z5 ; stop! go~ why? 100%\nM30\n";
+    assert!(body("grbl", "", program).contains("(stop. go. why. 100#)"), "{}", body("grbl", "", program));
+    assert!(body("linuxcnc", "", program).contains("(stop! go~ why? 100#)"));
+}
+
+/// Single precision cannot tell a very short arc from a full circle, nor a very flat one from another.
+#[test]
+fn arcs_beyond_single_precision_are_lines() {
+    let short = "G0 X100 Y0 Z5\nG2 X100.001 Y0 CR=5 F100\nM30\n";
+    assert!(body("linuxcnc", "", short).contains("G2 X100.001"));
+    assert!(body("grbl", "", short).contains("G1 X100.001"));
+    let flat = "G0 X0 Y0 Z5\nG2 X10 Y0 CR=2000 F100\nM30\n";
+    assert!(body("linuxcnc", "", flat).contains("G2 X10"));
+    let lines = body("grbl", "", flat);
+    assert!(!lines.contains("G2") && lines.contains("G1 X10 Y0"), "{lines}");
 }
 
 #[test]

@@ -14,6 +14,15 @@ use super::Printer;
 /// Most lines that replace an arc.
 const MOST_CHORDS: f64 = 1e6;
 
+/// One block of an arc, all numbers in units.
+struct ArcBlock {
+    printed: AxisSet,
+    ends: [i64; AXES],
+    /// From the start to the centre.
+    offset: [i64; 2],
+    turns: u32,
+}
+
 impl Printer<'_> {
     /// The axes of a straight move that change, or nothing. `lead` in units.
     pub(super) fn straight(&mut self, word: &str, mv: &Move, lead: Option<(u8, i64)>, origin: &Origin) {
@@ -154,7 +163,7 @@ impl Printer<'_> {
         let Some((printed, ends)) = self.arc_ends(&request, arc, mv, origin) else { return };
         self.select_plane(arc.plane, origin);
         let Ok(feed) = self.feed_word(feed, origin) else { return };
-        self.arc_block(arc, printed, ends, offset, turns, feed, origin);
+        self.arc_block(arc, &ArcBlock { printed, ends, offset, turns }, feed, origin);
     }
 
     /// The axes that an arc prints, and their ends.
@@ -187,17 +196,8 @@ impl Printer<'_> {
         Some((printed, ends))
     }
 
-    #[allow(clippy::too_many_arguments)]
-    fn arc_block(
-        &mut self,
-        arc: &Arc,
-        printed: AxisSet,
-        ends: [i64; AXES],
-        offset: [i64; 2],
-        turns: u32,
-        feed: Option<i64>,
-        origin: &Origin,
-    ) {
+    fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<i64>, origin: &Origin) {
+        let ArcBlock { printed, ends, offset, turns } = *block;
         let words = &self.target.arcs;
         self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
         for axis in printed.iter() {
@@ -221,6 +221,9 @@ impl Printer<'_> {
 
     /// An arc in several blocks of equal sweep, each with a printed start and end of its own.
     fn divided_arc(&mut self, request: &arc::Request, blocks: u32, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        if !self.knows_start(mv, origin) {
+            return;
+        }
         // All blocks have to fit before the first one is printed.
         let mut from = request.from;
         for block in 1..=blocks {
@@ -247,7 +250,7 @@ impl Printer<'_> {
                 ends[axis.index()] = from + libm::round((to - from) as f64 * share) as i64;
             }
             [ends[first], ends[second]] = part.to;
-            self.arc_block(arc, printed, ends, offset, 1, feed, origin);
+            self.arc_block(arc, &ArcBlock { printed, ends, offset, turns: 1 }, feed, origin);
             from = part.to;
         }
     }
@@ -260,9 +263,21 @@ impl Printer<'_> {
         Some(arc::Request { from, to, sweep: arc.sweep / f64::from(blocks), ..*whole })
     }
 
+    /// An axis that goes along is divided from where it was printed to stand.
+    fn knows_start(&self, mv: &Move, origin: &Origin) -> bool {
+        let known = mv.axes.iter().all(|axis| self.modal.place(axis).is_some());
+        if !known && !self.diags.has_errors() {
+            self.report(codes::O1002, origin, "an axis of this arc starts where nothing was printed for it");
+        }
+        known
+    }
+
     /// Straight lines instead of an arc that does not fit the printed grid.
     #[cold]
     fn chords(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        if !self.knows_start(mv, origin) {
+            return;
+        }
         let radius = crate::geo::distance(arc.from, arc.center);
         let message = if radius > self.target.arcs.most_radius {
             "the arc is flatter than the target computes exactly and is printed as lines"
