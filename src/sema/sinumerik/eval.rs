@@ -266,7 +266,7 @@ impl Run<'_> {
         let word = self.symbols.name(name);
         if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
             let message = format!("{word} lacks the axis or spindle in brackets");
-            return self.fail_help(codes::S1001.alarm(12080), span, message, &format!("write {word}[X]=…"));
+            return self.fail_help(codes::S1001.alarm(12080), span, message, format!("write {word}[X]=…"));
         }
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);

@@ -128,7 +128,7 @@ impl Run<'_> {
                 codes::S1001.alarm(12080),
                 call.span,
                 format!("`=` is missing in `{name}`"),
-                &format!("an address of more than one letter takes `=`: {letters}={digits}"),
+                format!("an address of more than one letter takes `=`: {letters}={digits}"),
             );
         }
         let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
