@@ -12,6 +12,8 @@ pub struct Rules {
     pub length: usize,
     pub digits: usize,
     pub m: &'static [u32],
+    /// A driver may add M functions.
+    pub more_m: bool,
     /// Work offsets behind G59.
     pub more_offsets: bool,
     /// Arcs take the number of turns.
@@ -27,6 +29,7 @@ pub const GRBL: Rules = Rules {
     length: 79,
     digits: 8,
     m: &[0, 1, 2, 3, 4, 5, 8, 9, 30],
+    more_m: false,
     more_offsets: false,
     turns: false,
     most_tool: 255.0,
@@ -148,7 +151,7 @@ impl<'a> Reader<'a> {
             }
             groups.push(group);
         }
-        if let Some(m) = m.iter().find(|m| !self.rules.m.contains(m)) {
+        if let Some(m) = m.iter().find(|m| !self.rules.more_m && !self.rules.m.contains(m)) {
             return Err(format!("error 20: M{m}"));
         }
         if m.len() > 1 {

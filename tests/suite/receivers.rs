@@ -198,7 +198,8 @@ fn print_for(case: &Case, targets: &[&'static Target]) -> Option<Vec<Printed>> {
 const LINUXCNC: Rules = Rules {
     length: 80,
     digits: 99,
-    m: &[0, 1, 2, 3, 4, 5, 7, 8, 9, 30],
+    m: &[],
+    more_m: true,
     more_offsets: true,
     turns: true,
     most_tool: f64::INFINITY,
@@ -209,7 +210,8 @@ const LINUXCNC: Rules = Rules {
 const GRBLHAL: Rules = Rules {
     length: 256,
     digits: 8,
-    m: &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30],
+    m: &[],
+    more_m: true,
     more_offsets: true,
     turns: true,
     most_tool: 2_147_483_647.0,
