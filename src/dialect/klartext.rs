@@ -13,6 +13,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: klartext::run,
     check_form: klartext::check_form,
     check_idle: Some(klartext::check_idle),
+    cycles: klartext::cycle_signatures,
 };
 
 /// `BEGIN PGM` starts a line.

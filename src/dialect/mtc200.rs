@@ -13,6 +13,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: mtc200::run,
     check_form: mtc200::check_form,
     check_idle: None,
+    cycles: Vec::new,
 };
 
 /// The first line that is not blank begins with `%NPG`.

@@ -13,6 +13,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: sinumerik::run,
     check_form: sinumerik::check_form,
     check_idle: Some(sinumerik::check_idle),
+    cycles: sinumerik::cycle_signatures,
 };
 
 /// A transfer header starts a line: `%_N_NAME_MPF`.

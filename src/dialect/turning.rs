@@ -13,6 +13,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: turning::run,
     check_form: turning::check_form,
     check_idle: None,
+    cycles: turning::cycle_signatures,
 };
 
 /// A name line `%name.nc` with a title in square brackets behind it, or the section codes of DIN PLUS.

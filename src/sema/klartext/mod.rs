@@ -51,6 +51,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Loc, Span, SplitRules};
 
+pub use cycles::signatures as cycle_signatures;
 pub use idle::check_idle;
 
 use super::run::unexecuted::Blocks;

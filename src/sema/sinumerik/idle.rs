@@ -313,9 +313,8 @@ impl<'a> Idle<'a> {
                 let shown = self.symbols.name(name).to_owned();
                 match self.vocabulary.get(shown.as_str()) {
                     Some(Meaning::Procedure(Procedure::Refused(_))) if is_built(&shown) => None,
-                    Some(Meaning::Procedure(Procedure::Refused(what))) => {
-                        let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
-                        Some(refused(self.job, here, word.span, code))
+                    Some(Meaning::Procedure(Procedure::Refused(refusal))) => {
+                        Some(refused(self.job, here, word.span, refusal.code))
                     }
                     Some(Meaning::Known(_)) if !self.variables.contains(&name) => {
                         Some(refused(self.job, here, word.span, codes::S9132))

@@ -84,6 +84,7 @@ use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
 
+pub use cycles::signatures as cycle_signatures;
 pub use idle::check_idle;
 pub use vocabulary::all_words;
 

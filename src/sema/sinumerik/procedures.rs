@@ -9,7 +9,7 @@ use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
 use super::value::{Val, to_text, whole};
-use super::vocabulary::{Meaning, Procedure};
+use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
 use super::{Outcome, Run};
 
@@ -292,10 +292,9 @@ impl Run<'_> {
             Procedure::Refused(_) if self.own_program(&name) => {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
-            Procedure::Refused(what) => {
+            Procedure::Refused(Refusal { what, code }) => {
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
-                let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
                 self.fail_help(
                     code,
                     call.span,
