@@ -12,7 +12,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: klartext::run,
     check_form: klartext::check_form,
-    check_idle: Some(klartext::check_idle),
+    check_unexecuted: Some(klartext::check_unexecuted),
     cycles: klartext::cycle_signatures,
 };
 

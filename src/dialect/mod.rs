@@ -30,7 +30,7 @@ pub struct Dialect {
     /// Looks at the blocks of which the run, which comes before, reported no error, and says what can be known without
     /// running them: an error where the control itself refuses the program, a warning where only partc would refuse
     /// the block if it ran. `None` where a dialect knows no more than the form.
-    pub check_idle: Option<fn(&Job<'_>)>,
+    pub check_unexecuted: Option<fn(&Job<'_>)>,
     /// What each of its cycles takes, built or not.
     pub cycles: fn() -> Vec<&'static Signature>,
 }

@@ -12,7 +12,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: true,
     run: turning::run,
     check_form: turning::check_form,
-    check_idle: None,
+    check_unexecuted: None,
     cycles: turning::cycle_signatures,
 };
 

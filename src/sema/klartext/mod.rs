@@ -19,7 +19,6 @@ mod drilling;
 mod eval;
 mod feed;
 mod help;
-mod idle;
 mod labels;
 mod m_functions;
 mod other;
@@ -35,6 +34,7 @@ mod system;
 mod text_functions;
 mod tool;
 mod transform;
+mod unexecuted;
 mod vars;
 mod words;
 
@@ -52,7 +52,7 @@ use crate::parser::symbols::Symbols;
 use crate::text::{Loc, Span, SplitRules};
 
 pub use cycles::signatures as cycle_signatures;
-pub use idle::check_idle;
+pub use unexecuted::check_unexecuted;
 
 use super::run::unexecuted::Blocks;
 use super::run::{self, Core, Interpreter, Language, Level, Parsed};

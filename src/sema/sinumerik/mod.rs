@@ -21,7 +21,6 @@ mod flow;
 mod formula_functions;
 mod frames;
 mod g_groups;
-mod idle;
 mod known_words;
 mod left_out;
 mod machine_place;
@@ -47,6 +46,7 @@ mod technology;
 mod threads;
 mod tools;
 mod undercut_sizes;
+mod unexecuted;
 mod value;
 mod vars;
 mod vocabulary;
@@ -85,7 +85,7 @@ use vocabulary::Meaning;
 use words::Words;
 
 pub use cycles::signatures as cycle_signatures;
-pub use idle::check_idle;
+pub use unexecuted::check_unexecuted;
 pub use vocabulary::all_words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
