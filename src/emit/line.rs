@@ -56,11 +56,9 @@ impl Text {
     /// Appends an address with a number in units of `places`.
     #[inline]
     pub fn number(&mut self, address: u8, units: i64, places: Places) -> &mut Text {
-        places.write(&[b' ', address], units, &mut self.bytes);
         // A line that begins with a number word has no blank in front.
-        if self.bytes[self.line] == b' ' {
-            self.bytes.remove(self.line);
-        }
+        let blank = self.bytes.len() > self.line;
+        places.write(blank, address, units, &mut self.bytes);
         self
     }
 
