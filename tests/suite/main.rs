@@ -29,6 +29,7 @@ mod klartext_words;
 mod layering;
 mod line_ends;
 mod listing;
+mod long_blocks;
 mod meant;
 mod mtc200;
 mod mtc200_words;

@@ -38,9 +38,11 @@ pub struct Code {
 }
 
 impl Code {
-    /// The code together with the alarm that the control itself shows.
-    pub const fn alarm(&'static self, number: u32) -> Raised {
-        Raised { code: self, alarm: Some(number) }
+    /// The code together with the alarm that the control itself shows, where it shows one.
+    pub fn alarm(&'static self, number: impl Into<Option<u32>>) -> Raised {
+        let alarm = number.into();
+        debug_assert!(alarm != Some(0), "no alarm is none");
+        Raised { code: self, alarm }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use lalrpop_util::ParseError;
 
-use crate::diag::{Code, codes};
+use crate::diag::{Raised, codes};
 use crate::lexer::sinumerik::{LetterNumber, Number, Tok, TypeName};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::{Symbol, Symbols};
@@ -15,8 +15,8 @@ pub type Refusal = Problem;
 
 type Refused<T> = Result<T, ParseError<u32, Tok, Refusal>>;
 
-fn refuse<T>(code: &'static Code, alarm: u32, span: Span, message: impl Into<String>) -> Refused<T> {
-    Err(ParseError::User { error: Problem::new(code, span, message).alarm(alarm) })
+fn refuse<T>(code: impl Into<Raised>, span: Span, message: impl Into<String>) -> Refused<T> {
+    Err(ParseError::User { error: Problem::new(code, span, message) })
 }
 
 /// What may follow the label of REPEAT.
@@ -109,7 +109,7 @@ impl<'a> Build<'a> {
         let span = Span { start, end };
         if !n.number.whole || n.number.value > 1e6 {
             let text = readable(span.of(self.text)).into_owned();
-            return refuse(codes::S1001, 12080, span, format!("`{text}` cannot stand in front of `=`"));
+            return refuse(codes::S1001.alarm(12080), span, format!("`{text}` cannot stand in front of `=`"));
         }
         let name = self.name(start, end);
         Ok(Target::Numbered(n.letter, n.number.value as u32, name))
@@ -135,14 +135,14 @@ impl<'a> Build<'a> {
 
     pub fn constant(&mut self, n: Number, sign: i64, start: u32, end: u32) -> Refused<i64> {
         if !n.whole || n.value > f64::from(i32::MAX) {
-            return refuse(codes::S1001, 12080, Span { start, end }, "a constant of CASE is a whole number");
+            return refuse(codes::S1001.alarm(12080), Span { start, end }, "a constant of CASE is a whole number");
         }
         Ok(sign * n.value as i64)
     }
 
     pub fn block_number(&mut self, n: Number, start: u32, end: u32) -> Refused<JumpTarget> {
         if !n.whole || n.value > f64::from(u32::MAX) {
-            return refuse(codes::S1001, 12080, Span { start, end }, "a block number is a whole number");
+            return refuse(codes::S1001.alarm(12080), Span { start, end }, "a block number is a whole number");
         }
         Ok(JumpTarget::Number(n.value as u32))
     }
@@ -171,13 +171,13 @@ impl<'a> Build<'a> {
             match word {
                 RepeatWord::Label(label) if to.is_none() && times.is_none() && !one_block => to = Some(label),
                 RepeatWord::Times(n) | RepeatWord::Address(b'P', n, _) if times.is_none() => times = Some(n),
-                RepeatWord::Times(n) => return refuse(codes::S1001, 12080, n.span, "P stands twice"),
+                RepeatWord::Times(n) => return refuse(codes::S1001.alarm(12080), n.span, "P stands twice"),
                 RepeatWord::Address(_, _, span) => {
-                    return refuse(codes::S1001, 12080, span, "only P= may follow the label of a repetition");
+                    return refuse(codes::S1001.alarm(12080), span, "only P= may follow the label of a repetition");
                 }
                 RepeatWord::Label(_) => {
                     let span = Span { start: 0, end: self.text.len() as u32 };
-                    return refuse(codes::S1001, 12080, span, "a label too many in the repetition");
+                    return refuse(codes::S1001.alarm(12080), span, "a label too many in the repetition");
                 }
             }
         }
@@ -290,7 +290,7 @@ impl<'a> Build<'a> {
         }
         if !n.name_like {
             let text = readable(span.of(self.text)).into_owned();
-            return refuse(codes::S1001, 12080, span, format!("`{text}` is no value"));
+            return refuse(codes::S1001.alarm(12080), span, format!("`{text}` is no value"));
         }
         self.name_value(start, end);
         Ok(())

@@ -267,7 +267,8 @@ impl Run<'_> {
         if self.skipped.is_some() && self.belongs_to_skipped(block) {
             return;
         }
-        if let Some(comment) = block.comment
+        if self.job.settings.output.comments
+            && let Some(comment) = block.comment
             && !matches!(block.stmt, Stmt::Cycle { .. })
         {
             self.comment(comment.of(text));

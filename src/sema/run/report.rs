@@ -18,8 +18,9 @@ pub enum Where {
 }
 
 impl From<Span> for Where {
+    /// Words that the block does not have have no place of their own.
     fn from(span: Span) -> Where {
-        Where::Words(span)
+        if span.is_empty() { Where::Block } else { Where::Words(span) }
     }
 }
 

@@ -3,6 +3,7 @@
 //! Source: reference section 1.1.
 
 use crate::diag::codes;
+use crate::sema::run::Where;
 use crate::text::Span;
 use crate::text::blocks::Place;
 
@@ -20,8 +21,7 @@ impl Run<'_> {
             if !first.contains(&b'%') {
                 return self.fail_help(
                     codes::S2013,
-                    0,
-                    Span::default(),
+                    Where::Block,
                     "blocks stand in front of the first program of this archive",
                     "delete them, or give them a head of their own: %_N_NAME_MPF",
                 );
@@ -33,7 +33,7 @@ impl Run<'_> {
             if lost {
                 let message = "blocks stand behind the `%` that closes the program, and no program of theirs begins";
                 let help = "delete the `%`, or give them a head of their own: %_N_NAME_MPF";
-                return self.fail_help(codes::S2013, 0, Span::default(), message, help);
+                return self.fail_help(codes::S2013, Where::Block, message, help);
             }
             return Ok(());
         }

@@ -42,7 +42,7 @@ impl Run<'_> {
 
     fn assign(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome {
         let Value::Formula(formula) = word.value else {
-            return self.fail(codes::S1001, 12080, word.span, "`=` and a value are missing");
+            return self.fail(codes::S1001.alarm(12080), word.span, "`=` and a value are missing");
         };
         if let Target::Numbered(b'R', n, _) = word.target {
             let value = self.number(formula, block, text)?;
@@ -58,7 +58,7 @@ impl Run<'_> {
 
     fn set_r(&mut self, n: u32, value: f64, span: Span) -> Outcome {
         if n > MOST_R {
-            return self.fail(codes::S2018, 17020, span, format!("there is no parameter R{n}"));
+            return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
         self.vars.set_r(n, value);
         Ok(())
@@ -96,14 +96,14 @@ impl Run<'_> {
                         }
                         None => self.undefined(name, block.span),
                     },
-                    _ => self.fail(codes::S1001, 12080, block.span, "this cannot count a loop"),
+                    _ => self.fail(codes::S1001.alarm(12080), block.span, "this cannot count a loop"),
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.variable_value(slot, &[], block.span),
-                None => self.fail(codes::S1001, 12080, block.span, "an address cannot count a loop"),
+                None => self.fail(codes::S1001.alarm(12080), block.span, "an address cannot count a loop"),
             },
-            Target::System(_) => self.fail(codes::S1001, 12080, block.span, "this cannot count a loop"),
+            Target::System(_) => self.fail(codes::S1001.alarm(12080), block.span, "this cannot count a loop"),
         }
     }
 
@@ -143,13 +143,13 @@ impl Run<'_> {
                     }
                     Base::Letter(letter) => match self.letter_variable(letter) {
                         Some(slot) => self.write_indexed(slot, &indices, value, span),
-                        None => self.fail(codes::S1001, 12080, span, "this takes no value"),
+                        None => self.fail(codes::S1001.alarm(12080), span, "this takes no value"),
                     },
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.write_element(slot, &[], value, span),
-                None => self.fail(codes::S1001, 12080, span, "this takes no value"),
+                None => self.fail(codes::S1001.alarm(12080), span, "this takes no value"),
             },
         }
     }
@@ -169,7 +169,7 @@ impl Run<'_> {
             let mut bytes = old.to_vec();
             let place = usize::try_from(*at).ok().and_then(|at| bytes.get_mut(at));
             let (Some(place), Val::Char(c)) = (place, character) else {
-                return self.fail(codes::S2018, 12400, span, format!("the text has no character {at}"));
+                return self.fail(codes::S2018.alarm(12400), span, format!("the text has no character {at}"));
             };
             *place = c;
             return self.write_element(slot, &[], Val::text(&bytes), span);
@@ -186,7 +186,7 @@ impl Run<'_> {
             } else {
                 format!("the array has the sizes {:?}, counted from 0; there is no element {indices:?}", var.sizes)
             };
-            return self.fail(codes::S2018, 12400, span, message);
+            return self.fail(codes::S2018.alarm(12400), span, message);
         };
         let value = self.converted(&value, kind, span)?;
         self.check_length(&value, length, span)?;
@@ -206,10 +206,10 @@ impl Run<'_> {
         let Some(number) = value.number() else { return Ok(()) };
         match limits {
             [Some(least), _] if number < least => {
-                self.fail(codes::S2029, alarms[0], span, format!("{number} is below the limit LLI {least}"))
+                self.fail(codes::S2029.alarm(alarms[0]), span, format!("{number} is below the limit LLI {least}"))
             }
             [_, Some(most)] if number > most => {
-                self.fail(codes::S2029, alarms[1], span, format!("{number} is above the limit ULI {most}"))
+                self.fail(codes::S2029.alarm(alarms[1]), span, format!("{number} is above the limit ULI {most}"))
             }
             _ => Ok(()),
         }
@@ -219,7 +219,7 @@ impl Run<'_> {
         match value {
             Val::Text(text) if text.len() > length => {
                 let message = format!("the text has {} characters, the variable takes {length}", text.len());
-                self.fail(codes::S2030, 12210, span, message)
+                self.fail(codes::S2030.alarm(12210), span, message)
             }
             _ => Ok(()),
         }
@@ -243,11 +243,11 @@ impl Run<'_> {
             }
             Err(NoValue::Type) => {
                 let message = format!("{} does not become {}", value.what(), type_name(kind));
-                self.fail(codes::S2005, alarms[0], span, message)
+                self.fail(codes::S2005.alarm(alarms[0]), span, message)
             }
             Err(NoValue::Range) => {
                 let message = format!("the value lies outside what {} holds", type_name(kind));
-                self.fail(codes::S2029, alarms[1], span, message)
+                self.fail(codes::S2029.alarm(alarms[1]), span, message)
             }
         }
     }
@@ -280,8 +280,7 @@ impl Run<'_> {
                             Some(n) => Some(n),
                             None => {
                                 return self.fail(
-                                    codes::S2017,
-                                    12260,
+                                    codes::S2017.alarm(12260),
                                     formula.span,
                                     "REP counts elements by a whole number",
                                 );
@@ -291,7 +290,7 @@ impl Run<'_> {
                 };
                 match list.into_iter().next() {
                     Some(value) => Ok(Some(Fill::Repeat(value, count))),
-                    None => self.fail(codes::S2017, 12260, formula.span, "REP needs a value"),
+                    None => self.fail(codes::S2017.alarm(12260), formula.span, "REP needs a value"),
                 }
             }
             _ => Ok(None),
@@ -321,7 +320,7 @@ impl Run<'_> {
             Target::Letter(letter) if self.letter_variable(letter).is_some() => {
                 (self.letter_variable(letter).ok_or(Reported)?, None)
             }
-            _ => return self.fail(codes::S2005, 12150, span, "a list of values fills an array"),
+            _ => return self.fail(codes::S2005.alarm(12150), span, "a list of values fills an array"),
         };
         let mut values = Vec::new();
         for formula in args.map(|args| block.arguments(args).to_vec()).unwrap_or_default() {
@@ -331,7 +330,7 @@ impl Run<'_> {
         let Some(var) = self.vars.get(slot).cloned() else { return Err(Reported) };
         let start = if indices.is_empty() { Some(0) } else { var.offset(&indices) };
         let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
-            return self.fail(codes::S2018, 12400, span, "the array has no such element");
+            return self.fail(codes::S2018.alarm(12400), span, "the array has no such element");
         };
         self.budget.take(var.values.len() as u64 / 16);
         let filled = self.filled(&var, start, fill, span)?;
@@ -349,7 +348,7 @@ impl Run<'_> {
             Fill::Set(list) => {
                 if list.len() > room {
                     let message = format!("{} values for {room} elements", list.len());
-                    return self.fail(codes::S2017, 12260, span, message);
+                    return self.fail(codes::S2017.alarm(12260), span, message);
                 }
                 for (at, value) in list.iter().enumerate().filter(|(_, value)| **value != Val::Missing) {
                     made.values[start + at] = self.converted(value, made.kind, span)?;
@@ -359,7 +358,7 @@ impl Run<'_> {
                 let value = self.converted(value, made.kind, span)?;
                 let count = count.unwrap_or(room);
                 if count > room {
-                    return self.fail(codes::S2017, 12260, span, format!("{count} values for {room} elements"));
+                    return self.fail(codes::S2017.alarm(12260), span, format!("{count} values for {room} elements"));
                 }
                 for element in made.values.iter_mut().skip(start).take(count) {
                     *element = value.clone();
@@ -380,8 +379,7 @@ impl Run<'_> {
         match component {
             Some(found) => Ok(found),
             None => self.fail_help(
-                codes::S2031,
-                12040,
+                codes::S2031.alarm(12040),
                 span,
                 "a component of a frame is an axis and one of TR, FI, RT, SC, MI",
                 "for example [X,TR]",
@@ -392,11 +390,11 @@ impl Run<'_> {
     pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
         let (axis, component) = self.frame_place(args, span)?;
         let Some(axis) = axis else {
-            return self.fail(codes::S2028, 0, span, "the frame of an axis that is left out is not known");
+            return self.fail(codes::S2028, span, "the frame of an axis that is left out is not known");
         };
         match frame.component(axis, component) {
             Some(value) => Ok(Val::Real(value / self.component_unit(axis, component))),
-            None => self.fail(codes::S2034, 0, span, "this chain of rotations and scales has no such components"),
+            None => self.fail(codes::S2034, span, "this chain of rotations and scales has no such components"),
         }
     }
 
@@ -415,7 +413,7 @@ impl Run<'_> {
         if frame.set_component(axis, component, value) {
             return Ok(());
         }
-        self.fail(codes::S2034, 0, span, "this component cannot be set: a chain of rotations and scales, or a factor 0")
+        self.fail(codes::S2034, span, "this component cannot be set: a chain of rotations and scales, or a factor 0")
     }
 
     pub(super) fn meaning(&mut self, name: Symbol) -> Meaning {

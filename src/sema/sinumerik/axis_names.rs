@@ -143,7 +143,7 @@ impl Run<'_> {
         let message = format!("{} and {} would both be printed as {}", first.text(), named.text(), axis.letter());
         let help =
             "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis";
-        self.fail_help(codes::S2130, 0, span, message, help)
+        self.fail_help(codes::S2130, span, message, help)
     }
 
     /// The word of an axis.
@@ -153,7 +153,7 @@ impl Run<'_> {
             Some(axis) => self.set_axis(words, axis, given),
             None if words.left_out.iter().any(|(known, _)| *known == named) => {
                 let message = format!("the axis {} stands twice in the block", named.text());
-                self.fail_help(codes::S2007, 12000, given.span, message, "delete one of the words")
+                self.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words")
             }
             None => {
                 words.left_out.push((named, given.span));
@@ -170,7 +170,7 @@ impl Run<'_> {
         }
         let message = format!("{} takes the modal call to another place, and is left out", named.text());
         let help = "print the axis (`[machine] axes`), or end the modal call in front of this block";
-        self.fail_help(codes::S9130, 0, *span, message, help)
+        self.fail_help(codes::S9130, *span, message, help)
     }
 
     /// The printed axis of a machine axis that G74 or G75 names: `X1` is the one of X.
@@ -191,6 +191,6 @@ impl Run<'_> {
         let help = format!(
             "say it: `[machine] axes = {{ {name} = \"{letter}\" }}`, or \"leave-out\" for an axis that the target does not have"
         );
-        self.fail_help(codes::S2016, 12050, axis.span, message, &help)
+        self.fail_help(codes::S2016.alarm(12050), axis.span, message, &help)
     }
 }

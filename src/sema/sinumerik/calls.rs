@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::machine::StandIn;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
-use crate::sema::run::{Level, open_program};
+use crate::sema::run::{Level, Where, open_program};
 use crate::text::blocks::Place;
 use crate::text::{FileError, Loc, Request, Span};
 
@@ -136,7 +136,7 @@ impl Run<'_> {
         if self.levels.len() >= self.job.settings.limits.call_depth {
             let message = format!("programs and repeats are nested deeper than {}", self.levels.len());
             self.stop_run();
-            self.fail_help(codes::P4003, 14012, Span::default(), message, "check for a program that calls itself")
+            self.fail_help(codes::P4003.alarm(14012), Where::Block, message, "check for a program that calls itself")
         } else {
             Ok(())
         }
@@ -230,9 +230,8 @@ impl Run<'_> {
 
     fn program_missing<T>(&mut self, name: &str, tried: &[String], like: Option<String>, span: Span) -> Outcome<T> {
         self.stop_run();
-        let found =
-            Diagnostic::new(codes::S2002, self.loc(span), format!("there is no program `{name}` (alarm 14011)"))
-                .here(format!("looked for {}", tried.join(", ")));
+        let found = Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), format!("there is no program `{name}`"))
+            .here(format!("looked for {}", tried.join(", ")));
         let known: Vec<&str> = self.units.list.iter().map(|unit| unit.name.as_str()).collect();
         let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
         self.report(match like {
@@ -359,7 +358,6 @@ impl Run<'_> {
             }
             CallForm::Iso => self.fail_help(
                 codes::S9003,
-                0,
                 block.span,
                 "ISOCALL calls a program in ISO dialect",
                 "translate the program, or leave the call out",
@@ -378,7 +376,7 @@ impl Run<'_> {
             Val::Text(text) if !text.is_empty() => Ok(String::from_utf8_lossy(&text).into_owned()),
             other => {
                 let message = format!("the name of a program is a text, this is {}", other.what());
-                self.fail(codes::S2005, 12150, formula.span, message)
+                self.fail(codes::S2005.alarm(12150), formula.span, message)
             }
         }
     }
@@ -386,20 +384,20 @@ impl Run<'_> {
     fn call_section(&mut self, unit: usize, from: Symbol, to: Symbol, span: Span) -> Outcome {
         let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
-            Err(error) => return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}")),
+            Err(error) => return self.fail(codes::P0105, span, format!("the file cannot be read: {error}")),
         };
         let forward = crate::parser::sinumerik::ast::Search::Forward;
         let any = crate::parser::sinumerik::ast::Search::Both;
         let Some(start) = skeleton.label(from, 0, any) else {
             let message = format!("there is no label `{}` in the program", self.symbols.name(from));
             self.stop_run();
-            return self.fail(codes::S2003, 14082, span, message);
+            return self.fail(codes::S2003.alarm(14082), span, message);
         };
         let end = if from == to { Some(start) } else { skeleton.label(to, start.place.at, forward) };
         let Some(end) = end else {
             let message = format!("there is no label `{}` behind the first", self.symbols.name(to));
             self.stop_run();
-            return self.fail(codes::S2003, 14082, span, message);
+            return self.fail(codes::S2003.alarm(14082), span, message);
         };
         self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
     }
@@ -463,7 +461,7 @@ impl Run<'_> {
             let unit = &self.units.list[self.unit()];
             if unit.kind == UnitKind::Main && !self.iso {
                 let loc = self.here.origin.loc;
-                let found = Diagnostic::new(codes::S2026, loc, "the program ends without M30, M2 or M17 (alarm 14000)");
+                let found = Diagnostic::new(codes::S2026.alarm(14000), loc, "the program ends without M30, M2 or M17");
                 self.report(found.help("write M30 as its last block"));
             }
             self.stop_run();

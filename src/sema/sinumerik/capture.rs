@@ -9,7 +9,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::machine::{Axis, AxisSet};
-use crate::sema::run::step;
+use crate::sema::run::{Where, step};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Span};
 
@@ -57,7 +57,7 @@ impl Run<'_> {
         while entered.is_ok() && self.in_contour() && !self.has_ended() {
             step(self);
         }
-        let pending = self.pending_must_be_done(Span::default());
+        let pending = self.pending_must_be_done(Where::Block);
         let capture = self.capture.take();
         let made = self.core.out.contour_ends(&here.origin);
         self.here = here;
@@ -70,7 +70,7 @@ impl Run<'_> {
         }
         if !capture.complete || self.place() != back {
             self.stop_run();
-            return self.contour_fault(call, Span::default(), 0, "the program jumps out of the contour");
+            return self.contour_fault(call, Where::Block, None, "the program jumps out of the contour");
         }
         made.or_else(|unfit| self.unfit(call, unfit))
     }
@@ -142,8 +142,7 @@ impl Run<'_> {
         self.stop_run();
         let _: Outcome = self.fail_help(
             codes::S2091,
-            0,
-            Span::default(),
+            Where::Block,
             "the program ends inside a contour",
             "put the label of the end of the contour in front of this block",
         );
@@ -160,8 +159,7 @@ impl Run<'_> {
         let message = format!("the contour `{}` holds a function of the machine", capture.name);
         let _: Outcome = self.fail_help(
             codes::S2091,
-            0,
-            Span::default(),
+            Where::Block,
             message,
             "move it in front of the call of the cycle: in which pass the control would carry it out is not known",
         );
@@ -173,7 +171,7 @@ impl Run<'_> {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
         let message = format!("a positioning axis moves in the contour `{}`", capture.name);
-        self.fail_help(codes::S2091, 0, span, message, "a contour is made of lines and arcs only")
+        self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
     }
 
     /// A cycle inside a contour.
@@ -181,50 +179,55 @@ impl Run<'_> {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
         let message = format!("{name} stands in the contour `{}`", capture.name);
-        self.fail_help(codes::S2091, 0, span, message, "a contour is made of lines and arcs only")
+        self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
     }
 
     fn unfit(&mut self, call: &ContourCall, unfit: Unfit) -> Outcome<Captured> {
         let (origin, alarm, message, help) = match unfit {
             Unfit::Reported => return Err(Reported),
             Unfit::TooMany(origin) => {
-                let message = format!("the contour has more than {MOST_ELEMENTS} elements (alarm 61933)");
-                let found = Diagnostic::new(codes::S4001, origin.loc, message).called(origin.call);
+                let message = format!("the contour has more than {MOST_ELEMENTS} elements");
+                let found = Diagnostic::new(codes::S4001.alarm(61933), origin.loc, message).called(origin.call);
                 self.report(found.also(call.loc, "called here").help("split it, or take splines of lines apart"));
                 return Err(Reported);
             }
             Unfit::NoStart(origin) => (
                 origin,
-                10931,
+                Some(10931),
                 "the contour has no start point",
                 "its first block names both coordinates of the plane: G0 Z0 X20",
             ),
             Unfit::Plane(origin) => {
-                (origin, 0, "the working plane changes inside the contour", "a contour lies in one plane")
+                (origin, None, "the working plane changes inside the contour", "a contour lies in one plane")
             }
             Unfit::Frame(origin) => (
                 origin,
-                0,
+                None,
                 "the coordinate system changes inside the contour",
                 "program TRANS, ROT, SCALE and MIRROR in front of the cycle",
             ),
             Unfit::Leaves(origin) => (
                 origin,
-                0,
+                None,
                 "a block of the contour leaves its plane",
                 "a contour has moves of the two axes of its plane only",
             ),
         };
-        let message = if alarm == 0 { message.to_owned() } else { format!("{message} (alarm {alarm})") };
-        let found = Diagnostic::new(codes::S2091, origin.loc, message).called(origin.call);
+        let found = Diagnostic::new(codes::S2091.alarm(alarm), origin.loc, message).called(origin.call);
         self.report(found.also(call.loc, "called here").help(help));
         Err(Reported)
     }
 
     /// A fault of a contour, reported at its call.
-    pub(super) fn contour_fault<T>(&self, call: &ContourCall, span: Span, alarm: u32, what: &str) -> Outcome<T> {
+    pub(super) fn contour_fault<T>(
+        &self,
+        call: &ContourCall,
+        place: impl Into<Where>,
+        alarm: impl Into<Option<u32>>,
+        what: &str,
+    ) -> Outcome<T> {
         let message = format!("contour `{}`: {what}", call.name);
-        self.fail(codes::S2091, alarm, span, message)
+        self.fail(codes::S2091.alarm(alarm), place, message)
     }
 }
 

@@ -9,6 +9,7 @@ use crate::geo::{Deg, Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::Code;
@@ -72,8 +73,7 @@ impl Run<'_> {
             (Some(cr), None, None) => {
                 if !named {
                     return self.fail_help(
-                        codes::S3003,
-                        14040,
+                        codes::S3003.alarm(14040),
                         cr.span,
                         "an arc by CR= needs an end point that differs from its start",
                         "program the end point, or a full circle with I, J, K",
@@ -83,8 +83,7 @@ impl Run<'_> {
                 let chord = crate::geo::distance(start, to);
                 if chord <= SAME {
                     return self.fail_help(
-                        codes::S3003,
-                        14040,
+                        codes::S3003.alarm(14040),
                         cr.span,
                         "the arc by CR= ends where it starts",
                         "program a full circle with I, J, K",
@@ -97,7 +96,7 @@ impl Run<'_> {
                         2.0 * radius.abs()
                     );
                     let help = format!("CR= has to be at least {:.4}", chord / 2.0 / self.st.length_unit());
-                    return self.fail_help(codes::S3001, 14095, cr.span, message, &help);
+                    return self.fail_help(codes::S3001.alarm(14095), cr.span, message, &help);
                 }
                 ArcShape::Radius { radius, ccw, tol: self.circle_tolerance(radius) }
             }
@@ -106,8 +105,7 @@ impl Run<'_> {
                 match center {
                     Some(_) if named => {
                         return self.fail_help(
-                            codes::S3002,
-                            14900,
+                            codes::S3002.alarm(14900),
                             ar.span,
                             "AR= stands beside both a centre and an end point",
                             "give the end point or the centre",
@@ -118,7 +116,7 @@ impl Run<'_> {
                         ArcShape::Sweep { center, sweep }
                     }
                     None if named => ArcShape::Opening { sweep },
-                    None => return self.fail(codes::S3003, 14040, ar.span, "AR= needs an end point or a centre"),
+                    None => return self.fail(codes::S3003.alarm(14040), ar.span, "AR= needs an end point or a centre"),
                 }
             }
             (None, None, Some(center)) => {
@@ -130,8 +128,7 @@ impl Run<'_> {
             }
             (None, None, None) => {
                 return self.fail_help(
-                    codes::S3003,
-                    14040,
+                    codes::S3003.alarm(14040),
                     span,
                     "the arc has neither a centre nor a radius",
                     "give I, J, K, CR= or AR=; for a straight line program G1",
@@ -139,8 +136,7 @@ impl Run<'_> {
             }
             _ => {
                 return self.fail_help(
-                    codes::S3002,
-                    14900,
+                    codes::S3002.alarm(14900),
                     span,
                     "centre, CR= and AR= exclude each other",
                     "keep one of them",
@@ -161,13 +157,12 @@ impl Run<'_> {
         if r1 <= SAME || r2 <= SAME {
             let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
             let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say";
-            return self.fail_help(codes::S3003, 14040, span, message, help);
+            return self.fail_help(codes::S3003.alarm(14040), span, message, help);
         }
         if off > self.circle_tolerance(r1) + 1e-9 {
             let message = format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm");
             return self.fail_help(
-                codes::S3007,
-                14040,
+                codes::S3007.alarm(14040),
                 span,
                 message,
                 "check start, end and centre; `[control] md21000` and `md21010` set the tolerance",
@@ -195,7 +190,7 @@ impl Run<'_> {
                 let message = format!(
                     "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm, and no centre near it fits both"
                 );
-                self.fail_help(codes::S3007, 14040, span, message, "check start, end and centre")
+                self.fail_help(codes::S3007.alarm(14040), span, message, "check start, end and centre")
             }
         }
     }
@@ -209,13 +204,14 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, span: Span) -> Outcome {
+    pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, place: impl Into<Where>) -> Outcome {
+        let place = place.into();
         if let Some(third) =
             AxisSet::MAIN.iter().find(|axis| end.get(*axis).is_some() && self.st.position.get(*axis).is_none())
         {
-            return self.unknown_axis(third, span);
+            return self.unknown_axis(third, place);
         }
-        self.pending_must_be_done(span)?;
+        self.pending_must_be_done(place)?;
         self.send(end, Path::Arc(arc, feed));
         Ok(())
     }
@@ -278,8 +274,7 @@ impl Run<'_> {
                 _ => {
                     let message = format!("{} lies outside the plane of the circle", axis.letter());
                     return self.fail_help(
-                        codes::S2012,
-                        12110,
+                        codes::S2012.alarm(12110),
                         given.span,
                         message,
                         "G17 takes I and J, G18 K and I, G19 J and K",
@@ -293,7 +288,7 @@ impl Run<'_> {
                 Mode::Ac => true,
                 Mode::Ic => false,
                 _ => {
-                    return self.fail(codes::S2012, 12020, given.span, "only AC(…) and IC(…) fit here");
+                    return self.fail(codes::S2012.alarm(12020), given.span, "only AC(…) and IC(…) fit here");
                 }
             };
             if absolute {
@@ -311,7 +306,12 @@ impl Run<'_> {
     fn opening(&self, ar: Given, ccw: bool) -> Outcome<Deg> {
         if !(0.0001..=359.9999).contains(&ar.value) {
             let message = format!("AR={} lies outside 0.0001 to 359.9999 degrees", ar.value);
-            return self.fail_help(codes::S3004, 14910, ar.span, message, "the sense of rotation comes from G2 or G3");
+            return self.fail_help(
+                codes::S3004.alarm(14910),
+                ar.span,
+                message,
+                "the sense of rotation comes from G2 or G3",
+            );
         }
         Ok(Deg(if ccw { ar.value } else { -ar.value }))
     }
@@ -321,8 +321,7 @@ impl Run<'_> {
         if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
             let message = format!("TURN={} is no number of turns", turn.value);
             return self.fail_help(
-                codes::S3005,
-                14048,
+                codes::S3005.alarm(14048),
                 turn.span,
                 message,
                 "TURN counts additional full circles, 0 to 999",
@@ -336,8 +335,7 @@ impl Run<'_> {
         for address in [Address::I, Address::J, Address::K, Address::Cr, Address::Ar] {
             if let Some(given) = w.get(address) {
                 return self.fail_help(
-                    codes::S3002,
-                    14900,
+                    codes::S3002.alarm(14900),
                     given.span,
                     "a polar arc has the pole as its centre",
                     "leave the centre, CR= and AR= out, or program the end point by axes",
@@ -429,7 +427,6 @@ impl Run<'_> {
             if !level(self.st.position.get(*axis)) || !level(end) {
                 return self.fail_help(
                     codes::S9013,
-                    0,
                     given.span,
                     "the circle stands obliquely in space",
                     "plain G-code has circles in the main planes only; have the CAM system put out lines",
@@ -442,8 +439,7 @@ impl Run<'_> {
         let to = self.end_in(&end, plane, start);
         let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
             return self.fail_help(
-                codes::S3006,
-                14920,
+                codes::S3006.alarm(14920),
                 w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|g| g.span).unwrap_or_default(),
                 "CIP needs an intermediate point",
                 "give I1=, J1=, K1=",
@@ -458,8 +454,7 @@ impl Run<'_> {
                 return Ok(());
             }
             return self.fail_help(
-                codes::S3006,
-                14920,
+                codes::S3006.alarm(14920),
                 span,
                 "start, intermediate point and end lie on one line",
                 "move the intermediate point off the line, between start and end of the arc",

@@ -7,6 +7,7 @@ use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
 use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::Code;
@@ -43,9 +44,9 @@ impl Run<'_> {
         let Some(given) = angle else {
             let origin = self.pending.take().map(|pending| pending.origin);
             let found = Diagnostic::new(
-                codes::S2070,
+                codes::S2070.alarm(10794),
                 self.here.origin.loc,
-                "the second line of the pair has no ANG (alarm 10794)",
+                "the second line of the pair has no ANG",
             );
             let found = match origin {
                 Some(origin) => found.also(origin.loc, "the first line"),
@@ -65,9 +66,9 @@ impl Run<'_> {
             ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
             (_, Some(pending)) => {
                 let found = Diagnostic::new(
-                    codes::S2070,
+                    codes::S2070.alarm(10794),
                     self.loc(given.span),
-                    "the second line of the pair needs both end coordinates (alarm 10794)",
+                    "the second line of the pair needs both end coordinates",
                 );
                 self.report(found.also(pending.origin.loc, "the first line"));
                 Err(Reported)
@@ -75,8 +76,7 @@ impl Run<'_> {
             // The first line was refused.
             ([true, true], None) if lost => Err(Reported),
             ([true, true], None) => self.fail_help(
-                codes::S2070,
-                10795,
+                codes::S2070.alarm(10795),
                 given.span,
                 "both end coordinates and an angle say too much",
                 "leave ANG out; only the second line of a pair has all three",
@@ -127,7 +127,6 @@ impl Run<'_> {
                 self.pending = None;
                 return self.fail_help(
                     codes::S2070,
-                    0,
                     given.span,
                     "the second line of the pair is programmed by increments, and from where they count is not documented",
                     "program its end point in absolute coordinates: G90, or AC(…)",
@@ -141,8 +140,8 @@ impl Run<'_> {
     pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
         let Some(pending) = self.pending.take() else { return Ok(()) };
         self.st.position.lose(AxisSet::MAIN);
-        let message = "the second line of the pair is no straight line (alarm 10792)";
-        let found = Diagnostic::new(codes::S2070, self.loc(span), message);
+        let message = "the second line of the pair is no straight line";
+        let found = Diagnostic::new(codes::S2070.alarm(10792), self.loc(span), message);
         self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
         Err(Reported)
     }
@@ -161,8 +160,7 @@ impl Run<'_> {
         };
         if across.abs() < SAME_DIRECTION {
             return self.fail_help(
-                codes::S2070,
-                10795,
+                codes::S2070.alarm(10795),
                 span,
                 "the end coordinate cannot be reached at this angle",
                 "the line runs at a right angle to the axis of the end coordinate",
@@ -171,8 +169,7 @@ impl Run<'_> {
         let way = along / across;
         if way < -1e-9 {
             return self.fail_help(
-                codes::S2070,
-                10795,
+                codes::S2070.alarm(10795),
                 span,
                 "the end coordinate lies behind the start, seen along the angle",
                 "turn the angle by 180 degrees, or check the end coordinate",
@@ -192,7 +189,7 @@ impl Run<'_> {
     }
 
     fn second_line(&mut self, pending: Box<Pending>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
-        let first = Diagnostic::new(codes::S2070, self.loc(span), "");
+        let first = Diagnostic::new(codes::S2070.alarm(10791), self.loc(span), "");
         let refuse = |run: &Self, message: &str, help: &str| -> Outcome {
             let found = Diagnostic { message: message.to_owned(), ..first.clone() };
             run.report(found.also(pending.origin.loc, "the first line").help(help));
@@ -203,7 +200,7 @@ impl Run<'_> {
         };
         let (u, v) = (pending.angle.unit(), angle.unit());
         let Some((s, _)) = intersect::lines(start, u, to, v, SAME_DIRECTION) else {
-            return refuse(self, "the two lines are parallel and have no corner (alarm 10791)", "check the two angles");
+            return refuse(self, "the two lines are parallel and have no corner", "check the two angles");
         };
         let corner: Point2 = start + u * s;
         let behind = (to - corner).dot(&v);
@@ -212,7 +209,7 @@ impl Run<'_> {
                 if s < -1e-9 { "the first line would run backwards" } else { "the second line would run backwards" };
             return refuse(
                 self,
-                &format!("the lines meet behind the start: {which} (alarm 10791)"),
+                &format!("the lines meet behind the start: {which}"),
                 "turn that angle by 180 degrees, or check the end point",
             );
         }
@@ -232,15 +229,15 @@ impl Run<'_> {
     }
 
     /// Something that cannot stand between the two lines of a pair.
-    pub(super) fn pending_must_be_done(&mut self, span: Span) -> Outcome {
+    pub(super) fn pending_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
         self.stored_must_be_done()?;
         let Some(pending) = self.pending.take() else { return Ok(()) };
         self.pair_lost = true;
         let found =
-            Diagnostic::new(codes::S2070, pending.origin.loc, "the second line of the pair is missing (alarm 10793)");
+            Diagnostic::new(codes::S2070.alarm(10793), pending.origin.loc, "the second line of the pair is missing");
         self.report(
             found
-                .also(self.loc(span), "this comes before it")
+                .also(self.loc(place), "this comes before it")
                 .help("write the second line behind the first: X… Y… ANG=…"),
         );
         self.st.position.lose(AxisSet::MAIN);
@@ -278,8 +275,7 @@ impl Run<'_> {
 
     pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
         self.fail_help(
-            codes::S2071,
-            10882,
+            codes::S2071.alarm(10882),
             span,
             "a chamfer or rounding stands in a block that does not move",
             "write it into the block that leads to the corner",
@@ -296,7 +292,7 @@ impl Run<'_> {
         }
         if let Some(frcm) = w.take(Address::Frcm) {
             if frcm.value < 0.0 {
-                return self.fail(codes::S2041, 14800, frcm.span, "the feed FRCM= is negative");
+                return self.fail(codes::S2041.alarm(14800), frcm.span, "the feed FRCM= is negative");
             }
             self.st.frcm = (frcm.value > 0.0).then(|| self.feed_of(frcm.value));
         }
@@ -304,7 +300,7 @@ impl Run<'_> {
     }
 
     fn negative<T>(&self, span: Span) -> Outcome<T> {
-        self.fail(codes::S2071, 16500, span, "a chamfer or rounding is negative")
+        self.fail(codes::S2071.alarm(16500), span, "a chamfer or rounding is negative")
     }
 
     /// The corner that the block asks for at its end.
@@ -335,7 +331,7 @@ impl Run<'_> {
             self.report(found.help("delete one of them"));
         }
         if let (Some(_), Some(chf)) = (chr, chf) {
-            return self.fail_help(codes::S2071, 0, chf.span, "CHR and CHF stand in one block", "keep one of them");
+            return self.fail_help(codes::S2071, chf.span, "CHR and CHF stand in one block", "keep one of them");
         }
         let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
         let shape = match (rnd, chr, chf) {
@@ -346,13 +342,12 @@ impl Run<'_> {
         };
         let feed = match frc {
             Some(frc) if frc.value > 0.0 => Some(self.feed_of(frc.value)),
-            Some(frc) => return self.fail(codes::S2041, 14800, frc.span, "the feed FRC= is not above 0"),
+            Some(frc) => return self.fail(codes::S2041.alarm(14800), frc.span, "the feed FRC= is not above 0"),
             None => self.modal_corner_feed()?,
         };
         if !explicit && self.st.rndm == 0.0 {
             return self.fail_help(
                 codes::S2071,
-                0,
                 frc.map(|given| given.span).unwrap_or_default(),
                 "FRC= stands without a chamfer or rounding",
                 "give RND=, CHR= or CHF= in the same block",
@@ -376,7 +371,7 @@ impl Run<'_> {
         }
         let message = "the kind of feed has changed since FRCM=, whose value counts in the other one";
         let help = "program FRCM= again behind G94, G95 and G96, or FRCM=0";
-        self.fail_help(codes::S2040, 10860, Span::default(), message, help)
+        self.fail_help(codes::S2040.alarm(10860), Where::Block, message, help)
     }
 
     /// What the control does with a corner that does not fit.
@@ -410,10 +405,8 @@ impl Run<'_> {
         if *count <= MOST_BETWEEN {
             return Ok(());
         }
-        let message = format!(
-            "more than {MOST_BETWEEN} blocks without a move stand behind the chamfer or rounding (alarm 10880)"
-        );
-        let found = Diagnostic::new(codes::S2071, *loc, message);
+        let message = format!("more than {MOST_BETWEEN} blocks without a move stand behind the chamfer or rounding");
+        let found = Diagnostic::new(codes::S2071.alarm(10880), *loc, message);
         self.corner_open = None;
         self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
         Err(Reported)

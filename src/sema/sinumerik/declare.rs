@@ -45,8 +45,7 @@ impl Run<'_> {
     ) -> Outcome {
         if self.program_level().executed && !global {
             return self.fail_help(
-                codes::S2015,
-                14500,
+                codes::S2015.alarm(14500),
                 block.span,
                 "DEF stands behind executed blocks",
                 "move it to the top of the program",
@@ -58,7 +57,9 @@ impl Run<'_> {
                 let n = self.number(formula, block, text)?;
                 match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= LONGEST_TEXT) {
                     Some(n) => n,
-                    None => return self.fail(codes::S2030, 12210, formula.span, "a text has 0 to 200 characters"),
+                    None => {
+                        return self.fail(codes::S2030.alarm(12210), formula.span, "a text has 0 to 200 characters");
+                    }
                 }
             }
             None if kind == TypeName::String => 32,
@@ -86,11 +87,11 @@ impl Run<'_> {
         let word = self.symbols.name(name).to_owned();
         if word.len() > LONGEST_NAME {
             let message = format!("the name has {} characters", word.len());
-            return self.fail_help(codes::S1014, 12420, variable.span, message, "shorten it to 31");
+            return self.fail_help(codes::S1014.alarm(12420), variable.span, message, "shorten it to 31");
         }
         let defined = self.loc(variable.span);
         if let Some(first) = self.vars.of_level(name).map(|var| var.defined).filter(|first| *first != defined) {
-            let found = Diagnostic::new(codes::S2016, defined, format!("`{word}` is defined twice (alarm 12170)"));
+            let found = Diagnostic::new(codes::S2016.alarm(12170), defined, format!("`{word}` is defined twice"));
             self.report(found.also(first, "the first definition").help("rename one of them"));
             return Err(Reported);
         }
@@ -109,7 +110,7 @@ impl Run<'_> {
         };
         if let Some(what) = taken {
             let message = format!("`{word}` is {what} and cannot be a variable");
-            return self.fail_help(codes::S2016, 12170, variable.span, message, "choose another name");
+            return self.fail_help(codes::S2016.alarm(12170), variable.span, message, "choose another name");
         }
         let mut sizes = Vec::new();
         for formula in block.arguments(variable.sizes).to_vec() {
@@ -118,8 +119,7 @@ impl Run<'_> {
                 Some(n) => sizes.push(n),
                 None => {
                     return self.fail(
-                        codes::S2018,
-                        12430,
+                        codes::S2018.alarm(12430),
                         formula.span,
                         "an array has 1 to 32767 elements in a direction",
                     );
@@ -127,11 +127,11 @@ impl Run<'_> {
             }
         }
         if sizes.len() > 3 {
-            return self.fail(codes::S2018, 12190, variable.span, "an array has at most three directions");
+            return self.fail(codes::S2018.alarm(12190), variable.span, "an array has at most three directions");
         }
         let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
         if count > u64::from(MOST_ELEMENTS) * 4 {
-            return self.fail(codes::S2018, 12380, variable.span, format!("{count} elements are too many"));
+            return self.fail(codes::S2018.alarm(12380), variable.span, format!("{count} elements are too many"));
         }
         // Making them is work.
         self.budget.take(count / 64);
@@ -139,7 +139,7 @@ impl Run<'_> {
         if let [Some(least), Some(most)] = limits
             && least > most
         {
-            return self.fail(codes::S2029, 12161, variable.span, format!("LLI {least} is above ULI {most}"));
+            return self.fail(codes::S2029.alarm(12161), variable.span, format!("LLI {least} is above ULI {most}"));
         }
         let mut zero = Val::zero(kind);
         if zero.number().is_some() {
@@ -152,12 +152,12 @@ impl Run<'_> {
         let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false, limits };
         if let Some(formula) = variable.value {
             if kind == TypeName::Frame {
-                return self.fail(codes::S2017, 12261, formula.span, "a FRAME cannot be given a value by DEF");
+                return self.fail(codes::S2017.alarm(12261), formula.span, "a FRAME cannot be given a value by DEF");
             }
             var = self.started(var, formula, block, text)?;
         }
         if !self.vars.define(name, var, global) {
-            return self.fail(codes::S2018, 12380, variable.span, "the variables of the program are too large");
+            return self.fail(codes::S2018.alarm(12380), variable.span, "the variables of the program are too large");
         }
         Ok(())
     }
@@ -231,7 +231,7 @@ impl Run<'_> {
                 Stmt::Def { kind, length, .. } => self.def_block(kind, length, true, &block, &text),
                 Stmt::Define(span) => self.define_macro(span.of(&text), span),
                 Stmt::Empty | Stmt::Header | Stmt::Bad | Stmt::Redef(_) | Stmt::Words => Ok(()),
-                _ => self.fail(codes::S2013, 12500, block.span, "a definition file holds DEF and DEFINE only"),
+                _ => self.fail(codes::S2013.alarm(12500), block.span, "a definition file holds DEF and DEFINE only"),
             };
         }
         self.here = here;

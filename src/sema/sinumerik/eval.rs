@@ -92,7 +92,7 @@ impl Formulas for Run<'_> {
     fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
         Ok(match *op {
             Op::Real(v) if v.is_finite() => Val::Real(v),
-            Op::Real(_) => return Ok(self.fail(codes::S2029, 12160, at.span, "the number is too large")?),
+            Op::Real(_) => return Ok(self.fail(codes::S2029.alarm(12160), at.span, "the number is too large")?),
             Op::Int(n) => int_or_real(n),
             Op::Bool(b) => Val::Bool(b),
             Op::Char(c) => Val::Char(c),
@@ -131,18 +131,18 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let (code, alarm, message) = match fault {
-            Fault::Misfit(what) => (codes::S2005, 12150, format!("the operator does not fit {what}")),
-            Fault::Mismatch(a, b) => (codes::S2005, 12150, format!("{a} and {b} do not go together here")),
-            Fault::Missing => (codes::S2005, 12150, "a value is missing".to_owned()),
-            Fault::Said(why) => (codes::S2030, 14099, why),
-            Fault::Zero(_) => (codes::S2006, 14051, "division by zero".to_owned()),
-            Fault::TooLargeInt => (codes::S2006, 14051, "the result is too large for an INT".to_owned()),
+        let (code, message) = match fault {
+            Fault::Misfit(what) => (codes::S2005.alarm(12150), format!("the operator does not fit {what}")),
+            Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
+            Fault::Missing => (codes::S2005.alarm(12150), "a value is missing".to_owned()),
+            Fault::Said(why) => (codes::S2030.alarm(14099), why),
+            Fault::Zero(_) => (codes::S2006.alarm(14051), "division by zero".to_owned()),
+            Fault::TooLargeInt => (codes::S2006.alarm(14051), "the result is too large for an INT".to_owned()),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
-                (codes::S2006, 14051, "the result is too large".to_owned())
+                (codes::S2006.alarm(14051), "the result is too large".to_owned())
             }
         };
-        self.report(self.found(code, alarm, at.span, message));
+        self.report(Diagnostic::new(code, self.loc(at.span), message));
         Reported
     }
 }
@@ -169,8 +169,8 @@ impl Run<'_> {
     pub(super) fn as_number(&self, value: &Val, span: Span) -> Outcome<f64> {
         match value.number() {
             Some(v) if v.is_finite() => Ok(v),
-            Some(_) => self.fail(codes::S2006, 14051, span, "the value is infinite"),
-            None => self.fail(codes::S2005, 12150, span, format!("a number is needed, this is {}", value.what())),
+            Some(_) => self.fail(codes::S2006.alarm(14051), span, "the value is infinite"),
+            None => self.fail(codes::S2005.alarm(12150), span, format!("a number is needed, this is {}", value.what())),
         }
     }
 
@@ -181,7 +181,7 @@ impl Run<'_> {
             Some(truth) => Ok(truth),
             None => {
                 let message = format!("a condition is needed, this is {}", value.what());
-                self.fail(codes::S2005, 12150, formula.span, message)
+                self.fail(codes::S2005.alarm(12150), formula.span, message)
             }
         }
     }
@@ -194,14 +194,14 @@ impl Run<'_> {
                 let what = if alarm == BINARY_TOO_LARGE { "binary" } else { "hexadecimal" };
                 let span = Span::at(span.start + at as u32, 1);
                 let message = format!("the {what} constant in the text is larger than one character");
-                self.fail_help(codes::S2030, alarm, span, message, "a character has 8 bits: 'H00' to 'HFF'")
+                self.fail_help(codes::S2030.alarm(alarm), span, message, "a character has 8 bits: 'H00' to 'HFF'")
             }
         }
     }
 
     pub(super) fn r_value(&mut self, n: u32, span: Span) -> Outcome<Val> {
         if n > MOST_R {
-            return self.fail(codes::S2018, 17020, span, format!("there is no parameter R{n}"));
+            return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
         if !set && self.warned_r.insert(n) {
@@ -250,7 +250,7 @@ impl Run<'_> {
             Meaning::Known(known) => self.not_compiled(name, known, span),
             Meaning::Procedure(Procedure::Refused(what)) => {
                 let message = format!("{} ({what}) is not supported", self.symbols.name(name));
-                self.fail_help(codes::S9005, 0, span, message, "replace it by plain moves")
+                self.fail_help(codes::S9005, span, message, "replace it by plain moves")
             }
             _ => self.undefined(name, span),
         }
@@ -258,7 +258,7 @@ impl Run<'_> {
 
     pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
         let message = format!("{} ({}) is not compiled", self.symbols.name(name), known.what);
-        self.fail_help(codes::S9132, 0, span, message, known.help)
+        self.fail_help(codes::S9132, span, message, known.help)
     }
 
     /// A name that nothing is known of.
@@ -266,7 +266,7 @@ impl Run<'_> {
         let word = self.symbols.name(name);
         if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
             let message = format!("{word} lacks the axis or spindle in brackets");
-            return self.fail_help(codes::S1001, 12080, span, message, &format!("write {word}[X]=…"));
+            return self.fail_help(codes::S1001.alarm(12080), span, message, &format!("write {word}[X]=…"));
         }
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);
@@ -278,7 +278,7 @@ impl Run<'_> {
             }
             None => "define it by DEF at the top of the program, or in a definition file beside it".to_owned(),
         };
-        self.fail_help(codes::S2001, 12550, span, format!("the name `{word}` is not defined"), &help)
+        self.fail_help(codes::S2001.alarm(12550), span, format!("the name `{word}` is not defined"), &help)
     }
 
     /// A global variable keeps its value from run to run, so its start value is a guess.
@@ -302,7 +302,7 @@ impl Run<'_> {
             Some(at) => Ok(var.values[at].clone()),
             None => {
                 let message = no_element(var.sizes.len(), &var.sizes, indices);
-                self.fail(codes::S2018, 12400, span, message)
+                self.fail(codes::S2018.alarm(12400), span, message)
             }
         }
     }
@@ -314,7 +314,7 @@ impl Run<'_> {
 
     fn index(&self, value: &Val, span: Span) -> Outcome<i32> {
         let message = || format!("an index is a whole number, this is {}", value.what());
-        value.number().and_then(whole).map_or_else(|| self.fail(codes::S2018, 12410, span, message()), Ok)
+        value.number().and_then(whole).map_or_else(|| self.fail(codes::S2018.alarm(12410), span, message()), Ok)
     }
 
     fn indexed_value(&mut self, base: Base, args: &[Val], span: Span) -> Outcome<Val> {
@@ -327,7 +327,7 @@ impl Run<'_> {
                 Some(slot) => self.indexed_variable(slot, args, span),
                 None => {
                     let message = format!("`{}` has no index here", letter as char);
-                    self.fail(codes::S1001, 12080, span, message)
+                    self.fail(codes::S1001.alarm(12080), span, message)
                 }
             },
             Base::System(name) => self.system_value(name, args, span),
@@ -355,7 +355,7 @@ impl Run<'_> {
             let found = usize::try_from(*index).ok().and_then(|at| text.get(at)).copied();
             return match found {
                 Some(c) => Ok(Val::Char(c)),
-                None => self.fail(codes::S2018, 12400, span, format!("the text has no character {index}")),
+                None => self.fail(codes::S2018.alarm(12400), span, format!("the text has no character {index}")),
             };
         }
         self.variable_value(slot, indices, span)
@@ -364,12 +364,12 @@ impl Run<'_> {
     pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
         let [index] = args else {
             self.indices(args, span)?;
-            return self.fail(codes::S2018, 12400, span, "an R parameter has one index");
+            return self.fail(codes::S2018.alarm(12400), span, "an R parameter has one index");
         };
         let index = self.index(index, span)?;
         match u32::try_from(index) {
             Ok(n) if n <= MOST_R => Ok(n),
-            _ => self.fail(codes::S2018, 17020, span, format!("there is no parameter R{index}")),
+            _ => self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{index}")),
         }
     }
 
@@ -380,7 +380,7 @@ impl Run<'_> {
             }
             let message = format!("there is no function `{}`", self.symbols.name(name));
             let help = "a program is called in a block of its own, not in a formula";
-            return self.fail_help(codes::S2001, 12550, span, message, help);
+            return self.fail_help(codes::S2001.alarm(12550), span, message, help);
         };
         let args = if args == [Val::Missing] { &[] } else { args };
         let made = match function {
@@ -400,9 +400,9 @@ impl Run<'_> {
             Err(error) => error,
         };
         match error {
-            NoResult::Count(takes) => self.fail(codes::S2021, 14021, span, format!("{word} takes {takes}")),
+            NoResult::Count(takes) => self.fail(codes::S2021.alarm(14021), span, format!("{word} takes {takes}")),
             NoResult::Type => {
-                self.fail(codes::S2005, 12150, span, format!("{word} does not take a value of this type"))
+                self.fail(codes::S2005.alarm(12150), span, format!("{word} does not take a value of this type"))
             }
             NoResult::Domain(why) => {
                 let alarm = match word {
@@ -412,7 +412,7 @@ impl Run<'_> {
                     "NUMBER" => 14098,
                     _ => 14051,
                 };
-                self.fail(codes::S2006, alarm, span, format!("{word}: {why}"))
+                self.fail(codes::S2006.alarm(alarm), span, format!("{word}: {why}"))
             }
         }
     }

@@ -69,9 +69,8 @@ impl Run<'_> {
         if first.parameters == parameters {
             return Ok(());
         }
-        let message =
-            format!("{} is declared a second time with other parameters (alarm 12480)", self.symbols.name(name));
-        let found = Diagnostic::new(codes::S2021, loc, message).also(first.loc, "the first declaration");
+        let message = format!("{} is declared a second time with other parameters", self.symbols.name(name));
+        let found = Diagnostic::new(codes::S2021.alarm(12480), loc, message).also(first.loc, "the first declaration");
         self.report(found.help("delete one of the two lines"));
         Err(Reported)
     }
@@ -88,8 +87,8 @@ impl Run<'_> {
         let is: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
         let Some(what) = difference(&known.parameters, &is) else { return };
         known.told = true;
-        let message = format!("EXTERN does not fit the program {name}: {what} (alarm 14530)");
-        let found = Diagnostic::new(codes::S2021, known.loc, message);
+        let message = format!("EXTERN does not fit the program {name}: {what}");
+        let found = Diagnostic::new(codes::S2021.alarm(14530), known.loc, message);
         let found = found.also(self.loc(block.span), "its PROC").help("write the types of PROC into the EXTERN line");
         self.report(found);
     }

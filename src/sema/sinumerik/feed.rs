@@ -5,6 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
 use crate::machine::Axis;
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
@@ -28,7 +29,7 @@ impl Run<'_> {
             return;
         }
         let message = "no block says what F counts: it is taken in mm per minute (G94)";
-        let found = Diagnostic::new(codes::S8045, self.loc(Span::default()), message);
+        let found = Diagnostic::new(codes::S8045, self.loc(Where::Block), message);
         self.report(found.help("program G94 or G95, or set `[control] md20150 = \"g95\"`"));
     }
 
@@ -36,7 +37,7 @@ impl Run<'_> {
     fn spindle_feeds(&self) {
         if self.st.turn.is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047) {
             let message = "no block in front of this feed per revolution starts the spindle";
-            let found = Diagnostic::new(codes::S8047, self.loc(Span::default()), message);
+            let found = Diagnostic::new(codes::S8047, self.loc(Where::Block), message);
             self.report(found.help("program M3 or M4 with a speed in front of it"));
         }
     }
@@ -54,7 +55,7 @@ impl Run<'_> {
     fn block_feed(&self, w: &mut Words) -> Outcome<Option<Given>> {
         match w.take(Address::Fb) {
             Some(fb) if fb.value <= 0.0 => {
-                self.fail(codes::S2041, 14800, fb.span, format!("the feed FB={} is not above 0", fb.value))
+                self.fail(codes::S2041.alarm(14800), fb.span, format!("the feed FB={} is not above 0", fb.value))
             }
             fb => Ok(fb),
         }
@@ -79,9 +80,8 @@ impl Run<'_> {
         }
         if self.cut_speed_open.take().is_some() {
             return self.fail_help(
-                codes::S2045,
-                10900,
-                Span::default(),
+                codes::S2045.alarm(10900),
+                Where::Block,
                 "G96 has no cutting speed",
                 "program S in m/min with G96; the S of before is a speed in turns",
             );
@@ -93,7 +93,7 @@ impl Run<'_> {
             Some(feed) => {
                 self.feed_kind_is_said();
                 if matches!(feed, Feed::PerRevolution(_)) {
-                    self.master_is_main(Span::default(), "a feed per revolution")?;
+                    self.master_is_main(Where::Block, "a feed per revolution")?;
                     self.spindle_feeds();
                 }
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
@@ -109,9 +109,8 @@ impl Run<'_> {
                 // Once is enough.
                 self.st.feed_lost = true;
                 self.fail_help(
-                    codes::S2040,
-                    10860,
-                    Span::default(),
+                    codes::S2040.alarm(10860),
+                    Where::Block,
                     "no feed is programmed",
                     "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
                 )
@@ -131,14 +130,14 @@ impl Run<'_> {
              printed diameter, the control may take the programmed one"
         );
         let help = "end the shift in front of the cut, or program the speed by G97 S";
-        self.report(Diagnostic::new(codes::S8191, self.loc(Span::default()), message).help(help));
+        self.report(Diagnostic::new(codes::S8191, self.loc(Where::Block), message).help(help));
     }
 
     /// Under G93 F is the time of its own block, which no other block has.
     fn time_of_block(&self, w: &Words) -> Outcome {
         if self.st.side() != crate::ir::Side::None {
             return self.not_by_time(
-                Span::default(),
+                Where::Block,
                 "under radius compensation the length of the path, and so the time of G93, is the target's",
             );
         }
@@ -146,17 +145,16 @@ impl Run<'_> {
             return Ok(());
         }
         self.fail_help(
-            codes::S2040,
-            10860,
-            Span::default(),
+            codes::S2040.alarm(10860),
+            Where::Block,
             "under G93 the block has no F",
             "program F in every block that cuts: it is 1 divided by the minutes of the block",
         )
     }
 
     /// Refuses what has no share of the time of a block.
-    pub(super) fn not_by_time<T>(&self, span: Span, message: &str) -> Outcome<T> {
-        self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95 for it")
+    pub(super) fn not_by_time<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
+        self.fail_help(codes::S9009, place, message, "program the feed by G94 or G95 for it")
     }
 
     pub(super) fn feed_code(&mut self, code: Code, span: Span) -> Outcome {
@@ -164,11 +162,11 @@ impl Run<'_> {
         use Code as G;
         if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
             let message = format!("{} gives feeds that plain G-code cannot say", code.word());
-            return self.fail_help(codes::S9009, 0, span, message, "program the feed by G94 or G95");
+            return self.fail_help(codes::S9009, span, message, "program the feed by G94 or G95");
         }
         if code.holds_cutting_speed() && self.job.settings.machine.diameter_axis.is_none() {
             let message = "constant cutting speed needs a diameter axis (MD 20100)";
-            return self.fail_help(codes::S2060, 10870, span, message, "set `[machine] diameter_axis = \"X\"`");
+            return self.fail_help(codes::S2060.alarm(10870), span, message, "set `[machine] diameter_axis = \"X\"`");
         }
         self.st.codes.activate(code);
         self.st.feed_kind_open = false;

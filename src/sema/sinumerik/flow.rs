@@ -9,7 +9,7 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 use crate::text::blocks::Place;
 
-use crate::sema::run::Core;
+use crate::sema::run::{Core, Where};
 
 use super::calls::FrameKind;
 use super::programs::{Mark, Skeleton, Structure};
@@ -24,7 +24,7 @@ impl Run<'_> {
         let unit = self.level().frame.unit;
         match self.skeleton_of(unit) {
             Ok(made) => Ok(made),
-            Err(error) => self.fail(codes::P0105, 0, Span::default(), format!("the file cannot be read: {error}")),
+            Err(error) => self.fail(codes::P0105, Where::Block, format!("the file cannot be read: {error}")),
         }
     }
 
@@ -159,13 +159,13 @@ impl Run<'_> {
             let value = run.number(formula, block, text)?;
             match whole(value) {
                 Some(n) => Ok(n),
-                None => run.fail(codes::S2029, 12560, formula.span, "the count of FOR fits no INT"),
+                None => run.fail(codes::S2029.alarm(12560), formula.span, "the count of FOR fits no INT"),
             }
         };
         let value = if counts {
             let now = self.read_target(variable, block, text)?;
             let Some(next) = now.number().and_then(whole).and_then(|n| n.checked_add(1)) else {
-                return self.fail(codes::S2029, 12560, block.span, "the count of FOR fits no INT");
+                return self.fail(codes::S2029.alarm(12560), block.span, "the count of FOR fits no INT");
             };
             next
         } else {
@@ -260,7 +260,7 @@ impl Run<'_> {
     /// `"N100"`, `"100"` or `"LABEL"`.
     fn named_target(&mut self, value: &Val, from: u32, jump: Jump) -> Outcome<(Option<Mark>, String)> {
         let Some(text) = to_text(value).filter(|text| !text.is_empty()) else {
-            return self.fail(codes::S2003, 14080, jump.span, "the jump target is no text");
+            return self.fail(codes::S2003.alarm(14080), jump.span, "the jump target is no text");
         };
         let shown = String::from_utf8_lossy(&text).into_owned();
         let upper = text.to_ascii_uppercase();
@@ -291,8 +291,7 @@ impl Run<'_> {
             Search::Backward => " in front of this block",
             _ => "",
         };
-        let found =
-            Diagnostic::new(codes::S2003, self.loc(jump.span), format!("there is no {what}{way} (alarm 14080)"));
+        let found = Diagnostic::new(codes::S2003.alarm(14080), self.loc(jump.span), format!("there is no {what}{way}"));
         let found = match (elsewhere, jump.target) {
             (Some(mark), _) => {
                 let loc = self.mark_loc(mark);
@@ -334,7 +333,7 @@ impl Run<'_> {
                 let end = self.section_label(to, block.span)?;
                 if end.place.at < start.place.at {
                     let message = "the last label of the section stands in front of its first";
-                    return self.fail(codes::S2003, 14080, block.span, message);
+                    return self.fail(codes::S2003.alarm(14080), block.span, message);
                 }
                 end.after.at
             }
@@ -345,7 +344,7 @@ impl Run<'_> {
                     None if start.place.at < self.here.at => self.here.at,
                     None => {
                         let message = "the section behind this block has no ENDLABEL";
-                        return self.fail(codes::S2003, 14080, block.span, message);
+                        return self.fail(codes::S2003.alarm(14080), block.span, message);
                     }
                 }
             }
@@ -406,7 +405,7 @@ impl Run<'_> {
             Some(n) => Ok(n as u32),
             None => {
                 let message = format!("P={value} is no number of passes");
-                self.fail_help(codes::S2019, 14013, span, message, "P is a whole number, 1 to 9999")
+                self.fail_help(codes::S2019.alarm(14013), span, message, "P is a whole number, 1 to 9999")
             }
         }
     }
@@ -426,7 +425,7 @@ impl Run<'_> {
         }
         if self.in_main() {
             let help = if sub { "compile the program that calls this one" } else { "end it by M30" };
-            return self.fail_help(codes::S2020, 14091, span, "RET stands in the main program", help);
+            return self.fail_help(codes::S2020.alarm(14091), span, "RET stands in the main program", help);
         }
         self.pending_must_be_done(span)?;
         let result = self.return_to(target.copied(), formulas, span, block, text);
@@ -453,18 +452,18 @@ impl Run<'_> {
             let value = run.number(*formula, block, text)?;
             match whole(value) {
                 Some(n) => Ok(n),
-                None => run.fail(codes::S2021, 14020, formula.span, "this argument of RET is a whole number"),
+                None => run.fail(codes::S2021.alarm(14020), formula.span, "this argument of RET is a whole number"),
             }
         };
         let behind = number(self, 1, 0)? > 0;
         let levels = number(self, 2, 1)?;
         if number(self, 3, 0)? != 0 {
-            return self.fail(codes::S9001, 0, span, "RET back to the start of the main program is for ISO programs");
+            return self.fail(codes::S9001, span, "RET back to the start of the main program is for ISO programs");
         }
         let programs = self.levels.iter().filter(|level| matches!(level.frame.kind, FrameKind::Program { .. })).count();
         if levels < 1 || levels as usize > programs {
             let message = format!("RET goes back over {levels} levels, and there are {programs}");
-            return self.fail_help(codes::S2020, 14091, span, message, "check the third argument of RET");
+            return self.fail_help(codes::S2020.alarm(14091), span, message, "check the third argument of RET");
         }
         if value.is_none() && levels == 1 {
             // Like M17: passes that remain are run.

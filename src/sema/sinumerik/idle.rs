@@ -271,9 +271,10 @@ impl<'a> Idle<'a> {
                 None => continue,
                 Some(Ok(code)) => code,
                 Some(Err(number)) => {
-                    let message = format!("G{number} is not known (alarm 12470)");
+                    let message = format!("G{number} is not known");
                     return Some(
-                        Diagnostic::new(codes::S2010, here.loc(self.job, word.span), message).help("check the number"),
+                        Diagnostic::new(codes::S2010.alarm(12470), here.loc(self.job, word.span), message)
+                            .help("check the number"),
                     );
                 }
             };
@@ -284,9 +285,9 @@ impl<'a> Idle<'a> {
             if let Some((first, at)) = other {
                 let (a, b) = (first.word(), code.word());
                 let (kind, message) = if shapes(code) {
-                    (codes::S2009, format!("{a} and {b} cannot stand in one block (alarm 12070)"))
+                    (codes::S2009.alarm(12070), format!("{a} and {b} cannot stand in one block"))
                 } else {
-                    (codes::S2008, format!("{a} and {b} are of one group (alarm 12060)"))
+                    (codes::S2008.alarm(12060), format!("{a} and {b} are of one group"))
                 };
                 let found = Diagnostic::new(kind, here.loc(self.job, word.span), message);
                 return Some(found.also(here.loc(self.job, *at), "the other one").help("delete one of them"));
@@ -346,9 +347,10 @@ fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Site) -> Option<Diagnos
     };
     for (at, word) in block.words.iter().enumerate().filter(|(_, word)| once(word)) {
         if block.words[..at].iter().any(|first| first.target == word.target) {
-            let message = "the address stands twice in the block (alarm 12000)";
+            let message = "the address stands twice in the block";
             return Some(
-                Diagnostic::new(codes::S2007, here.loc(idle.job, word.span), message).help("delete one of the words"),
+                Diagnostic::new(codes::S2007.alarm(12000), here.loc(idle.job, word.span), message)
+                    .help("delete one of the words"),
             );
         }
     }

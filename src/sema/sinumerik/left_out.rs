@@ -145,7 +145,7 @@ impl Run<'_> {
     ) -> Outcome {
         if !matches!(name, "WRITE" | "DELETE") {
             let message = format!("{name} takes values from a file of the control");
-            return self.fail(codes::S9001, 0, span, message);
+            return self.fail(codes::S9001, span, message);
         }
         self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
         let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };

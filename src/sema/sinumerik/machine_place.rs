@@ -5,6 +5,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::system::system_number;
@@ -57,7 +58,8 @@ impl Run<'_> {
     }
 
     /// Where the spindle stands when the control has an axis at the machine coordinate `value`.
-    pub(super) fn machine_place(&mut self, axis: Axis, value: f64, span: Span) -> Outcome<f64> {
+    pub(super) fn machine_place(&mut self, axis: Axis, value: f64, place: impl Into<Where>) -> Outcome<f64> {
+        let place = place.into();
         if !self.tool_axes().contains(axis) {
             return Ok(value);
         }
@@ -66,16 +68,16 @@ impl Run<'_> {
             return Ok(value);
         }
         if !self.job.settings.output.tool_length {
-            self.says_tip_in_machine_coordinates(span);
+            self.says_tip_in_machine_coordinates(place);
             return Ok(value);
         }
         match length {
             ToolLength::Known(length) => {
                 let message = format!("the tool length {length} is added to machine coordinates of {}", axis.letter());
-                self.note_once(codes::S8105, span, message);
+                self.note_once(codes::S8105, place, message);
                 Ok(value + length)
             }
-            _ => self.length_is_needed(axis, span),
+            _ => self.length_is_needed(axis, place),
         }
     }
 
@@ -100,10 +102,10 @@ impl Run<'_> {
         );
         let help =
             "leave `[output] tool_length` at \"off\" and set the length on the target, or program the block under G17";
-        self.report(Diagnostic::new(codes::O9190, self.loc(Span::default()), message).help(help));
+        self.report(Diagnostic::new(codes::O9190, self.loc(Where::Block), message).help(help));
     }
 
-    fn length_is_needed<T>(&self, axis: Axis, span: Span) -> Outcome<T> {
+    fn length_is_needed<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
         let message = format!(
             "the control goes to this machine coordinate of {} with the tip of the tool (MD 10760 = 0), the target with its \
              spindle: the length of the tool is not known",
@@ -114,16 +116,16 @@ impl Run<'_> {
             Some(number) if !self.st.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
             _ => ways.to_owned(),
         };
-        self.fail_help(codes::S9102, 0, span, message, &help)
+        self.fail_help(codes::S9102, place, message, &help)
     }
 
-    fn says_tip_in_machine_coordinates(&self, span: Span) {
+    fn says_tip_in_machine_coordinates(&self, place: impl Into<Where>) {
         if self.job.diags.first_time(codes::S8106) {
             let message = "the control goes to this machine coordinate with the tip of the tool (MD 10760 = 0), the target \
                            with its spindle: a tool length lower";
             let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \
                         `[control] md10760 = true`";
-            self.report(Diagnostic::new(codes::S8106, self.loc(span), message).help(help));
+            self.report(Diagnostic::new(codes::S8106, self.loc(place), message).help(help));
         }
     }
 
@@ -135,7 +137,6 @@ impl Run<'_> {
         if radius || moves && self.active_length() != ToolLength::Off {
             return self.fail_help(
                 codes::S9102,
-                0,
                 span,
                 "SUPD moves the spindle, not the tip of the tool, to this position",
                 "write D0 in a block in front of it, and the coordinate of the spindle by SUPA",

@@ -30,8 +30,7 @@ impl Run<'_> {
         let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
         if len == 0 || !keyword {
             return self.fail_help(
-                codes::S1001,
-                12080,
+                codes::S1001.alarm(12080),
                 span,
                 "a macro is written DEFINE NAME AS words",
                 "DEFINE M_START AS M3 S1000",
@@ -39,7 +38,7 @@ impl Run<'_> {
         }
         let body = body[2..].trim_ascii();
         if body.len() > MOST_MACRO {
-            return self.fail(codes::S2030, 12280, span, "the text of a macro has at most 256 characters");
+            return self.fail(codes::S2030.alarm(12280), span, "the text of a macro has at most 256 characters");
         }
         let symbol = self.symbols.intern(name);
         if let Some(message) = self.macro_in_use(symbol) {
@@ -48,15 +47,15 @@ impl Run<'_> {
                 || matches!(name.first(), Some(b'M' | b'm')) && digits > 2;
             let numbered = name.get(1..).is_some_and(|rest| rest.iter().all(u8::is_ascii_digit));
             let alarm = if numbered && long { 12530 } else { 12270 };
-            return self.fail_help(codes::S2016, alarm, span, message, "choose a name that means nothing yet");
+            return self.fail_help(codes::S2016.alarm(alarm), span, message, "choose a name that means nothing yet");
         }
         if self.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
             let message = format!("the macro `{}` is defined twice", self.symbols.name(symbol));
-            return self.fail_help(codes::S2016, 12270, span, message, "rename one of them");
+            return self.fail_help(codes::S2016.alarm(12270), span, message, "rename one of them");
         }
         if self.vars.find(symbol).is_some() {
             let message = format!("`{}` is a variable already", self.symbols.name(symbol));
-            return self.fail(codes::S2016, 12270, span, message);
+            return self.fail(codes::S2016.alarm(12270), span, message);
         }
         if self.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
             // Blocks that were read before may contain the name.

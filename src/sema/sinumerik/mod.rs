@@ -68,6 +68,7 @@ use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
+use crate::sema::run::Where;
 use crate::text::{Loc, Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
@@ -372,7 +373,7 @@ impl Run<'_> {
     }
 
     fn file_over(&mut self) {
-        let _ = self.pending_must_be_done(Span::default());
+        let _ = self.pending_must_be_done(Where::Block);
         self.end_of_program_text();
     }
 
@@ -444,7 +445,6 @@ impl Run<'_> {
             }
             Stmt::Sync(span) => self.fail_help(
                 codes::S9004,
-                0,
                 span,
                 "synchronized actions run beside the program, as the machine's signals come",
                 "leave the action out, or replace it by blocks of the program",
@@ -480,8 +480,7 @@ impl Run<'_> {
         if self.depth >= MOST_TEXTS {
             self.stop_run();
             return self.fail_help(
-                codes::P4003,
-                14012,
+                codes::P4003.alarm(14012),
                 span,
                 "texts that execute texts are nested too deep",
                 "check for an EXECSTRING that executes itself",
@@ -517,9 +516,11 @@ impl Run<'_> {
             // The program goes on at the target, as behind a jump that stands there.
             Stmt::IfJump => self.if_jumps(&block, &line),
             Stmt::Goto(jump) => self.jump(jump, &block, &line),
-            _ => {
-                self.fail(codes::S2013, 12080, span, "a control structure or declaration cannot be executed as a text")
-            }
+            _ => self.fail(
+                codes::S2013.alarm(12080),
+                span,
+                "a control structure or declaration cannot be executed as a text",
+            ),
         }
     }
 

@@ -72,8 +72,7 @@ impl Run<'_> {
     pub(super) fn plane_change(&mut self, code: Code, span: Span) -> Outcome {
         if self.st.side() != Side::None {
             return self.fail_help(
-                codes::S2080,
-                10757,
+                codes::S2080.alarm(10757),
                 span,
                 "the plane changes while radius compensation is on",
                 "program G40 in a block in front of it",
@@ -81,8 +80,8 @@ impl Run<'_> {
         }
         if let Some(pending) = self.pending.take() {
             self.pair_lost = true;
-            let message = "the plane changes between the two lines of a pair (alarm 10790)";
-            let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
+            let message = "the plane changes between the two lines of a pair";
+            let found = Diagnostic::new(codes::S2070.alarm(10790), pending.origin.loc, message);
             self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
@@ -101,7 +100,6 @@ impl Run<'_> {
                 self.lost();
                 return self.fail_help(
                     codes::S9003,
-                    0,
                     span,
                     "G291 switches to ISO dialect",
                     "translate the ISO part, or compile it by itself",
@@ -117,7 +115,7 @@ impl Run<'_> {
             _ => return Ok(()),
         };
         let message = format!("{} is {what}, which cannot be printed", code.word());
-        self.fail_help(codes::S9001, 0, span, message, "leave it out, or replace it by plain moves")
+        self.fail_help(codes::S9001, span, message, "leave it out, or replace it by plain moves")
     }
 
     /// Groups 1 to 4 shape the block: it takes one of them.
@@ -131,8 +129,8 @@ impl Run<'_> {
 
     pub(super) fn two_shapes(&self, a: Code, first: Span, b: Code, second: Span) -> Outcome {
         let (a, b) = (a.word(), b.word());
-        let message = format!("{a} and {b} cannot stand in one block (alarm 12070)");
-        let found = Diagnostic::new(codes::S2009, self.loc(second), message);
+        let message = format!("{a} and {b} cannot stand in one block");
+        let found = Diagnostic::new(codes::S2009.alarm(12070), self.loc(second), message);
         self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));
         Err(Reported)
     }

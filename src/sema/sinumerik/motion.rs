@@ -7,6 +7,7 @@ use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Target};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
@@ -154,8 +155,7 @@ impl Run<'_> {
 
     fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
         self.fail_help(
-            codes::S2012,
-            alarm,
+            codes::S2012.alarm(alarm),
             span,
             "the word does not fit the other words of the block",
             "check which G code of group 1 is in force, and what it takes",
@@ -182,13 +182,13 @@ impl Run<'_> {
         {
             let help = "program G1 or G0 in front of it";
             self.pending = None;
-            return self.fail_help(codes::S2070, 10792, angle.span, "ANG= is for straight lines only", help);
+            return self.fail_help(codes::S2070.alarm(10792), angle.span, "ANG= is for straight lines only", help);
         }
         if !moves && matches!(interpolation, Code::G33 | Code::G331 | Code::G332) {
             let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
             if let Some(lead) = lead {
                 let help = "program the end point of the thread with it";
-                return self.fail_help(codes::S2081, 16740, lead.span, "the thread block moves no axis", help);
+                return self.fail_help(codes::S2081.alarm(16740), lead.span, "the thread block moves no axis", help);
             }
         }
         if !moves {
@@ -255,7 +255,6 @@ impl Run<'_> {
         match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
             Some(given) => self.fail_help(
                 codes::S9016,
-                0,
                 given.span,
                 "under D0 the position counts without the length of the tool",
                 "program the retraction in machine coordinates (SUPA, G53), or select D1 before",
@@ -275,7 +274,7 @@ impl Run<'_> {
             _ => "an interpolation of the machine builder",
         };
         let message = format!("{} is {what}, which plain G-code cannot say", code.word());
-        self.fail_help(codes::S9002, 0, span, message, "have the CAM system put out lines and arcs")
+        self.fail_help(codes::S9002, span, message, "have the CAM system put out lines and arcs")
     }
 
     fn line_block(
@@ -324,7 +323,12 @@ impl Run<'_> {
                     Mode::Acp => 16810,
                     _ => 16820,
                 };
-                return self.fail_help(codes::S2061, alarm, given.span, message, "DC, ACP and ACN are for rotary axes");
+                return self.fail_help(
+                    codes::S2061.alarm(alarm),
+                    given.span,
+                    message,
+                    "DC, ACP and ACN are for rotary axes",
+                );
             }
             Mode::Quick => return self.does_not_fit(given.span),
         };
@@ -362,11 +366,10 @@ impl Run<'_> {
         if let Some(axis) = self.job.settings.machine.diameter_axis {
             let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
             let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
-            return self.fail_help(codes::S2060, 16510, span, message, help);
+            return self.fail_help(codes::S2060.alarm(16510), span, message, help);
         }
         self.fail_help(
-            codes::S2060,
-            16510,
+            codes::S2060.alarm(16510),
             span,
             "no diameter axis is configured (MD 20100)",
             "set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe",
@@ -405,14 +408,13 @@ impl Run<'_> {
         Ok(chosen)
     }
 
-    pub(super) fn unknown_axis<T>(&self, axis: Axis, span: Span) -> Outcome<T> {
+    pub(super) fn unknown_axis<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
         self.fail_help(
             codes::S2042,
-            0,
-            span,
+            place,
             format!("where {} stands is not known", axis.letter()),
             &self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
         )

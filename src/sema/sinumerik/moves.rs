@@ -7,6 +7,7 @@ use crate::geo::Plane;
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
@@ -38,7 +39,7 @@ impl Run<'_> {
     /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
     pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path) {
         if self.st.outer == Outer::Unrelated {
-            let _: Outcome = self.unrelated(Span::default(), "G500 stands beside");
+            let _: Outcome = self.unrelated(Where::Block, "G500 stands beside");
             self.st.position.lose(end.known());
             return;
         }
@@ -52,14 +53,14 @@ impl Run<'_> {
             ""
         };
         if !wrong.is_empty() {
-            let _: Outcome = self.in_machine_only_lines(Span::default(), wrong);
+            let _: Outcome = self.in_machine_only_lines(Where::Block, wrong);
             return;
         }
         // What is printed with G53 and what the program writes itself count from different places.
         self.st.offsets_printed = true;
         let mut machine = self.st.ctx.frame.apply(end);
         for axis in machine.known().iter() {
-            let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Span::default()) else { return };
+            let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Where::Block) else { return };
             machine.set(axis, place);
         }
         let mv = Move { end: machine, path, side: Side::None, coords: Coords::Machine };
@@ -67,11 +68,10 @@ impl Run<'_> {
         self.st.position.move_to(end);
     }
 
-    pub(super) fn in_machine_only_lines<T>(&self, span: Span, message: &str) -> Outcome<T> {
+    pub(super) fn in_machine_only_lines<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
         self.fail_help(
             codes::S9011,
-            0,
-            span,
+            place,
             format!("{message}, as G500 wants"),
             "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
         )
@@ -83,14 +83,13 @@ impl Run<'_> {
         if !matches!(code, Code::G0 | Code::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
             return self.fail_help(
                 codes::S9011,
-                0,
                 span,
                 "in machine coordinates only straight moves can be printed",
                 "program G0 or G1 with axes in this block",
             );
         }
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, 0, span, "a block in machine coordinates under radius compensation");
+            return self.fail(codes::S2080, span, "a block in machine coordinates under radius compensation");
         }
         let feed = self.path_feed(w, code == Code::G0)?;
         let mut end = Pos::UNKNOWN;
@@ -104,7 +103,6 @@ impl Run<'_> {
             if incremental {
                 return self.fail_help(
                     codes::S9011,
-                    0,
                     given.span,
                     "an increment in machine coordinates starts from a place that only the machine knows",
                     "program the machine coordinate with AC(…) or under G90",
@@ -136,7 +134,6 @@ impl Run<'_> {
             let span = w.positioning[0].given.span;
             return self.fail_help(
                 codes::S9008,
-                0,
                 span,
                 "POS beside a path motion: the two run at the same time",
                 "give POS a block of its own",
@@ -148,7 +145,6 @@ impl Run<'_> {
         if let Some((_, span)) = w.code_of(Group::Suppression) {
             return self.fail_help(
                 codes::S9011,
-                0,
                 span,
                 "a positioning axis in machine coordinates or without its tool offset cannot be printed",
                 "program the axis by G0 or G1 in this block",
@@ -159,8 +155,7 @@ impl Run<'_> {
             let axis = positioning.axis;
             if axis.is_main() && !self.st.ctx.frame.is_shift() {
                 return self.fail_help(
-                    codes::S9008,
-                    16430,
+                    codes::S9008.alarm(16430),
                     positioning.given.span,
                     format!("{} is a positioning axis while the frame is turned or scaled", axis.letter()),
                     "program the axis by G0 or G1",
@@ -169,8 +164,7 @@ impl Run<'_> {
             let value = self.target(axis, positioning.given)?;
             let Some(feed) = self.axis_feed.get(&axis).copied() else {
                 return self.fail_help(
-                    codes::S2040,
-                    10860,
+                    codes::S2040.alarm(10860),
                     positioning.given.span,
                     format!("the feed of {} as a positioning axis is a machine datum", axis.letter()),
                     "give it: FA[X]=500",

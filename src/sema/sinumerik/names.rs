@@ -36,7 +36,11 @@ impl Run<'_> {
                 Meaning::Address(Address::Prio) if interrupts(words) => {
                     let given = self.given(word, block, text)?;
                     if !(1.0..=128.0).contains(&given.value) {
-                        return self.fail(codes::S2021, 14660, word.span, "the priority of an interrupt is 1 to 128");
+                        return self.fail(
+                            codes::S2021.alarm(14660),
+                            word.span,
+                            "the priority of an interrupt is 1 to 128",
+                        );
                     }
                 }
                 Meaning::Address(Address::Dynamics) => {
@@ -45,7 +49,6 @@ impl Run<'_> {
                         let message = "OVR= changes every feed by a factor";
                         return self.fail_help(
                             codes::S9009,
-                            0,
                             word.span,
                             message,
                             "program the feed itself, and OVR=100",
@@ -63,7 +66,7 @@ impl Run<'_> {
                 }
                 Meaning::Procedure(Procedure::Refused(what)) => {
                     let message = format!("{} ({what}) is not supported", self.symbols.name(name));
-                    return self.fail_help(codes::S9005, 0, word.span, message, "replace it by plain moves");
+                    return self.fail_help(codes::S9005, word.span, message, "replace it by plain moves");
                 }
                 _ => {
                     if self.definitions_known() {
@@ -89,7 +92,7 @@ impl Run<'_> {
                     } else {
                         ("STOPRE takes no argument", "write STOPRE alone")
                     };
-                    return self.fail_help(codes::S1001, 12080, word.span, what, help);
+                    return self.fail_help(codes::S1001.alarm(12080), word.span, what, help);
                 }
                 self.control_words_are_left_out(word.span);
                 // It ends the look-ahead.
@@ -103,8 +106,7 @@ impl Run<'_> {
             }
             _ if words.call.is_some() => {
                 return self.fail_help(
-                    codes::S2013,
-                    12080,
+                    codes::S2013.alarm(12080),
                     word.span,
                     "two calls stand in one block",
                     "give each call a block of its own",
@@ -158,7 +160,6 @@ impl Run<'_> {
                 }
                 self.fail_help(
                     codes::S9007,
-                    0,
                     word.span,
                     format!("spindle {spindle} is not the master spindle"),
                     "only speed and sense of rotation of further spindles can be printed",
@@ -215,7 +216,7 @@ impl Run<'_> {
                 let known = u8::try_from(group).ok().and_then(Group::of).filter(|group| group.takes_index());
                 let Some(known) = known else {
                     let message = format!("G group {group} cannot be set by index");
-                    return self.fail(codes::S2010, 12470, word.span, message);
+                    return self.fail(codes::S2010.alarm(12470), word.span, message);
                 };
                 let size = known.size();
                 let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
@@ -223,22 +224,22 @@ impl Run<'_> {
                     Some(index) => self.code_word(words, Code::new(known, index), word.span),
                     None => {
                         let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
-                        self.fail(codes::S2011, 12475, word.span, message)
+                        self.fail(codes::S2011.alarm(12475), word.span, message)
                     }
                 }
             }
-            _ => self.fail(codes::S1001, 12080, word.span, format!("`{}` takes no index", letter as char)),
+            _ => self.fail(codes::S1001.alarm(12080), word.span, format!("`{}` takes no index", letter as char)),
         }
     }
 
     pub(super) fn index_number(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<i32> {
         let [formula] = *block.arguments(args) else {
-            return self.fail(codes::S2018, 12430, block.span, "one index is needed");
+            return self.fail(codes::S2018.alarm(12430), block.span, "one index is needed");
         };
         let value = self.number(formula, block, text)?;
         match whole(value) {
             Some(n) => Ok(n),
-            None => self.fail(codes::S2018, 12410, formula.span, "an index is a whole number"),
+            None => self.fail(codes::S2018.alarm(12410), formula.span, "an index is a whole number"),
         }
     }
 
@@ -246,20 +247,20 @@ impl Run<'_> {
         let n = self.index_number(args, block, text)?;
         match u8::try_from(n) {
             Ok(n) if (1..=20).contains(&n) => Ok(n),
-            _ => self.fail(codes::S2018, 12430, block.span, format!("there is no spindle {n}")),
+            _ => self.fail(codes::S2018.alarm(12430), block.span, format!("there is no spindle {n}")),
         }
     }
 
     /// The axis in brackets.
     pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<NamedAxis> {
         let [formula] = *block.arguments(args) else {
-            return self.fail(codes::S2031, 12040, block.span, "one axis is needed in brackets");
+            return self.fail(codes::S2031.alarm(12040), block.span, "one axis is needed in brackets");
         };
         match self.eval(formula, block, text)? {
             Val::Axis(axis) => Ok(axis),
             other => {
                 let message = format!("an axis is needed in brackets, this is {}", other.what());
-                self.fail(codes::S2031, 12040, formula.span, message)
+                self.fail(codes::S2031.alarm(12040), formula.span, message)
             }
         }
     }
@@ -279,7 +280,7 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
                     let message = format!("the axis {} stands twice in the block", named.text());
-                    return self.fail_help(codes::S2007, 16420, given.span, message, "delete one of the words");
+                    return self.fail_help(codes::S2007.alarm(16420), given.span, message, "delete one of the words");
                 }
                 self.axis_word(words, named, given)
             }
@@ -297,7 +298,7 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 if given.value <= 0.0 {
                     let message = format!("the feed {} of a positioning axis is not above 0", given.value);
-                    return self.fail(codes::S2041, 14810, given.span, message);
+                    return self.fail(codes::S2041.alarm(14810), given.span, message);
                 }
                 if let Some(axis) = named.axis {
                     words.axis_feeds.push((axis, given.value));
@@ -308,7 +309,7 @@ impl Run<'_> {
                 if self.given(word, block, text)?.value != 100.0 {
                     let message = "OVRA[…]= changes the feed of an axis or the speed of a spindle by a factor";
                     let help = "program the feed itself, and OVRA[…]=100";
-                    return self.fail_help(codes::S9009, 0, word.span, message, help);
+                    return self.fail_help(codes::S9009, word.span, message, help);
                 }
                 Ok(())
             }
@@ -334,7 +335,6 @@ impl Run<'_> {
                 }
                 self.fail_help(
                     codes::S9008,
-                    0,
                     word.span,
                     "an axis that moves beside the path cannot be printed",
                     "move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`",
@@ -347,11 +347,10 @@ impl Run<'_> {
                 }
                 let message = format!("SCC refers G96 to {}, which is not the diameter axis", named.text());
                 let help = "name it: `[machine] diameter_axis`, or program S in turns under G97";
-                self.fail_help(codes::S9132, 0, word.span, message, help)
+                self.fail_help(codes::S9132, word.span, message, help)
             }
             Indexed::Polynomial => self.fail_help(
                 codes::S9002,
-                0,
                 word.span,
                 "polynomials cannot be printed",
                 "have the CAM system put out lines and arcs",
@@ -409,7 +408,6 @@ impl Run<'_> {
             b'A' | b'B' | b'C' if (2..=7).contains(&number) => {
                 return self.fail_help(
                     codes::S9006,
-                    0,
                     word.span,
                     format!("{}{number}= gives the direction of the tool", letter as char),
                     "have the CAM system put out three axes, or the rotary axes themselves",

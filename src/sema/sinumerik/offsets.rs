@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::{Function, Side};
-use crate::text::Span;
+use crate::sema::run::Where;
 
 use super::frames::FrameValue;
 use super::g_groups::{Code, Group};
@@ -37,17 +37,18 @@ pub(super) enum FromBasic {
 
 impl Run<'_> {
     /// A code of group 8: number 0 is G500, 1 is G54.
-    pub(super) fn work_offset(&mut self, index: u8, span: Span) -> Outcome {
-        self.pending_must_be_done(span)?;
+    pub(super) fn work_offset(&mut self, index: u8, place: impl Into<Where>) -> Outcome {
+        let place = place.into();
+        self.pending_must_be_done(place)?;
         let number = index - 1;
         self.st.codes.activate(Code::new(Group::WorkOffset, index));
         self.st.offset = number;
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, 0, span, "the work offset changes while radius compensation is on");
+            return self.fail(codes::S2080, place, "the work offset changes while radius compensation is on");
         }
         if let Some(frame) = self.st.written.get(&number).cloned() {
-            self.resolved_offset_note(span);
-            self.resolves_offsets(span)?;
+            self.resolved_offset_note(place);
+            self.resolves_offsets(place)?;
             self.counts_from(Outer::Basic, Some(frame));
             return Ok(());
         }
@@ -55,7 +56,7 @@ impl Run<'_> {
         let printed = match (mapped, number) {
             (Some(printed), _) => printed,
             (None, 0) => {
-                self.basic_system(span);
+                self.basic_system(place);
                 return Ok(());
             }
             (None, 1..=9) => number,
@@ -63,8 +64,7 @@ impl Run<'_> {
                 let word = offset_word(number);
                 return self.fail_help(
                     codes::S9014,
-                    0,
-                    span,
+                    place,
                     format!("{word} has no counterpart on the target"),
                     &format!("name one: `[datums] {word} = \"G55\"`"),
                 );
@@ -77,12 +77,12 @@ impl Run<'_> {
         self.counts_from(Outer::Printed(number), None);
         self.st.offsets_printed = true;
         if self.st.offsets_resolved {
-            return self.mixed_offsets(span);
+            return self.mixed_offsets(place);
         }
         let moved = std::mem::take(&mut self.st.moved_from_basic);
         if moved == FromBasic::UnderG500 {
             self.st.position.clear();
-            return self.offset_behind_g500(span, &offset_word(number));
+            return self.offset_behind_g500(place, &offset_word(number));
         }
         self.function(Function::WorkOffset(printed));
         self.st.position.clear();
@@ -93,14 +93,15 @@ impl Run<'_> {
             let message = format!(
                 "moves stand in front of {word}: they run under the offset that is active on the target at the start"
             );
-            let found = Diagnostic::new(codes::S8131, self.loc(span), message);
+            let found = Diagnostic::new(codes::S8131, self.loc(place), message);
             self.report(found.help("select the work offset in front of the first move"));
         }
         Ok(())
     }
 
     /// G500: positions count from the basic system, the machine zero shifted by the basic frame.
-    fn basic_system(&mut self, span: Span) {
+    fn basic_system(&mut self, place: impl Into<Where>) {
+        let place = place.into();
         let datums = &self.job.settings.datums;
         if self.st.offsets_resolved || !self.st.offsets_printed && datums.basic.is_none() {
             // Everything that is printed counts from there.
@@ -111,7 +112,7 @@ impl Run<'_> {
             let frame = FrameValue::shifted(&basic.iter().map(|(axis, value)| (*axis, *value)).collect::<Vec<_>>());
             self.note_once(
                 codes::S8011,
-                span,
+                place,
                 "under G500 positions are printed in machine coordinates with G53, through `[datums] basic`",
             );
             return self.counts_from(Outer::Machine, Some(frame));
@@ -124,7 +125,7 @@ impl Run<'_> {
             let word = offset_word(number);
             self.note_once(
                 codes::S8011,
-                span,
+                place,
                 format!("positions under G500 are printed in {word}, through its values in `[datums]`"),
             );
             return self.counts_from(Outer::Printed(number), Some(FrameValue::shifted(&back)));
@@ -158,13 +159,13 @@ impl Run<'_> {
         self.st.moved_from_basic = FromBasic::UnderG500;
         let message = "positions under G500 are printed as they stand: the offset that is active on the target \
                        has to be zero, or to lie where the basic system of the control lies";
-        self.note_once(codes::S8011, Span::default(), message);
-        self.machine_moves_beside_g500(Span::default());
+        self.note_once(codes::S8011, Where::Block, message);
+        self.machine_moves_beside_g500(Where::Block);
     }
 
     /// Positions under G500 lie from the offset of the target, those of G53 from its machine zero: together they fit only
     /// where the basic frame is known.
-    pub(super) fn machine_moves_beside_g500(&self, span: Span) {
+    pub(super) fn machine_moves_beside_g500(&self, place: impl Into<Where>) {
         let both = self.st.machine_moved && self.st.moved_from_basic == FromBasic::UnderG500;
         if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190) {
             return;
@@ -172,13 +173,14 @@ impl Run<'_> {
         let message = "moves in machine coordinates (G53, G153, SUPA) stand beside moves under G500, and where the basic \
                        system lies from the machine zero is not known";
         let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
-        self.report(Diagnostic::new(codes::S8190, self.loc(span), message).help(help));
+        self.report(Diagnostic::new(codes::S8190, self.loc(place), message).help(help));
     }
 
     /// What was printed under G500 cannot be taken back.
-    fn offset_behind_g500(&self, span: Span, word: &str) -> Outcome {
+    fn offset_behind_g500(&self, place: impl Into<Where>, word: &str) -> Outcome {
+        let place = place.into();
         if !self.job.settings.datums.offsets.contains_key(word) {
-            return self.unrelated(span, "moves under G500 stand in front of");
+            return self.unrelated(place, "moves under G500 stand in front of");
         }
         let message = format!(
             "moves under G500 stand in front of {word}: they were printed as they stand, before a work offset was selected"
@@ -187,15 +189,14 @@ impl Run<'_> {
             "select {word} in front of the first move, then G500 is printed through its values in `[datums]`; or give the \
              basic frame (`[datums] basic = {{ X = 0.0, Y = 0.0, Z = 0.0 }}`)"
         );
-        self.fail_help(codes::S9131, 0, span, message, &help)
+        self.fail_help(codes::S9131, place, message, &help)
     }
 
     /// G500 beside an offset of the machine: nobody knows the way between the two.
-    pub(super) fn unrelated<T>(&self, span: Span, what: &str) -> Outcome<T> {
+    pub(super) fn unrelated<T>(&self, place: impl Into<Where>, what: &str) -> Outcome<T> {
         self.fail_help(
             codes::S9131,
-            0,
-            span,
+            place,
             format!("{what} a work offset of the machine, and where it lies from the basic system is not known"),
             "give the basic frame (`[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`), the values of the offset (`[datums] G54 = { … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)",
         )
@@ -203,26 +204,25 @@ impl Run<'_> {
 
     /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
     /// way between the two.
-    pub(super) fn resolves_offsets(&mut self, span: Span) -> Outcome {
+    pub(super) fn resolves_offsets(&mut self, place: impl Into<Where>) -> Outcome {
         self.st.offsets_resolved = true;
-        if self.st.offsets_printed { self.mixed_offsets(span) } else { Ok(()) }
+        if self.st.offsets_printed { self.mixed_offsets(place) } else { Ok(()) }
     }
 
-    pub(super) fn mixed_offsets(&mut self, span: Span) -> Outcome {
+    pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {
         self.st.position.clear();
         self.fail_help(
             codes::S9017,
-            0,
-            span,
+            place,
             "the program uses a work offset that it writes itself beside one of the machine",
             "let it write all the offsets it uses, or none",
         )
     }
 
-    pub(super) fn resolved_offset_note(&self, span: Span) {
+    pub(super) fn resolved_offset_note(&self, place: impl Into<Where>) {
         self.note_once(
             codes::S8012,
-            span,
+            place,
             "a work offset that the program writes itself is put into the coordinates, no G54 is printed: the offset active \
              on the target has to be zero",
         );

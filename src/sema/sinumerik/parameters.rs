@@ -103,13 +103,13 @@ impl Run<'_> {
     pub(super) fn proc_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let level = self.program_level();
         if level.executed {
-            return self.fail(codes::S2015, 14500, block.span, "PROC stands behind executed blocks");
+            return self.fail(codes::S2015.alarm(14500), block.span, "PROC stands behind executed blocks");
         }
         if std::mem::replace(&mut level.declares, true) {
             let help = "write PROC as the first block of the program, in front of DEF and EXTERN";
             // Its parameters are defined all the same: what reads them is right.
             let _: Outcome =
-                self.fail_help(codes::S2015, 14520, block.span, "PROC stands inside the definition part", help);
+                self.fail_help(codes::S2015.alarm(14520), block.span, "PROC stands inside the definition part", help);
         }
         let level = self.program_level();
         let arguments = level.arguments.take().unwrap_or_default();
@@ -131,8 +131,7 @@ impl Run<'_> {
         if arguments.len() > block.variables.len() {
             let loc = arguments[block.variables.len()].loc;
             let count = block.variables.len();
-            let found =
-                Diagnostic::new(codes::S2021, loc, format!("the program takes {count} arguments (alarm 12340)"));
+            let found = Diagnostic::new(codes::S2021.alarm(12340), loc, format!("the program takes {count} arguments"));
             self.report(found.also(self.loc(block.span), "its parameters"));
             for variable in block.variables.clone() {
                 self.lose_parameter(variable);
@@ -162,7 +161,7 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let Some(name) = variable.name else {
-            return self.fail(codes::S2021, 12080, variable.span, "a parameter of PROC needs a name");
+            return self.fail(codes::S2021.alarm(12080), variable.span, "a parameter of PROC needs a name");
         };
         let left_out = argument.is_some();
         let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
@@ -183,11 +182,11 @@ impl Run<'_> {
                 }
                 Err(_) => {
                     let message = format!(
-                        "parameter {shown} is {}, the argument is {} (alarm 12330)",
+                        "parameter {shown} is {}, the argument is {}",
                         type_name(variable.kind),
                         argument.value.what()
                     );
-                    self.report(Diagnostic::new(codes::S2021, argument.loc, message));
+                    self.report(Diagnostic::new(codes::S2021.alarm(12330), argument.loc, message));
                     return Err(Reported);
                 }
             },
@@ -207,9 +206,8 @@ impl Run<'_> {
         if let (Val::Text(text), Some(argument)) = (&value, given)
             && text.len() > length
         {
-            let message =
-                format!("the text has {} characters, parameter {shown} takes {length} (alarm 12210)", text.len());
-            self.report(Diagnostic::new(codes::S2030, argument.loc, message).help("shorten it"));
+            let message = format!("the text has {} characters, parameter {shown} takes {length}", text.len());
+            self.report(Diagnostic::new(codes::S2030.alarm(12210), argument.loc, message).help("shorten it"));
             return Err(Reported);
         }
         let var = Var {
@@ -247,9 +245,10 @@ impl Run<'_> {
             return Ok(());
         }
         let site = self.call_site();
-        let message = format!("the argument for parameter {name} is missing (alarm {alarm})");
+        let message = format!("the argument for parameter {name} is missing");
         self.report(
-            Diagnostic::new(codes::S2021, site, message).help("give a variable; this parameter has no default"),
+            Diagnostic::new(codes::S2021.alarm(alarm), site, message)
+                .help("give a variable; this parameter has no default"),
         );
         Err(Reported)
     }
@@ -267,8 +266,7 @@ impl Run<'_> {
             if in_main {
                 self.lose_parameter(variable);
                 return self.fail_help(
-                    codes::S2021,
-                    12300,
+                    codes::S2021.alarm(12300),
                     variable.span,
                     format!("parameter {shown} is VAR: the program needs a caller"),
                     "compile the program that calls it",
@@ -278,8 +276,11 @@ impl Run<'_> {
             return self.missing_argument(&shown, if left_out { 14010 } else { 12300 });
         };
         let Some(reference) = argument.reference else {
-            let message = format!("parameter {shown} is VAR and needs a variable (alarm 12320)");
-            self.report(Diagnostic::new(codes::S2021, argument.loc, message).help("a formula cannot take the result"));
+            let message = format!("parameter {shown} is VAR and needs a variable");
+            self.report(
+                Diagnostic::new(codes::S2021.alarm(12320), argument.loc, message)
+                    .help("a formula cannot take the result"),
+            );
             return Err(Reported);
         };
         let (kind, array) = match reference {
@@ -294,11 +295,13 @@ impl Run<'_> {
             let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
             let alarm = if array == wants_array { 12330 } else { 12360 };
             let message = format!(
-                "parameter {shown} is VAR {}, the argument is {} (alarm {alarm})",
+                "parameter {shown} is VAR {}, the argument is {}",
                 what(variable.kind, wants_array),
                 what(kind, array)
             );
-            self.report(Diagnostic::new(codes::S2021, argument.loc, message).help("both need the same type"));
+            self.report(
+                Diagnostic::new(codes::S2021.alarm(alarm), argument.loc, message).help("both need the same type"),
+            );
             return Err(Reported);
         }
         if let Reference::Variable(slot @ Slot::Local(_)) = reference {
@@ -329,8 +332,8 @@ impl Run<'_> {
     /// A call waits for a PROC that does not come.
     pub(super) fn refuse_arguments(&mut self) {
         if let Some(argument) = self.program_level().arguments.take().and_then(|list| list.into_iter().next()) {
-            let message = "arguments are given, but the program has no PROC (alarm 14510)";
-            let found = Diagnostic::new(codes::S2021, argument.loc, message);
+            let message = "arguments are given, but the program has no PROC";
+            let found = Diagnostic::new(codes::S2021.alarm(14510), argument.loc, message);
             self.report(found.help("write `PROC NAME(…)` as the first block of the called program"));
         }
     }

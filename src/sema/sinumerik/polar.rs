@@ -31,7 +31,7 @@ impl Run<'_> {
                 let message = format!("{} is no axis of the working plane", axis.letter());
                 let help = format!("a pole has {} and {}", first.letter(), second.letter());
                 let help = if axis == third { format!("{help}; check G17, G18, G19") } else { help };
-                return self.fail_help(codes::S2050, 14270, given.span, message, &help);
+                return self.fail_help(codes::S2050.alarm(14270), given.span, message, &help);
             }
         }
         let base = match code {
@@ -56,7 +56,7 @@ impl Run<'_> {
                 return self.mixed(span);
             }
             let (Some(ap), Some(rp)) = (ap, rp) else {
-                return self.fail_help(codes::S2012, 12110, span, "a polar pole needs AP= and RP=", "give both");
+                return self.fail_help(codes::S2012.alarm(12110), span, "a polar pole needs AP= and RP=", "give both");
             };
             self.check_angle(ap, 14260)?;
             self.check_radius(rp, 14250)?;
@@ -79,8 +79,7 @@ impl Run<'_> {
 
     fn mixed<T>(&self, span: Span) -> Outcome<T> {
         self.fail_help(
-            codes::S2051,
-            14280,
+            codes::S2051.alarm(14280),
             span,
             "AP= or RP= stands beside an axis of the working plane",
             "give the end point by AP= and RP=, or by its axes",
@@ -90,7 +89,7 @@ impl Run<'_> {
     fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
         if ap.value.abs() > 360.0 {
             let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
-            return self.fail(codes::S2053, alarm, ap.span, message);
+            return self.fail(codes::S2053.alarm(alarm), ap.span, message);
         }
         Ok(())
     }
@@ -98,8 +97,7 @@ impl Run<'_> {
     fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
         if rp.value < 0.0 {
             return self.fail_help(
-                codes::S2052,
-                alarm,
+                codes::S2052.alarm(alarm),
                 rp.span,
                 format!("RP={} is negative", rp.value),
                 "a polar radius is positive; turn AP by 180 degrees instead",
@@ -131,7 +129,7 @@ impl Run<'_> {
                     self.st.position.lose(AxisSet::MAIN);
                     self.lost();
                     let help = "program RP=… in this block";
-                    return self.fail_help(codes::S2054, 0, span, "RP= was never programmed", help);
+                    return self.fail_help(codes::S2054, span, "RP= was never programmed", help);
                 }
             },
         };
@@ -142,7 +140,7 @@ impl Run<'_> {
                     Mode::Plain => self.st.is(Code::G91),
                     Mode::Ac => false,
                     Mode::Ic => true,
-                    _ => return self.fail(codes::S2012, 12020, ap.span, "only AC(…) and IC(…) fit AP="),
+                    _ => return self.fail(codes::S2012.alarm(12020), ap.span, "only AC(…) and IC(…) fit AP="),
                 };
                 if incremental {
                     let base = match self.st.ap {
@@ -173,6 +171,6 @@ impl Run<'_> {
         self.st.position.lose(AxisSet::MAIN);
         self.lost();
         let message = format!("{what} was not programmed since the pole or the plane was set");
-        self.fail_help(codes::S2054, 0, span, message, "program AP=… and RP=… in this block")
+        self.fail_help(codes::S2054, span, message, "program AP=… and RP=… in this block")
     }
 }

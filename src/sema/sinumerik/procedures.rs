@@ -64,7 +64,12 @@ impl Run<'_> {
             && !self.own_program(&name)
         {
             let help = format!("give its value to a variable or a word: X={name}(…)");
-            return self.fail_help(codes::S1001, 12080, call.span, format!("{name} is a function and no block"), &help);
+            return self.fail_help(
+                codes::S1001.alarm(12080),
+                call.span,
+                format!("{name} is a function and no block"),
+                &help,
+            );
         }
         let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
         if cycle && !self.own_program(&name) {
@@ -72,12 +77,12 @@ impl Run<'_> {
             self.lost();
             let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
             let help = "replace it by plain moves, or put its program beside this one";
-            return self.fail_help(codes::S9005, 0, call.span, message, help);
+            return self.fail_help(codes::S9005, call.span, message, help);
         }
         if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
             let message = format!("{name} is a word of the language and lacks its value");
             let help = format!("give its value: {name}=… or {name}[…]=…");
-            return self.fail_help(codes::S1001, 12080, call.span, message, &help);
+            return self.fail_help(codes::S1001.alarm(12080), call.span, message, &help);
         }
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
@@ -107,8 +112,7 @@ impl Run<'_> {
 
     pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
         self.fail_help(
-            codes::S2013,
-            12120,
+            codes::S2013.alarm(12120),
             span,
             "a call stands beside other words",
             "give the call a block of its own",
@@ -121,8 +125,7 @@ impl Run<'_> {
         if letters.len() < name.len() && matches!(self.vocabulary.get(letters), Some(Meaning::Address(_))) {
             let digits = &name[letters.len()..];
             return self.fail_help(
-                codes::S1001,
-                12080,
+                codes::S1001.alarm(12080),
                 call.span,
                 format!("`=` is missing in `{name}`"),
                 &format!("an address of more than one letter takes `=`: {letters}={digits}"),
@@ -135,7 +138,7 @@ impl Run<'_> {
             Some(like) => format!("did you mean `{like}`?"),
             None => "a call needs a block of its own; an address takes `=`".to_owned(),
         };
-        self.fail_help(codes::S2001, 12550, call.span, format!("the word `{name}` is not known here"), &help)
+        self.fail_help(codes::S2001.alarm(12550), call.span, format!("the word `{name}` is not known here"), &help)
     }
 
     pub(super) fn call_program(
@@ -212,8 +215,7 @@ impl Run<'_> {
                     self.stop_run();
                     let message = format!("SETAL({number}) is no alarm of a program");
                     return self.fail_help(
-                        codes::S2027,
-                        15700,
+                        codes::S2027.alarm(15700),
                         call.span,
                         message,
                         "programs have the alarms 60000 to 69999",
@@ -230,7 +232,7 @@ impl Run<'_> {
                     Some((cause, help)) => (format!(": {cause}"), help),
                     None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),
                 };
-                self.fail_help(codes::S2027, 0, call.span, format!("the program raises alarm{shown}{cause}"), help)
+                self.fail_help(codes::S2027, call.span, format!("the program raises alarm{shown}{cause}"), help)
             }
             Procedure::SetMaster => {
                 let n = match formulas.first() {
@@ -239,7 +241,7 @@ impl Run<'_> {
                 };
                 match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
                     Some(n) => self.set_master(n, call.span),
-                    None => self.fail(codes::S2045, 0, call.span, format!("there is no spindle {n}")),
+                    None => self.fail(codes::S2045, call.span, format!("there is no spindle {n}")),
                 }
             }
             Procedure::Channel => {
@@ -270,19 +272,18 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::TransformationOff => {
-                self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
+                self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
             }
             Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
             Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
             Procedure::EndLabel => self.fail_help(
-                codes::S1001,
-                12080,
+                codes::S1001.alarm(12080),
                 call.span,
                 "ENDLABEL is a label, and its colon is missing",
                 "write `ENDLABEL:` at the start of the block",
             ),
             Procedure::DiameterChannel if !formulas.is_empty() => {
-                self.fail(codes::S2021, 12090, call.span, format!("{name} takes no argument"))
+                self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
             }
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
@@ -297,7 +298,6 @@ impl Run<'_> {
                 let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
                 self.fail_help(
                     code,
-                    0,
                     call.span,
                     format!("{name} ({what}) is not supported"),
                     "replace it by plain moves, or compile the program without it",
@@ -341,7 +341,6 @@ impl Run<'_> {
             self.lost();
             return self.fail_help(
                 codes::S9006,
-                0,
                 formula.span,
                 "CYCLE800 swivels or shifts the working plane, which plain G-code in three axes cannot say",
                 "have the CAM system put out the swivelled part by itself",
@@ -350,7 +349,7 @@ impl Run<'_> {
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
         if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
             let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
-            return self.fail_help(codes::S9006, 0, span, message, "program the rotary axis, and leave CYCLE800 out");
+            return self.fail_help(codes::S9006, span, message, "program the rotary axis, and leave CYCLE800 out");
         }
         if let Some(mode) = formulas.first().filter(|formula| !formula.is_missing()) {
             let value = self.number(*mode, block, text)?;
@@ -374,7 +373,6 @@ impl Run<'_> {
             self.lost();
             return self.fail_help(
                 codes::S9006,
-                0,
                 span,
                 "CYCLE800 retracts the tool to a place that is a machine datum",
                 "give it in machine coordinates: `[machine] swivel_retract = { Z = 0.0 }`; or program the retraction \
@@ -383,7 +381,7 @@ impl Run<'_> {
         }
         self.pending_must_be_done(span)?;
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, 0, span, "CYCLE800 retracts under radius compensation");
+            return self.fail(codes::S2080, span, "CYCLE800 retracts under radius compensation");
         }
         for axes in steps {
             let mut end = Pos::UNKNOWN;
@@ -397,13 +395,15 @@ impl Run<'_> {
 
     pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let [formula] = *formulas else {
-            return self.fail(codes::S2021, 14021, span, "EXECSTRING takes one text");
+            return self.fail(codes::S2021.alarm(14021), span, "EXECSTRING takes one text");
         };
         match self.eval(formula, block, text)? {
             Val::Text(line) => self.execute_line(&line, span),
-            other => {
-                self.fail(codes::S2005, 12150, formula.span, format!("a text is needed, this is {}", other.what()))
-            }
+            other => self.fail(
+                codes::S2005.alarm(12150),
+                formula.span,
+                format!("a text is needed, this is {}", other.what()),
+            ),
         }
     }
 
@@ -413,8 +413,7 @@ impl Run<'_> {
             let n = self.number(*number, block, text)?;
             if !(0.0..=3.0).contains(&n) {
                 return self.fail(
-                    codes::S2021,
-                    14414,
+                    codes::S2021.alarm(14414),
                     span,
                     format!("GEOAX names geometry axis {n}; there are 1 to 3"),
                 );
@@ -428,7 +427,6 @@ impl Run<'_> {
             if !same {
                 return self.fail_help(
                     codes::S9001,
-                    0,
                     span,
                     "GEOAX gives the geometry axes other names",
                     "name the axes of the machine by `[machine] geometry_axes`",

@@ -213,9 +213,9 @@ impl Units {
                 span: Span::at(mark.place.at, mark.after.at - mark.place.at),
             };
             let found = Diagnostic::new(
-                codes::S2004,
+                codes::S2004.alarm(12640),
                 loc,
-                format!("{} is not closed (alarm 12640)", if word == Word::Else { "IF" } else { name(word) }),
+                format!("{} is not closed", if word == Word::Else { "IF" } else { name(word) }),
             );
             push_once(job, found.help(format!("write {} at its end", closing(word))));
         }
@@ -269,10 +269,11 @@ impl Skeleton {
         match word {
             Word::If | Word::While | Word::For | Word::Loop | Word::Repeat => {
                 if open.len() == MOST_NESTED {
-                    let message = format!("structures are nested more than {MOST_NESTED} deep (alarm 12641)");
+                    let message = format!("structures are nested more than {MOST_NESTED} deep");
                     push_once(
                         job,
-                        Diagnostic::new(codes::S2004, loc, message).help("move the inner part into a subprogram"),
+                        Diagnostic::new(codes::S2004.alarm(12641), loc, message)
+                            .help("move the inner part into a subprogram"),
                     );
                 }
                 open.push((word, mark));
@@ -310,7 +311,7 @@ impl Skeleton {
                 }
             }
         }
-        let found = Diagnostic::new(codes::S2004, loc, format!("{} has no opening (alarm 12640)", name(word)));
+        let found = Diagnostic::new(codes::S2004.alarm(12640), loc, format!("{} has no opening", name(word)));
         let found = match open.last() {
             Some((opener, from)) => {
                 let opened =
@@ -355,9 +356,9 @@ fn push_once(job: &Job<'_>, found: Diagnostic) {
 
 /// A label that stands a second time: a jump takes the nearest one in its direction.
 fn label_again(name: &str, loc: Loc, first: &Mark) -> Diagnostic {
-    let message = format!("the label `{name}` stands twice in this program (alarm 12450)");
+    let message = format!("the label `{name}` stands twice in this program");
     let place = Span::at(first.place.at, first.after.at.saturating_sub(first.place.at + 1));
-    Diagnostic::new(codes::S8036, loc, message)
+    Diagnostic::new(codes::S8036.alarm(12450), loc, message)
         .also(Loc { line: first.place.line, span: place, ..loc }, "here for the first time")
         .help("rename one of them; a jump goes to the nearest one in its direction")
 }

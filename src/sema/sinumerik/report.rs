@@ -1,56 +1,13 @@
 //! Findings and functions of the run, with their place in the program.
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::text::{FileId, Loc, Span};
 
+use super::Run;
 use super::programs::UnitKind;
-use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
-    /// Reports an error about `span` of the block, or about the whole block, and gives it up. `alarm` is the
-    /// number that the control shows; 0 for none.
-    pub(super) fn fail<T>(
-        &self,
-        code: &'static Code,
-        alarm: u32,
-        span: Span,
-        message: impl Into<String>,
-    ) -> Outcome<T> {
-        self.report(self.found(code, alarm, span, message.into()));
-        Err(Reported)
-    }
-
-    /// The same with a line of help.
-    pub(super) fn fail_help<T>(
-        &self,
-        code: &'static Code,
-        alarm: u32,
-        span: Span,
-        message: impl Into<String>,
-        help: &str,
-    ) -> Outcome<T> {
-        self.report(self.found(code, alarm, span, message.into()).help(help));
-        Err(Reported)
-    }
-
-    pub(super) fn found(&self, code: &'static Code, alarm: u32, span: Span, message: String) -> Diagnostic {
-        let message = if alarm == 0 { message } else { format!("{message} (alarm {alarm})") };
-        Diagnostic::new(code, self.loc(span), message)
-    }
-
-    /// A note that is made once for the whole program.
-    pub(super) fn note_once(&self, code: &'static Code, span: Span, message: impl Into<String>) {
-        if self.job.diags.first_time(code) {
-            self.report(Diagnostic::new(code, self.loc(span), message));
-        }
-    }
-
-    /// A place in the current block; the whole block for an empty span.
-    pub(super) fn loc(&self, span: Span) -> Loc {
-        if span.is_empty() { self.here.origin.loc } else { self.core.loc(span) }
-    }
-
     /// End of the whole run: what is still open is worth a word.
     pub(super) fn report_open(&mut self) {
         if self.st.side() != crate::ir::Side::None {

@@ -66,7 +66,6 @@ impl Run<'_> {
         let letter = axis.letter();
         self.fail_help(
             codes::S9101,
-            0,
             span,
             format!("the sense in which {letter} turns is not known: its zero is shifted, and it counts modulo 360"),
             &format!("write {letter}=DC(…), ACP(…) or ACN(…)"),
@@ -79,7 +78,7 @@ impl Run<'_> {
         }
         let message = format!("{} lies outside 0 to 359.999", given.value);
         let help = "positions of an axis that counts modulo 360 lie inside one turn; write more turns as increments";
-        self.fail_help(codes::S2061, 16830, given.span, message, help)
+        self.fail_help(codes::S2061.alarm(16830), given.span, message, help)
     }
 
     /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.

@@ -55,7 +55,6 @@ impl Run<'_> {
                 let message = format!("{} is not supported", code.word());
                 return self.fail_help(
                     codes::S9001,
-                    0,
                     span,
                     message,
                     "program the approach and the retraction by plain moves",
@@ -93,8 +92,7 @@ impl Run<'_> {
 
     fn not_alone<T>(&self, span: Span) -> Outcome<T> {
         self.fail_help(
-            codes::S2013,
-            12120,
+            codes::S2013.alarm(12120),
             span,
             "this word cannot stand beside the code that shapes the block",
             "give it a block of its own",
@@ -118,8 +116,7 @@ impl Run<'_> {
                     None => {
                         let help = "give the time in seconds: G4 F1.5";
                         return self.fail_help(
-                            codes::S2045,
-                            10900,
+                            codes::S2045.alarm(10900),
                             s.span,
                             "a dwell in turns needs a fixed spindle speed",
                             help,
@@ -129,11 +126,11 @@ impl Run<'_> {
             }
             _ => {
                 let help = "G4 F1.5 waits seconds, G4 S20 turns of the spindle; G4 P is of another language";
-                return self.fail_help(codes::S2013, 12120, span, "G4 takes F or S", help);
+                return self.fail_help(codes::S2013.alarm(12120), span, "G4 takes F or S", help);
             }
         };
         if !(0.0..=MOST_SECONDS).contains(&seconds) {
-            return self.fail(codes::S2041, 0, span, "a dwell lies between 0 and 100000 seconds");
+            return self.fail(codes::S2041, span, "a dwell lies between 0 and 100000 seconds");
         }
         self.function(Function::Dwell(seconds));
         Ok(())
@@ -155,7 +152,7 @@ impl Run<'_> {
             Some(n @ 1..=4) if f64::from(n) == given.value => Ok(n),
             _ => {
                 let message = format!("there is no fixed point {}", given.value);
-                self.fail_help(codes::S2012, 0, given.span, message, "G75 has the fixed points FP=1 to FP=4")
+                self.fail_help(codes::S2012, given.span, message, "G75 has the fixed points FP=1 to FP=4")
             }
         }
     }
@@ -184,7 +181,6 @@ impl Run<'_> {
                     let letter = axis.letter();
                     return self.fail_help(
                         codes::S9008,
-                        0,
                         span,
                         format!("where {} moves {letter} to is a machine datum", code.word()),
                         &format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`"),
@@ -193,7 +189,7 @@ impl Run<'_> {
             }
         }
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, 14091, span, "a fixed point is approached under radius compensation");
+            return self.fail(codes::S2080.alarm(14091), span, "a fixed point is approached under radius compensation");
         }
         if named.is_empty() && w.machine_axes.is_empty() && w.left_out.is_empty() {
             let message = format!("{} names no axis: nothing moves", code.word());
@@ -243,7 +239,6 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail_help(
                 codes::S2080,
-                0,
                 span,
                 "the frame changes while radius compensation is on",
                 "program G40 in a block in front of it",
@@ -286,7 +281,7 @@ impl Run<'_> {
             Code::SCALE | Code::ASCALE => {
                 let scale = self.geometry_values(w, 1.0)?;
                 if scale.contains(&0.0) {
-                    return self.fail(codes::S2034, 0, span, "a scaling factor is 0");
+                    return self.fail(codes::S2034, span, "a scaling factor is 0");
                 }
                 FrameValue::scaled(scale)
             }
@@ -302,7 +297,7 @@ impl Run<'_> {
             }
             _ => {
                 let message = format!("{} turns the plane by solid angles, which is not supported", code.word());
-                return self.fail_help(codes::S9001, 0, span, message, "use ROT with angles about the axes");
+                return self.fail_help(codes::S9001, span, message, "use ROT with angles about the axes");
             }
         };
         self.st.programmable = match (adds, bare) {
@@ -333,7 +328,7 @@ impl Run<'_> {
                 Some(place) => *place = given.value,
                 None => {
                     let message = format!("{} is no geometry axis", axis.letter());
-                    return self.fail(codes::S2031, 16440, given.span, message);
+                    return self.fail(codes::S2031.alarm(16440), given.span, message);
                 }
             }
         }
@@ -346,11 +341,11 @@ impl Run<'_> {
         if w.axes.is_empty() && !small {
             let message = format!("{} has no axes", code.word());
             let help = "on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`";
-            return self.fail_help(codes::S2013, 12120, span, message, help);
+            return self.fail_help(codes::S2013.alarm(12120), span, message, help);
         }
         if small && !w.axes.is_empty() {
             let message = format!("{} selects a work offset on an 802D and moves in the same block", code.word());
-            return self.fail_help(codes::S2013, 0, span, message, "give the selection a block of its own");
+            return self.fail_help(codes::S2013, span, message, "give the selection a block of its own");
         }
         if w.axes.is_empty() && small {
             let number = if code == Code::G58 { 5 } else { 6 };

@@ -5,6 +5,7 @@
 use crate::diag::codes;
 use crate::ir::Function;
 use crate::ir::function::Spindle;
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
@@ -28,15 +29,14 @@ impl Run<'_> {
 
     /// Feed per revolution, threads and cutting speed count with the turns of the master; the target counts those
     /// of its first spindle.
-    pub(super) fn master_is_main(&self, span: Span, what: &str) -> Outcome {
+    pub(super) fn master_is_main(&self, place: impl Into<Where>, what: &str) -> Outcome {
         let master = self.st.master;
         if master == MAIN_SPINDLE {
             return Ok(());
         }
         self.fail_help(
             codes::S9007,
-            0,
-            span,
+            place,
             format!("{what} follows spindle {master}, the master; the target follows its first spindle"),
             "program a feed per minute (G94), or make spindle 1 the master: SETMS(1)",
         )
@@ -89,14 +89,11 @@ impl Run<'_> {
         }
         // Once is enough.
         (self.st.constant_cut, self.st.speed_kept) = (false, false);
-        self.unknown_speed(
-            Span::default(),
-            "this block cuts at the speed that the spindle happens to have kept since G96",
-        )
+        self.unknown_speed(Where::Block, "this block cuts at the speed that the spindle happens to have kept since G96")
     }
 
-    fn unknown_speed(&self, span: Span, message: &str) -> Outcome {
-        self.fail_help(codes::S2045, 0, span, message, "program the speed in turns per minute behind G97: S1000")
+    fn unknown_speed(&self, place: impl Into<Where>, message: &str) -> Outcome {
+        self.fail_help(codes::S2045, place, message, "program the speed in turns per minute behind G97: S1000")
     }
 
     /// Refuses to start spindle `n` without a speed that is known.
@@ -114,11 +111,16 @@ impl Run<'_> {
 
     fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
         if s.value > 1e6 {
-            return self.fail(codes::S2045, 0, s.span, format!("the speed S{} is out of all range", s.value));
+            return self.fail(codes::S2045, s.span, format!("the speed S{} is out of all range", s.value));
         }
         if s.value < 0.0 {
             let help = "the sense of rotation comes from M3 or M4";
-            return self.fail_help(codes::S2045, 14840, s.span, format!("the speed S{} is negative", s.value), help);
+            return self.fail_help(
+                codes::S2045.alarm(14840),
+                s.span,
+                format!("the speed S{} is negative", s.value),
+                help,
+            );
         }
         match s.spindle {
             Some(n) if n != self.st.master => {
@@ -230,12 +232,12 @@ impl Run<'_> {
         let (spos, sposa) = (w.take(Address::Spos), w.take(Address::Sposa));
         let Some(given) = spos.or(sposa) else { return Ok(()) };
         if let (Some(_), Some(second)) = (spos, sposa) {
-            return self.fail(codes::S2007, 12000, second.span, "SPOS= and SPOSA= stand in one block");
+            return self.fail(codes::S2007.alarm(12000), second.span, "SPOS= and SPOSA= stand in one block");
         }
         let master = self.st.master;
         if let Some(m) = w.m.iter().find(|m| m.number == 19 && m.spindle.is_none_or(|n| n == master)) {
             let help = "leave M19 out: SPOS= says where the spindle stops";
-            return self.fail_help(codes::S2045, 0, m.span, "M19 and SPOS= stop the spindle in one block", help);
+            return self.fail_help(codes::S2045, m.span, "M19 and SPOS= stop the spindle in one block", help);
         }
         let from = match given.mode {
             Mode::Plain | Mode::Ac | Mode::Dc => 0.0,
@@ -249,7 +251,6 @@ impl Run<'_> {
                 None => {
                     return self.fail_help(
                         codes::S2045,
-                        0,
                         given.span,
                         "where the spindle stands, from which SPOS=IC(…) counts, is not known",
                         "stop it by SPOS= at an angle first",
@@ -270,7 +271,7 @@ impl Run<'_> {
         if (1..=MOST_SPINDLES).contains(&n) {
             Ok(())
         } else {
-            self.fail(codes::S2045, 0, span, format!("there is no spindle {n}"))
+            self.fail(codes::S2045, span, format!("there is no spindle {n}"))
         }
     }
 
@@ -296,14 +297,13 @@ impl Run<'_> {
             let help = "give the highest speed in turns per minute: LIMS=2500";
             return self.fail_help(
                 codes::S2045,
-                0,
                 lims.span,
                 "the speed limit LIMS= is 0: the spindle would stand",
                 help,
             );
         }
         if lims.value < 0.0 {
-            return self.fail(codes::S2045, 14820, lims.span, "the speed limit LIMS= is negative");
+            return self.fail(codes::S2045.alarm(14820), lims.span, "the speed limit LIMS= is negative");
         }
         Ok(())
     }
@@ -335,7 +335,6 @@ impl Run<'_> {
         if self.st.constant_cut && self.st.turn.is_some() {
             return self.fail_help(
                 codes::S2045,
-                0,
                 span,
                 "the master spindle changes while it turns at a constant cutting speed",
                 "stop it by M5, or program G97 with a speed, in front of SETMS",

@@ -45,7 +45,7 @@ impl Run<'_> {
         passes: u32,
     ) -> Outcome {
         if passes != 1 {
-            return self.fail(codes::S2043, 0, span, format!("{name} changes the tool {passes} times"));
+            return self.fail(codes::S2043, span, format!("{name} changes the tool {passes} times"));
         }
         let number = match place.checked_sub(1).and_then(|at| arguments.get(at)).map(|argument| &argument.value) {
             Some(Val::Text(text)) => {
@@ -54,11 +54,17 @@ impl Run<'_> {
             }
             Some(value) => match value.number().and_then(whole).and_then(|n| u32::try_from(n).ok()) {
                 Some(number) => number,
-                None => return self.fail(codes::S2043, 17190, span, format!("argument {place} of {name} is no tool")),
+                None => {
+                    return self.fail(
+                        codes::S2043.alarm(17190),
+                        span,
+                        format!("argument {place} of {name} is no tool"),
+                    );
+                }
             },
             None => {
                 let help = "count the arguments for `[programs]` from 1";
-                return self.fail_help(codes::S2043, 0, span, format!("{name} has no argument {place}"), help);
+                return self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help);
             }
         };
         self.st.tool.next = Some(number);

@@ -15,6 +15,7 @@ use super::Run;
 use super::frames::FrameValue;
 use super::g_groups::{ActiveCodes, Code, Group};
 use super::offsets::{FromBasic, Outer};
+use crate::sema::run::Where;
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -254,8 +255,7 @@ impl Run<'_> {
         self.set_plane(plane);
         if !self.st.is(offset) {
             // The work offset of the call comes back, whatever MD 10617 says.
-            let _: super::Outcome =
-                self.work_offset(self.st.codes.of(Group::WorkOffset).index, crate::text::Span::default());
+            let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
         } else if self.st.settable != saved.settable {
             self.restore_offset_frame(saved.settable);
         }
@@ -309,8 +309,7 @@ impl Run<'_> {
             self.st.programmable = FrameValue::default();
             let _: super::Outcome = self.fail(
                 codes::S2034,
-                0,
-                crate::text::Span::default(),
+                Where::Block,
                 "the frame cannot be used: a factor or a shift is zero or out of all range",
             );
             return;

@@ -35,7 +35,6 @@ impl Run<'_> {
         }
         self.fail_help(
             codes::S2028,
-            0,
             span,
             format!("the value of `{key}` is known on the machine only"),
             &format!("give it under [variables]: \"{key}\" = value"),
@@ -47,7 +46,7 @@ impl Run<'_> {
             "$PI" => Val::Real(core::f64::consts::PI),
             "$P_EP" | "$AA_IW" => {
                 let [Val::Axis(named)] = args else {
-                    return self.fail(codes::S2031, 12040, span, format!("`{word}` needs an axis: `{word}[X]`"));
+                    return self.fail(codes::S2031.alarm(12040), span, format!("`{word}` needs an axis: `{word}[X]`"));
                 };
                 let Some(axis) = named.axis else { return Ok(None) };
                 Val::Real(self.position_value(axis, span)?)
@@ -78,7 +77,7 @@ impl Run<'_> {
                 let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
                 match group.and_then(|group| self.st.codes.shown(group)) {
                     Some(index) => Val::Int(i32::from(index)),
-                    None => return self.fail(codes::S2018, 17020, span, "there is no such G group"),
+                    None => return self.fail(codes::S2018.alarm(17020), span, "there is no such G group"),
                 }
             }
             "$P_AXN1" => Val::Axis(self.axis_names.of(self.st.roles()[0])),
@@ -175,7 +174,7 @@ impl Run<'_> {
         let Some((first, rest)) = args.split_first() else { return Ok(None) };
         match first.number().and_then(whole).and_then(|n| u8::try_from(n).ok()).filter(|n| *n <= 99) {
             Some(number) => Ok(Some((number, rest))),
-            None => self.fail(codes::S2018, 17020, span, "work offsets have the numbers 0 to 99"),
+            None => self.fail(codes::S2018.alarm(17020), span, "work offsets have the numbers 0 to 99"),
         }
     }
 
@@ -198,7 +197,6 @@ impl Run<'_> {
             let message = format!("where {} stands was not programmed yet", axis.letter());
             return self.fail_help(
                 codes::S2042,
-                0,
                 span,
                 message,
                 &self
@@ -234,7 +232,7 @@ impl Run<'_> {
             }
             "$P_UIFR" => {
                 let Some((number, rest)) = self.offset_number(args, span)? else {
-                    return self.fail(codes::S2018, 17020, span, "the number of the work offset is missing");
+                    return self.fail(codes::S2018.alarm(17020), span, "the number of the work offset is missing");
                 };
                 let old = match self.offset_frame(number) {
                     Some(frame) => frame,
@@ -243,7 +241,7 @@ impl Run<'_> {
                         let word = offset_word(number);
                         let message =
                             format!("one component of {word} is set, the others are known on the machine only");
-                        return self.fail_help(codes::S2028, 0, span, message, &format!("give {word} under [datums]"));
+                        return self.fail_help(codes::S2028, span, message, &format!("give {word} under [datums]"));
                     }
                 };
                 let frame = self.new_frame(&old, rest, &value, span)?;
@@ -278,15 +276,13 @@ impl Run<'_> {
                 Ok(())
             }
             _ if word.starts_with("$P_") && !word.contains("FR") => self.fail_help(
-                codes::S2028,
-                17070,
+                codes::S2028.alarm(17070),
                 span,
                 format!("`{word}` is the state of the program and cannot be set"),
                 "program the words that bring the state about",
             ),
             _ => self.fail_help(
                 codes::S2028,
-                0,
                 span,
                 format!("`{word}` cannot be set by a compiled program"),
                 "it changes the machine or the control; set it there",
@@ -308,7 +304,6 @@ impl Run<'_> {
                 let shown = value.number().unwrap_or(0.0);
                 return self.fail_help(
                     codes::S9103,
-                    0,
                     span,
                     format!("`{word}` is a setting datum, and what it changes is not compiled"),
                     &format!(
@@ -356,7 +351,9 @@ impl Run<'_> {
         if args.is_empty() {
             return match value {
                 Val::Frame(frame) => Ok((**frame).clone()),
-                other => self.fail(codes::S2005, 12150, span, format!("a frame is needed, this is {}", other.what())),
+                other => {
+                    self.fail(codes::S2005.alarm(12150), span, format!("a frame is needed, this is {}", other.what()))
+                }
             };
         }
         let mut frame = old.clone();
@@ -372,7 +369,7 @@ impl Run<'_> {
             "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
             "CSCALE" => self.triple(args, 1.0, span).and_then(|scale| {
                 if scale.contains(&0.0) {
-                    return self.fail(codes::S2034, 0, span, "a scaling factor is 0");
+                    return self.fail(codes::S2034, span, "a scaling factor is 0");
                 }
                 Ok(frame(FrameValue::scaled(scale)))
             }),
@@ -381,32 +378,38 @@ impl Run<'_> {
             "INVFRAME" => match args {
                 [Val::Frame(inner)] => match inner.inverse() {
                     Some(made) => Ok(frame(made)),
-                    None => self.fail(codes::S2034, 0, span, "the frame cannot be inverted"),
+                    None => self.fail(codes::S2034, span, "the frame cannot be inverted"),
                 },
-                _ => self.fail(codes::S2021, 14021, span, "INVFRAME takes a frame"),
+                _ => self.fail(codes::S2021.alarm(14021), span, "INVFRAME takes a frame"),
             },
             "AXNAME" => self.axis_of_text(args, span),
             "ISVAR" | "ISFILE" => self.is_known(name, args, span),
             "MODAXVAL" => match args {
                 [_, value] => match value.number() {
                     Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
-                    None => self.fail(codes::S2005, 12150, span, "MODAXVAL takes an axis and an angle"),
+                    None => self.fail(codes::S2005.alarm(12150), span, "MODAXVAL takes an axis and an angle"),
                 },
-                _ => self.fail(codes::S2021, 14021, span, "MODAXVAL takes an axis and an angle"),
+                _ => self.fail(codes::S2021.alarm(14021), span, "MODAXVAL takes an axis and an angle"),
             },
             // SET and REP
-            _ => self.fail(codes::S2005, 12150, span, format!("{name} fills an array and is no value of its own")),
+            _ => {
+                self.fail(codes::S2005.alarm(12150), span, format!("{name} fills an array and is no value of its own"))
+            }
         }
     }
 
     /// `AXNAME("X")`
     fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return self.fail(codes::S2021, 14021, span, "AXNAME takes a text");
+            return self.fail(codes::S2021.alarm(14021), span, "AXNAME takes a text");
         };
         let name = String::from_utf8_lossy(text).to_ascii_uppercase();
         let Some(named) = self.axis_names.find(&name) else {
-            return self.fail(codes::S2006, 14097, span, format!("AXNAME: `{name}` names no axis of this machine"));
+            return self.fail(
+                codes::S2006.alarm(14097),
+                span,
+                format!("AXNAME: `{name}` names no axis of this machine"),
+            );
         };
         self.printed_axis(named, span)?;
         Ok(Val::Axis(named))
@@ -414,19 +417,19 @@ impl Run<'_> {
 
     fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return self.fail(codes::S2021, 14021, span, format!("{name} takes a text"));
+            return self.fail(codes::S2021.alarm(14021), span, format!("{name} takes a text"));
         };
         let wanted = String::from_utf8_lossy(text).into_owned();
         if name == "ISVAR" {
             if wanted.trim_start().starts_with('$') {
                 let message = format!("whether the control has `{wanted}` is known on the machine only");
-                return self.fail(codes::S2028, 0, span, message);
+                return self.fail(codes::S2028, span, message);
             }
             return Ok(Val::Bool(self.is_variable(&wanted)));
         }
         let file = self.units.list[self.unit()].file;
         if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
-            return self.fail(codes::P0105, 0, span, format!("the file cannot be read: {error}"));
+            return self.fail(codes::P0105, span, format!("the file cannot be read: {error}"));
         }
         self.budget.search();
         let identity = self.job.sources.identity(self.job.main);
@@ -461,8 +464,7 @@ impl Run<'_> {
         for pair in args.chunks(2) {
             let [Val::Axis(axis), value] = pair else {
                 return self.fail_help(
-                    codes::S2021,
-                    14020,
+                    codes::S2021.alarm(14020),
                     span,
                     "axes and values follow each other",
                     "for example (X,10,Y,20)",
@@ -482,8 +484,7 @@ impl Run<'_> {
         for pair in args.chunks(2) {
             let [Val::Axis(axis), value] = pair else {
                 return self.fail_help(
-                    codes::S2021,
-                    14020,
+                    codes::S2021.alarm(14020),
                     span,
                     "axes and values follow each other",
                     "for example (Z,45)",
@@ -492,7 +493,9 @@ impl Run<'_> {
             let value = self.as_number(value, span)?;
             match axis.axis.and_then(|axis| values.get_mut(axis.index())) {
                 Some(place) => *place = value,
-                None => return self.fail(codes::S2031, 12040, span, format!("{} is no geometry axis", axis.text())),
+                None => {
+                    return self.fail(codes::S2031.alarm(12040), span, format!("{} is no geometry axis", axis.text()));
+                }
             }
         }
         Ok(values)
@@ -509,7 +512,7 @@ impl Run<'_> {
                 }
                 // A number behind the axis does not matter.
                 other if other.number().is_some() => {}
-                _ => return self.fail(codes::S2021, 14020, span, "CMIRROR takes geometry axes"),
+                _ => return self.fail(codes::S2021.alarm(14020), span, "CMIRROR takes geometry axes"),
             }
         }
         Ok(frame(FrameValue::mirrored(mirror)))
@@ -518,7 +521,7 @@ impl Run<'_> {
     /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
     fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
         let [plane, angle] = args else {
-            return self.fail(codes::S2021, 14021, span, "CRPL takes a plane and an angle");
+            return self.fail(codes::S2021.alarm(14021), span, "CRPL takes a plane and an angle");
         };
         let angle = self.as_number(angle, span)?;
         let about = match plane.number().and_then(whole) {
@@ -526,7 +529,7 @@ impl Run<'_> {
             Some(1) => 2,
             Some(2) => 1,
             Some(3) => 0,
-            _ => return self.fail(codes::S2021, 14020, span, "the plane of CRPL is 0 to 3"),
+            _ => return self.fail(codes::S2021.alarm(14020), span, "the plane of CRPL is 0 to 3"),
         };
         let mut angles = [0.0; 3];
         if let Some(place) = angles.get_mut(about) {

@@ -11,7 +11,7 @@ use crate::geo::{Plane, Point2, Vec2, length};
 use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::AxisSet;
-use crate::text::Span;
+use crate::sema::run::Where;
 
 use super::circle::SAME;
 use super::vocabulary::Address;
@@ -64,26 +64,26 @@ impl Run<'_> {
         end.set_in_plane(plane, to);
         let tangential = Arc { plane, shape: ArcShape::Tangent, turns };
         if self.pending.is_some() || self.st.in_machine() {
-            return self.send_arc(&end, tangential, feed, Span::default());
+            return self.send_arc(&end, tangential, feed, Where::Block);
         }
         let known = self.tangential_arc(plane, start, to, turns)?;
         let frame_changed = matches!(self.st.heading, Heading::Behind { .. });
         if let Heading::Behind { turned: true, .. } = self.st.heading {
             let message =
                 "the frame has turned since the block in front of CT, and the direction of CT is turned with it";
-            self.note_once(codes::S8042, Span::default(), message);
+            self.note_once(codes::S8042, Where::Block, message);
         }
         match known {
             Some(TangentArc::Arc { center, ccw }) if frame_changed => {
                 let shape = ArcShape::Center { center, ccw, tol: SAME };
-                self.send_arc(&end, Arc { plane, shape, turns }, feed, Span::default())
+                self.send_arc(&end, Arc { plane, shape, turns }, feed, Where::Block)
             }
             Some(TangentArc::Line | TangentArc::Nothing) if frame_changed => {
                 self.send(&end, Path::Line(feed));
                 Ok(())
             }
             _ => {
-                self.send_arc(&end, tangential, feed, Span::default())?;
+                self.send_arc(&end, tangential, feed, Where::Block)?;
                 if let Some(TangentArc::Arc { center, ccw }) = known {
                     self.st.heading = Heading::Arc { plane, center, ccw };
                 }
@@ -111,7 +111,7 @@ impl Run<'_> {
     }
 
     fn no_tangent<T>(&self, why: &str, help: &str) -> Outcome<T> {
-        self.fail_help(codes::S3008, 14045, Span::default(), why, help)
+        self.fail_help(codes::S3008.alarm(14045), Where::Block, why, help)
     }
 
     fn tangent_in(&self, plane: Plane, start: Point2) -> Tangent {

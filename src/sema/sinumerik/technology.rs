@@ -25,8 +25,7 @@ impl Run<'_> {
             if f.value <= 0.0 {
                 self.st.feed_lost = true;
                 return self.fail_help(
-                    codes::S2041,
-                    14800,
+                    codes::S2041.alarm(14800),
                     f.span,
                     format!("the feed F{} is not above 0", f.value),
                     "program a feed above 0",
@@ -43,7 +42,7 @@ impl Run<'_> {
         }
         if let Some(d) = w.take(Address::D) {
             if let Some(h) = w.h {
-                return self.fail(codes::S2012, 14197, h, "D and H stand in one block");
+                return self.fail(codes::S2012.alarm(14197), h, "D and H stand in one block");
             }
             // The edge is that of the tool that M6 brings.
             if w.m.iter().any(|m| m.number == 6) {
@@ -66,7 +65,6 @@ impl Run<'_> {
             {
                 return self.fail_help(
                     codes::S9010,
-                    0,
                     given.span,
                     "an offset of the tool that the program adds cannot be printed",
                     "put it into the tool data",
@@ -76,7 +74,7 @@ impl Run<'_> {
         if let Some(given) = w.take(Address::Tcarr)
             && given.value != 0.0
         {
-            return self.fail(codes::S9001, 0, given.span, "orientable tool carriers cannot be printed");
+            return self.fail(codes::S9001, given.span, "orientable tool carriers cannot be printed");
         }
         if let Some(disc) = w.take(Address::Disc) {
             self.says_shape(disc.span, "DISC=");
@@ -104,12 +102,11 @@ impl Run<'_> {
             && first.spindle == second.spindle
         {
             let message = format!("M{} and M{} stand in one block", first.number, second.number);
-            return self.fail_help(codes::S2045, 14760, second.span, message, "give each a block of its own");
+            return self.fail_help(codes::S2045.alarm(14760), second.span, message, "give each a block of its own");
         }
         if let Some(sixth) = w.m.get(MOST_M) {
             return self.fail_help(
-                codes::S2007,
-                12010,
+                codes::S2007.alarm(12010),
                 sixth.span,
                 "a block has at most five M functions",
                 "divide the block",
@@ -117,7 +114,7 @@ impl Run<'_> {
         }
         if let Some(fourth) = w.s.get(MOST_S) {
             let message = "a block has at most three S words";
-            return self.fail_help(codes::S2007, 12010, fourth.span, message, "divide the block");
+            return self.fail_help(codes::S2007.alarm(12010), fourth.span, message, "divide the block");
         }
         for m in &w.m {
             self.early_function(*m)?;
@@ -132,7 +129,7 @@ impl Run<'_> {
             // `M80=1` is M function 1 of address extension 80, which is neither M80 nor M1.
             let message = format!("what M{n}={} does is up to the machine builder", m.number);
             let help = "leave it out, or call what it does by an M function without `=`";
-            return self.fail_help(codes::S2044, 0, m.span, message, help);
+            return self.fail_help(codes::S2044, m.span, message, help);
         }
         let spindle = match m.number {
             3 => Spindle::Start(Turn::Clockwise),
@@ -176,7 +173,6 @@ impl Run<'_> {
             70 => {
                 return self.fail_help(
                     codes::S9001,
-                    0,
                     m.span,
                     "M70 makes the spindle an axis, which plain G-code cannot say",
                     "leave it out if the axis stands ready, or list it: `[output] pass_m = [70]`",
@@ -185,7 +181,6 @@ impl Run<'_> {
             96..=99 => {
                 return self.fail_help(
                     codes::S2044,
-                    0,
                     m.span,
                     format!("M{} calls programs in ISO dialect only", m.number),
                     "a subprogram is called by its name, as in L100 or POCKET",
@@ -194,7 +189,6 @@ impl Run<'_> {
             number => {
                 return self.fail_help(
                     codes::S2044,
-                    0,
                     m.span,
                     format!("what M{number} does is up to the machine builder"),
                     &format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"),

@@ -80,12 +80,17 @@ impl Run<'_> {
         if let Some(given) = self.lead_words(w)? {
             if given.lead < 0.0 {
                 let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
-                return self.fail_help(codes::S2081, 0, given.span, "the lead of the thread is negative", help);
+                return self.fail_help(codes::S2081, given.span, "the lead of the thread is negative", help);
             }
             self.lead = Some((given.axis, given.lead));
         }
         let Some((axis, lead)) = self.lead else {
-            return self.fail_help(codes::S2081, 16720, span, "the thread has no lead", "program K along Z, I along X");
+            return self.fail_help(
+                codes::S2081.alarm(16720),
+                span,
+                "the thread has no lead",
+                "program K along Z, I along X",
+            );
         };
         self.starts_are_known(w, span)?;
         let way = |axis: Axis| match (end.get(axis), self.st.position.get(axis)) {
@@ -95,8 +100,7 @@ impl Run<'_> {
         if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + STILL) {
             let message = format!("the lead is given along {}, but {} moves further", axis.letter(), longer.letter());
             return self.fail_help(
-                codes::S2081,
-                16730,
+                codes::S2081.alarm(16730),
                 span,
                 message,
                 "give the lead along the axis that moves further",
@@ -123,7 +127,7 @@ impl Run<'_> {
     ) -> Outcome {
         if !(0.0..360.0).contains(&start.value) {
             let message = format!("the start angle {word}={} lies outside 0 to 359.999", start.value);
-            return self.fail_help(codes::S9012, 0, start.span, message, "program the angle within one turn");
+            return self.fail_help(codes::S9012, start.span, message, "program the angle within one turn");
         }
         let why = if follows {
             "this thread follows on another one, which fixes its angle"
@@ -137,12 +141,12 @@ impl Run<'_> {
         if !why.is_empty() {
             let message = format!("the start angle of the thread cannot be made by a shift of its start: {why}");
             let help = "program the start point farther back by lead · angle / 360, and no SF=";
-            return self.fail_help(codes::S9012, 0, start.span, message, help);
+            return self.fail_help(codes::S9012, start.span, message, help);
         }
         let back = lead * start.value / 360.0;
         let (Some(to), Some(from)) = (end.get(axis), self.st.position.get(axis)) else { return Err(Reported) };
         if (to - from).abs() <= STILL {
-            return self.fail(codes::S2081, 16740, start.span, "the thread does not move along its lead");
+            return self.fail(codes::S2081.alarm(16740), start.span, "the thread does not move along its lead");
         }
         // The start lies on the line of the thread, tapered ones included.
         let part = back / (to - from).abs();
@@ -175,7 +179,7 @@ impl Run<'_> {
             Some(Given { value, .. }) => {
                 let message = format!("whether `{START_ANGLE}={value}` holds for the threads of a cycle is not known");
                 let help = format!("set it to 0 in front of the cycle: {START_ANGLE}=0");
-                self.fail_help(codes::S9012, 0, span, message, &help)
+                self.fail_help(codes::S9012, span, message, &help)
             }
             None => Ok(()),
         }
@@ -189,7 +193,7 @@ impl Run<'_> {
         }
         let span = corner.map_or(span, |given| given.span);
         let help = "program the transition as elements of its own, and RNDM=0 in front of the thread";
-        self.fail_help(codes::S2071, 0, span, "a thread has no corner to chamfer or round", help)
+        self.fail_help(codes::S2071, span, "a thread has no corner to chamfer or round", help)
     }
 
     /// G331 and G332: along one axis, the spindle turning with it.
@@ -202,7 +206,7 @@ impl Run<'_> {
         }
         let Some((axis, lead)) = self.tap_lead else {
             let help = "program K along Z: positive for a right-hand thread, negative for a left-hand one";
-            return self.fail_help(codes::S2081, 16720, span, "the tapped thread has no lead", help);
+            return self.fail_help(codes::S2081.alarm(16720), span, "the tapped thread has no lead", help);
         };
         self.starts_are_known(w, span)?;
         self.taps_along(axis, &end, w, span)?;
@@ -237,15 +241,20 @@ impl Run<'_> {
             let message = format!("M{} stands in a block that taps", m.number);
             let help =
                 "leave it out: the sign of the lead turns the spindle, which stands in front of and behind the tap";
-            return self.fail_help(codes::S2045, 0, m.span, message, help);
+            return self.fail_help(codes::S2045, m.span, message, help);
         }
         if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
             let help = "give SPOS= a block of its own in front of G331";
-            return self.fail_help(codes::S2045, 0, given.span, "SPOS= stands in a block that taps", help);
+            return self.fail_help(codes::S2045, given.span, "SPOS= stands in a block that taps", help);
         }
         if let Some(s) = w.s.iter().find(|s| s.value < 0.0) {
             let help = "the sign of the lead turns the spindle; program S without a sign";
-            return self.fail_help(codes::S2045, 16763, s.span, format!("the speed S{} is negative", s.value), help);
+            return self.fail_help(
+                codes::S2045.alarm(16763),
+                s.span,
+                format!("the speed S{} is negative", s.value),
+                help,
+            );
         }
         match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
             Some(given) => self.does_not_fit(given.span),
@@ -257,7 +266,6 @@ impl Run<'_> {
         if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.constant_cut {
             return self.fail_help(
                 codes::S2045,
-                0,
                 span,
                 "rigid tapping under a constant cutting speed (G96): the speed of the spindle is not fixed",
                 "program G97 with S in turns per minute in front of it",
@@ -266,8 +274,8 @@ impl Run<'_> {
         let help = "program S in this block or before";
         match self.st.speed {
             Some(speed) if speed > 0.0 => Ok(()),
-            Some(_) => self.fail_help(codes::S2045, 16763, span, "the speed of rigid tapping is 0", help),
-            None => self.fail_help(codes::S2045, 16760, span, "rigid tapping has no speed S", help),
+            Some(_) => self.fail_help(codes::S2045.alarm(16763), span, "the speed of rigid tapping is 0", help),
+            None => self.fail_help(codes::S2045.alarm(16760), span, "rigid tapping has no speed S", help),
         }
     }
 
@@ -281,17 +289,17 @@ impl Run<'_> {
             let given = w.axis(other).map(|given| given.span).unwrap_or_default();
             let message = format!("{} moves beside the tapping axis {}", other.letter(), axis.letter());
             let help = "position the tool over the hole in a block in front of G331";
-            return self.fail_help(codes::S2081, 0, given, message, help);
+            return self.fail_help(codes::S2081, given, message, help);
         }
         if !moves(&axis) {
             let message = format!("{} does not move, so nothing is tapped", axis.letter());
-            return self.fail_help(codes::S2081, 16740, span, message, "program the depth of the hole");
+            return self.fail_help(codes::S2081.alarm(16740), span, message, "program the depth of the hole");
         }
         let column = self.st.ctx.frame.linear().column(axis.index());
         if (0..3).any(|row| column[row] != f64::from(u8::from(row == axis.index()))) {
             let message = format!("the frame turns, mirrors or scales {}, along which the block taps", axis.letter());
             let help = "end the frame in front of G331, and program the hole in plain coordinates";
-            return self.fail_help(codes::S9002, 0, span, message, help);
+            return self.fail_help(codes::S9002, span, message, help);
         }
         Ok(())
     }
@@ -303,11 +311,11 @@ impl Run<'_> {
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {
-                return self.fail(codes::S2081, 16720, lead.span, "the lead of the thread is 0");
+                return self.fail(codes::S2081.alarm(16720), lead.span, "the lead of the thread is 0");
             }
             if !w.axes.contains(axis) {
                 let message = format!("the lead counts along {}, which the block does not move", axis.letter());
-                return self.fail(codes::S2081, 16730, lead.span, message);
+                return self.fail(codes::S2081.alarm(16730), lead.span, message);
             }
             found = Some(Lead { axis, lead: lead.value * self.st.length_unit(), span: lead.span });
         }
@@ -335,7 +343,7 @@ impl Run<'_> {
                 "leave the stop out, or retract and start the second thread anew",
             )
         };
-        let found = Diagnostic::new(codes::S2081, place, format!("{message} (alarm {alarm})"));
+        let found = Diagnostic::new(codes::S2081.alarm(alarm), place, message);
         self.report(found.also(last, "the thread before").also(self.loc(span), "the thread behind").help(help));
         Err(Reported)
     }

@@ -6,6 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
 use crate::machine::{Axis, AxisSet, Compensation, Tool};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
@@ -17,7 +18,7 @@ impl Run<'_> {
         let number = match w.tool_name.take() {
             Some(name) => self.tool_by_name(&name, t.span)?,
             None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => t.value as u32,
-            None => return self.fail(codes::S2043, 17190, t.span, format!("T{} is no tool number", t.value)),
+            None => return self.fail(codes::S2043.alarm(17190), t.span, format!("T{} is no tool number", t.value)),
         };
         self.proposed.call(number);
         self.st.tool.next = Some(number);
@@ -50,20 +51,19 @@ impl Run<'_> {
             _ => {
                 self.st.tool.lost = true;
                 let help = self.proposed.help(name, tools);
-                self.fail_help(codes::S2043, 17191, span, format!("the tool `{name}` has no number"), &help)
+                self.fail_help(codes::S2043.alarm(17191), span, format!("the tool `{name}` has no number"), &help)
             }
         }
     }
 
     pub(super) fn change_tool(&mut self) -> Outcome {
         let Some(number) = self.st.tool.next else {
-            return self.fail_help(codes::S2043, 0, Span::default(), "no tool is chosen", "program T in front of M6");
+            return self.fail_help(codes::S2043, Where::Block, "no tool is chosen", "program T in front of M6");
         };
         if self.st.side() != Side::None {
             return self.fail_help(
-                codes::S2080,
-                10780,
-                Span::default(),
+                codes::S2080.alarm(10780),
+                Where::Block,
                 "the tool changes while radius compensation is on",
                 "program G40 in a block in front of it",
             );
@@ -84,7 +84,7 @@ impl Run<'_> {
 
     pub(super) fn edge(&mut self, d: Given) -> Outcome {
         if d.value.fract() != 0.0 || !(0.0..=32_000.0).contains(&d.value) {
-            return self.fail(codes::S2043, 17180, d.span, format!("D{} is no edge number", d.value));
+            return self.fail(codes::S2043.alarm(17180), d.span, format!("D{} is no edge number", d.value));
         }
         let edge = d.value as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
@@ -97,7 +97,6 @@ impl Run<'_> {
         if self.st.side() != Side::None && !self.compensation_starts && self.st.tool.edge != Some(edge) {
             return self.fail_help(
                 codes::S2080,
-                0,
                 d.span,
                 "the cutting edge changes while radius compensation is on",
                 "program G40 in a block in front of it",
@@ -133,7 +132,6 @@ impl Run<'_> {
             if self.job.settings.output.compensation == Compensation::Resolve {
                 return self.fail_help(
                     codes::S9010,
-                    0,
                     span,
                     "computing the tool-centre path is not built yet",
                     "print the contour with G41/G42: `[output] compensation = \"control\"`",
@@ -142,7 +140,7 @@ impl Run<'_> {
             if self.st.codes.of(Group::CompensationType).index > 2 {
                 let kind = self.st.codes.of(Group::CompensationType).word();
                 let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
-                return self.fail_help(codes::S9010, 0, span, message, "have the CAM system put out the centre path");
+                return self.fail_help(codes::S9010, span, message, "have the CAM system put out the centre path");
             }
             self.cutter_open = Some(span);
             self.says_shape_of_compensation(span);
@@ -181,12 +179,11 @@ impl Run<'_> {
             "select a tool before"
         };
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
-            return self.fail_help(codes::S2080, 10750, span, "radius compensation without a tool", help);
+            return self.fail_help(codes::S2080.alarm(10750), span, "radius compensation without a tool", help);
         };
         if self.st.tool.edge_in_doubt {
             return self.fail_help(
                 codes::S2080,
-                0,
                 span,
                 "D was programmed between T and M6: which edge is in force behind M6 is machine datum 20270",
                 "program D behind M6",
@@ -212,13 +209,12 @@ impl Run<'_> {
     fn cutter_radius(&self, number: u32, edge: u32, span: Span) -> Outcome<Option<f64>> {
         if edge == 0 {
             let help = "select the edge in front of G41 or G42: D1";
-            return self.fail_help(codes::S2080, 0, span, "radius compensation under D0, which has no radius", help);
+            return self.fail_help(codes::S2080, span, "radius compensation under D0, which has no radius", help);
         }
         if self.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
             let message = "the program changes the radius of the active tool by `$P_AD`";
             return self.fail_help(
                 codes::S9010,
-                0,
                 span,
                 message,
                 "write `$TC_DP6` of the tool in front of its selection",
@@ -242,7 +238,7 @@ impl Run<'_> {
                     if wear.is_some() { "the program writes its wear only" } else { "the target knows that of D1" };
                 let message = format!("the radius of T{number} D{edge} is not known: {what}");
                 let help = format!("write it in front of G41 or G42: `$TC_DP6[{number},{edge}]=…`");
-                self.fail_help(codes::S9010, 0, span, message, &help)
+                self.fail_help(codes::S9010, span, message, &help)
             }
         }
     }
@@ -272,7 +268,7 @@ impl Run<'_> {
         let what = if in_plane { "on an arc" } else { "without a move in the plane" };
         let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
         let help = "program G41, G42 or G40 with G0 or G1 and an axis of the plane";
-        self.fail_help(codes::S2080, alarm, span, message, help)
+        self.fail_help(codes::S2080.alarm(alarm), span, message, help)
     }
 
     /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
@@ -289,10 +285,10 @@ impl Run<'_> {
             return Ok(());
         }
         self.leaving_open = false;
-        self.g40_had_no_move(Span::default(), "G40 has had no move in the plane in front of this block")
+        self.g40_had_no_move(Where::Block, "G40 has had no move in the plane in front of this block")
     }
 
-    fn g40_had_no_move<T>(&self, span: Span, message: &str) -> Outcome<T> {
-        self.fail_help(codes::S2080, 10754, span, message, "program G40 with G0 or G1 and an axis of the plane")
+    fn g40_had_no_move<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
+        self.fail_help(codes::S2080.alarm(10754), place, message, "program G40 with G0 or G1 and an axis of the plane")
     }
 }

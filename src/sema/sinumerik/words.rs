@@ -257,8 +257,7 @@ impl Run<'_> {
         }
         if let (Some(assigned), Some(_)) = (words.assigned, words.other) {
             return self.fail_help(
-                codes::S2014,
-                12080,
+                codes::S2014.alarm(12080),
                 assigned,
                 "an assignment stands beside other words",
                 "give the assignment a block of its own",
@@ -310,7 +309,7 @@ impl Run<'_> {
         }
         if letter == b'R' {
             let help = "the radius of an arc is CR=";
-            return self.fail_help(codes::S2016, 12050, word.span, "the address R has no meaning", help);
+            return self.fail_help(codes::S2016.alarm(12050), word.span, "the address R has no meaning", help);
         }
         if let Some(named) = self.axis_names.letter(letter) {
             return self.axis_word(words, named, given);
@@ -320,8 +319,7 @@ impl Run<'_> {
             b'M' => self.m_word(words, None, given),
             b'F' => self.set_address(words, Address::F, given),
             b'S' if words.s.iter().any(|s| s.spindle.is_none()) => self.fail_help(
-                codes::S2007,
-                12000,
+                codes::S2007.alarm(12000),
                 given.span,
                 "S stands twice in the block",
                 "delete one of the words",
@@ -340,8 +338,7 @@ impl Run<'_> {
                 Ok(())
             }
             b'P' if words.passes.is_some() => self.fail_help(
-                codes::S2007,
-                12000,
+                codes::S2007.alarm(12000),
                 given.span,
                 "P stands twice in the block",
                 "delete one of the words",
@@ -353,18 +350,23 @@ impl Run<'_> {
             b'L' => self.l_word(words, word, given),
             _ => {
                 let message = format!("the address {} is not known", letter as char);
-                self.fail_help(codes::S2016, 12050, word.span, message, "check the letter; axes are X Y Z A B C U V W")
+                self.fail_help(
+                    codes::S2016.alarm(12050),
+                    word.span,
+                    message,
+                    "check the letter; axes are X Y Z A B C U V W",
+                )
             }
         }
     }
 
     fn l_word(&mut self, words: &mut Words, word: &Word, given: Given) -> Outcome {
         let Value::Literal { digits, whole: true, value } = word.value else {
-            return self.fail(codes::S1001, 12080, word.span, "a subprogram number is written in digits: L10");
+            return self.fail(codes::S1001.alarm(12080), word.span, "a subprogram number is written in digits: L10");
         };
         if words.l.is_some() {
             let help = "give each call a block of its own";
-            return self.fail_help(codes::S2007, 12000, given.span, "L stands twice in the block", help);
+            return self.fail_help(codes::S2007.alarm(12000), given.span, "L stands twice in the block", help);
         }
         let width = usize::from(digits);
         words.l = Some((format!("L{value:0width$}"), given.span));
@@ -374,7 +376,7 @@ impl Run<'_> {
     pub(super) fn set_axis(&mut self, words: &mut Words, axis: Axis, given: Given) -> Outcome {
         if words.axes.contains(axis) {
             let message = format!("the axis {} stands twice in the block", axis.letter());
-            return self.fail_help(codes::S2007, 12000, given.span, message, "delete one of the words");
+            return self.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words");
         }
         words.axes.insert(axis);
         words.axis_words[axis.index()] = given;
@@ -389,7 +391,7 @@ impl Run<'_> {
     #[cold]
     pub(super) fn misplaced_modifier(&self, span: Span) -> Outcome {
         let help = "AC(…), IC(…), DC(…) and their kin are for end points, centres, polar words and SPOS=";
-        self.fail_help(codes::S2012, 12020, span, "this address takes no such modifier", help)
+        self.fail_help(codes::S2012.alarm(12020), span, "this address takes no such modifier", help)
     }
 
     pub(super) fn set_address(&mut self, words: &mut Words, address: Address, given: Given) -> Outcome {
@@ -398,8 +400,7 @@ impl Run<'_> {
         }
         if words.given & 1 << address as u64 != 0 {
             return self.fail_help(
-                codes::S2007,
-                12000,
+                codes::S2007.alarm(12000),
                 given.span,
                 "the address stands twice in the block",
                 "delete one of the words",
@@ -414,8 +415,7 @@ impl Run<'_> {
         match self.gcodes.get(given.value) {
             Some(code) => self.code_word(words, code, given.span),
             None => self.fail_help(
-                codes::S2010,
-                12470,
+                codes::S2010.alarm(12470),
                 given.span,
                 format!("G{} is not known", given.value),
                 "check the number; `G=` takes a G number, `G[group]=` an index",
@@ -433,7 +433,7 @@ impl Run<'_> {
             }
             let (a, b) = (first.word(), code.word());
             let message = format!("{a} and {b} are of one group");
-            let found = crate::diag::Diagnostic::new(codes::S2008, self.loc(span), format!("{message} (alarm 12060)"));
+            let found = crate::diag::Diagnostic::new(codes::S2008.alarm(12060), self.loc(span), message);
             self.report(
                 found.also(self.loc(other), "the other one").help("delete one of them; the control takes the last"),
             );
@@ -446,7 +446,7 @@ impl Run<'_> {
     pub(super) fn m_word(&mut self, words: &mut Words, spindle: Option<u8>, given: Given) -> Outcome {
         self.no_modifier(given)?;
         if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
-            return self.fail(codes::S2044, 0, given.span, format!("M{} is no M function", given.value));
+            return self.fail(codes::S2044, given.span, format!("M{} is no M function", given.value));
         }
         words.m.push(MWord { spindle, number: given.value as u32, span: given.span });
         Ok(())
@@ -479,9 +479,9 @@ impl Run<'_> {
             Value::Literal { value, .. } if value.is_finite() => {
                 Ok(Given { value, mode: Mode::Plain, span: word.span })
             }
-            Value::Literal { .. } => self.fail(codes::S2029, 12160, word.span, "the number is too large"),
+            Value::Literal { .. } => self.fail(codes::S2029.alarm(12160), word.span, "the number is too large"),
             Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
-            Value::None | Value::Call(_) => self.fail(codes::S1001, 12080, word.span, "the word has no value"),
+            Value::None | Value::Call(_) => self.fail(codes::S1001.alarm(12080), word.span, "the word has no value"),
         }
     }
 
@@ -490,7 +490,7 @@ impl Run<'_> {
             && let Some(mode) = Mode::of(self.symbols.name(*name))
         {
             if *count != 1 {
-                return self.fail(codes::S2021, 14021, formula.span, "the modifier takes one value");
+                return self.fail(codes::S2021.alarm(14021), formula.span, "the modifier takes one value");
             }
             let inner = Formula { to: formula.to - 1, ..formula };
             let value = self.number(inner, block, text)?;

@@ -224,7 +224,9 @@ impl Run<'_> {
     }
 
     fn comment(&mut self, text: &[u8]) {
-        if let Some(comment) = self.core.comment_of(text).filter(|_| !self.sections.is_unread()) {
+        if !self.sections.is_unread()
+            && let Some(comment) = self.core.comment_of(text)
+        {
             self.function(comment);
         }
     }

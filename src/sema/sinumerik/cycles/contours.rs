@@ -95,7 +95,7 @@ impl Run<'_> {
     ) -> Outcome<ContourCall> {
         let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
-            Err(error) => return self.fail(codes::P0105, 0, args.span, format!("the file cannot be read: {error}")),
+            Err(error) => return self.fail(codes::P0105, args.span, format!("the file cannot be read: {error}")),
         };
         let mut find = |label: &str, from: u32| {
             let name = self.core.symbols.intern(label.as_bytes());
@@ -120,8 +120,8 @@ impl Run<'_> {
             None => format!("write `{missing}:` in front of the contour, or behind it"),
         };
         let behind = if start.is_some() { " behind the label of the start" } else { "" };
-        let message = format!("there is no label `{missing}`{behind} in `{program}` (alarm 61701)");
-        let found = Diagnostic::new(codes::S2091, self.loc(args.span_of(key)), message);
+        let message = format!("there is no label `{missing}`{behind} in `{program}`");
+        let found = Diagnostic::new(codes::S2091.alarm(61701), self.loc(args.span_of(key)), message);
         self.report(found.help(help));
         Err(Reported)
     }
@@ -219,7 +219,7 @@ impl Run<'_> {
     ) -> Outcome {
         let turned = cycle.turned && cycle.contour != Source::None;
         if turned && contour.plane != Plane::Zx {
-            return self.contour_fault(call, args.span, 0, "it does not lie in the plane of Z and X (G18)");
+            return self.contour_fault(call, args.span, None, "it does not lie in the plane of Z and X (G18)");
         }
         if turned && cycle.contour == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
             return self.contour_fault(call, args.span, 10933, "it has fewer than 3 blocks with moves");
@@ -249,7 +249,7 @@ impl Run<'_> {
                 PieceKind::Cut if turned && full => (10931, "a full circle inside a turned contour"),
                 PieceKind::Cut => continue,
             };
-            let found = Diagnostic::new(codes::S2091, piece.origin.loc, format!("{what} (alarm {alarm})"));
+            let found = Diagnostic::new(codes::S2091.alarm(alarm), piece.origin.loc, what);
             let found = found.called(piece.origin.call).also(call.loc, "the contour is called here");
             self.report(found.help("a contour is made of lines and arcs at feed behind its start point"));
             return Err(Reported);
@@ -258,8 +258,7 @@ impl Run<'_> {
             && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
         {
             let alarm = if turned { 10931 } else { 61932 };
-            let found =
-                Diagnostic::new(codes::S2091, b.origin.loc, format!("the contour crosses itself (alarm {alarm})"));
+            let found = Diagnostic::new(codes::S2091.alarm(alarm), b.origin.loc, "the contour crosses itself");
             let found = found.called(b.origin.call).also(a.origin.loc, "it crosses the element of this block");
             self.report(found.help("check the end points of both"));
             return Err(Reported);
@@ -273,7 +272,7 @@ impl Run<'_> {
             let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
             let Some((value, span)) = given else {
                 if parameter.rule == Rule::Needed {
-                    return self.parameter_fault(args, (place, args.span), parameter, 0, "is missing");
+                    return self.parameter_fault(args, (place, args.span), parameter, None, "is missing");
                 }
                 continue;
             };
@@ -283,14 +282,14 @@ impl Run<'_> {
                         args,
                         (place, *span),
                         parameter,
-                        0,
+                        None,
                         "has to be a text in quotation marks",
                     );
                 }
                 continue;
             }
             let Some(number) = value.number() else {
-                return self.parameter_fault(args, (place, *span), parameter, 0, "has to be a number");
+                return self.parameter_fault(args, (place, *span), parameter, None, "has to be a number");
             };
             let wrong = match parameter.rule {
                 Rule::Any | Rule::Needed => None,
@@ -317,7 +316,7 @@ impl Run<'_> {
         args: &Arguments,
         (place, span): (usize, Span),
         parameter: &Parameter,
-        alarm: u32,
+        alarm: impl Into<Option<u32>>,
         what: &str,
     ) -> Outcome {
         let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };

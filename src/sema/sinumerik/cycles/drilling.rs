@@ -48,10 +48,10 @@ impl Run<'_> {
             Ok(()) => Ok(hole),
             Err(fault) => {
                 let alarm = match fault {
-                    DrillingFault::ReferencePlane => 61101,
-                    DrillingFault::Lead => 61001,
-                    DrillingFault::Peck => 61107,
-                    _ => 0,
+                    DrillingFault::ReferencePlane => Some(61101),
+                    DrillingFault::Lead => Some(61001),
+                    DrillingFault::Peck => Some(61107),
+                    _ => None,
                 };
                 self.cycle_fault(args, args.span, alarm, &fault.to_string(), "check the arguments of the cycle")
             }
@@ -119,7 +119,13 @@ impl Run<'_> {
             }
             _ if percent => {
                 let help = "give 100 for steps of one size, less for shrinking ones";
-                return self.cycle_fault(args, args.span_of(DAM), 0, "the degression is above 0 to 100 percent", help);
+                return self.cycle_fault(
+                    args,
+                    args.span_of(DAM),
+                    None,
+                    "the degression is above 0 to 100 percent",
+                    help,
+                );
             }
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
@@ -128,12 +134,12 @@ impl Run<'_> {
             }
             _ => {
                 let help = "DAM above 0 is an amount, below 0 a factor down to -1";
-                return self.cycle_fault(args, args.span_of(DAM), 0, "the degression factor is above 1", help);
+                return self.cycle_fault(args, args.span_of(DAM), None, "the degression factor is above 1", help);
             }
         };
         if let Some(key) = args.below_zero(&[VRT, DIS1]) {
             let help = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
-            return self.cycle_fault(args, args.span_of(key), 0, "a way back is below 0", help);
+            return self.cycle_fault(args, args.span_of(key), None, "a way back is below 0", help);
         }
         let dwell = self.dwell_at_depth(args, DTB)?;
         let dwell_at_bottom = if args.or_zero(DTD) == 0.0 { dwell } else { self.dwell_of(args, DTD)? };
@@ -223,7 +229,7 @@ impl Run<'_> {
             return Ok(());
         }
         let help = "program G97 with S in turns per minute in front of the cycle";
-        self.cycle_fault(args, args.span, 0, "tapping under a constant cutting speed (G96)", help)
+        self.cycle_fault(args, args.span, None, "tapping under a constant cutting speed (G96)", help)
     }
 
     pub(super) fn rigid_tap(&mut self, args: &Arguments, levels: &Levels) -> Outcome<Method> {
@@ -414,7 +420,7 @@ impl Run<'_> {
                 let message =
                     format!("{}: whether the tool lifts off under `_GMODE` {digit} is not known", args.name());
                 let help = "say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`";
-                self.fail_help(codes::S9015, 0, args.span_of(GMODE), message, help)
+                self.fail_help(codes::S9015, args.span_of(GMODE), message, help)
             }
         }
     }

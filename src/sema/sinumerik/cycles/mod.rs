@@ -30,7 +30,7 @@ use super::value::Val;
 use super::vocabulary::{Meaning, Procedure};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
-use crate::sema::run::Site;
+use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
@@ -103,7 +103,7 @@ impl Run<'_> {
         let most = cycle.signature.parameters.len();
         if list.len() > most {
             let at = list.get(most).map_or(span, |(_, span)| *span);
-            return self.fail(codes::S2021, 12340, at, format!("{name} takes {most} arguments"));
+            return self.fail(codes::S2021.alarm(12340), at, format!("{name} takes {most} arguments"));
         }
         let args = Arguments { cycle, span, list };
         self.check_values(&args)?;
@@ -118,15 +118,25 @@ impl Run<'_> {
             let text = matches!(parameter.kind, Kind::Text | Kind::Either);
             if kinds && *value != Val::Missing && value.number().is_none() && !text {
                 let message = format!("argument {place} of {name} has to be a number");
-                return self.fail_help(codes::S2090, 12150, *at, message, "a number in quotation marks is a text");
+                return self.fail_help(
+                    codes::S2090.alarm(12150),
+                    *at,
+                    message,
+                    "a number in quotation marks is a text",
+                );
             }
             // A number among the texts is a sign of a comma too many or too few.
             if kinds && matches!(parameter.kind, Kind::Text) && value.number().is_some_and(|v| v != 0.0) {
                 let message = format!("argument {place} of {name} has to be a text");
-                return self.fail_help(codes::S2090, 12150, *at, message, "arguments are counted by their commas");
+                return self.fail_help(
+                    codes::S2090.alarm(12150),
+                    *at,
+                    message,
+                    "arguments are counted by their commas",
+                );
             }
             if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
-                return self.fail(codes::S2090, 0, *at, format!("an argument of {name} is out of all range"));
+                return self.fail(codes::S2090, *at, format!("an argument of {name} is out of all range"));
             }
             if let Some(coded) = value.number()
                 && kinds
@@ -135,7 +145,7 @@ impl Run<'_> {
             {
                 let message = format!("argument {place} is a code of digits, which {coded} is not");
                 let help = "give a whole number from 0 on, or leave it out";
-                return self.cycle_fault(args, *at, 0, &message, help);
+                return self.cycle_fault(args, *at, None, &message, help);
             }
         }
         Ok(())
@@ -206,7 +216,6 @@ impl Run<'_> {
         match self.vocabulary.get(name) {
             Some(Meaning::Procedure(Procedure::Refused(what))) => Some(self.fail_help(
                 codes::S9005,
-                0,
                 block.span,
                 format!("{name} ({what}) is not supported as a modal call"),
                 "replace it by plain moves, or compile the program without it",
@@ -227,30 +236,29 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn no_cycle_by_time(&self, span: Span) -> Outcome {
+    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
         if !self.st.is(super::g_groups::Code::G93) {
             return Ok(());
         }
-        self.not_by_time(span, "the moves of a cycle have no share of the time that G93 gives the blocks")
+        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
     }
 
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
-        self.no_cycle_by_time(Span::default())?;
+        self.no_cycle_by_time(Where::Block)?;
         self.speed_is_known()?;
         if self.st.per_revolution() {
-            self.master_is_main(Span::default(), "a feed per revolution")?;
+            self.master_is_main(Where::Block, "a feed per revolution")?;
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
             return self.fail_help(
                 codes::S9015,
-                0,
-                Span::default(),
+                Where::Block,
                 "the plane or the unit was changed since MCALL: the hole would go elsewhere",
                 "call the cycle again behind G17, G18, G19, G70 or G71",
             );
         }
         let feed_of_block = modal.feed_of_block;
-        self.no_diameters(modal.args.name(), modal.hole.axis, Span::default())?;
+        self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
         let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed {
             hole.feed = feed;
@@ -313,27 +321,38 @@ impl Run<'_> {
             }
             None => {
                 self.st.feed_lost = true;
-                self.fail_help(codes::S2040, 10860, args.span, "the cycle has no feed", "program F before the cycle")
+                self.fail_help(
+                    codes::S2040.alarm(10860),
+                    args.span,
+                    "the cycle has no feed",
+                    "program F before the cycle",
+                )
             }
         }
     }
 
     /// Refuses the arguments of a cycle.
-    fn cycle_fault<T>(&self, args: &Arguments, span: Span, alarm: u32, what: &str, help: &str) -> Outcome<T> {
+    fn cycle_fault<T>(
+        &self,
+        args: &Arguments,
+        span: Span,
+        alarm: impl Into<Option<u32>>,
+        what: &str,
+        help: &str,
+    ) -> Outcome<T> {
         let code: &'static Code = codes::S2090;
-        self.fail_help(code, alarm, span, format!("{}: {what}", args.name()), help)
+        self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)
     }
 
     /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
     /// and radii in others.
-    fn no_diameters(&self, name: &str, axis: Axis, span: Span) -> Outcome {
+    fn no_diameters(&self, name: &str, axis: Axis, place: impl Into<Where>) -> Outcome {
         if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
             return Ok(());
         }
         self.fail_help(
             codes::S9015,
-            0,
-            span,
+            place,
             format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
             "program DIAMOF before the cycle, and radii in it",
         )
@@ -349,7 +368,6 @@ impl Run<'_> {
     fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
         self.fail_help(
             codes::S9015,
-            0,
             args.span_of(key),
             format!("{}: {what} is not supported", args.name()),
             "use the plain variant of the cycle, or plain moves",
@@ -376,14 +394,14 @@ impl Run<'_> {
             None if args.value(key).is_some() => self.cycle_fault(
                 args,
                 args.span_of(key),
-                0,
+                None,
                 &format!("{name} (argument {}) has to be a number", args.place(key)),
                 "a number in quotation marks is a text",
             ),
             None => self.cycle_fault(
                 args,
                 args.span,
-                0,
+                None,
                 &format!("{name} (argument {}) is missing", args.place(key)),
                 "arguments are counted by their commas",
             ),
@@ -415,7 +433,7 @@ impl Run<'_> {
             None => self.cycle_fault(
                 args,
                 args.span_of(key),
-                0,
+                None,
                 "a dwell in turns needs a fixed spindle speed",
                 "program S before the cycle, or give the dwell in seconds",
             ),

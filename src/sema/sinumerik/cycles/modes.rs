@@ -211,7 +211,13 @@ impl Run<'_> {
         }
         if let Some(radius) = self.active_tool().and_then(|tool| tool.radius).filter(|radius| diameter > 2.0 * radius) {
             let message = format!("the tool has a diameter of {} mm, and the centring {diameter} mm", 2.0 * radius);
-            return self.cycle_fault(args, args.span_of(DP), 0, &message, "take a larger tool, or a smaller centring");
+            return self.cycle_fault(
+                args,
+                args.span_of(DP),
+                None,
+                &message,
+                "take a larger tool, or a smaller centring",
+            );
         }
         let tip = self.tip_angle(args, "a centring by its diameter")?;
         Ok(reference - way.signum() * diameter / 2.0 / tangent(tip))
@@ -225,7 +231,7 @@ impl Run<'_> {
             Some(radius) => Ok(radius / tangent(tip)),
             None => {
                 let message = format!("{WHAT} needs the radius of the tool");
-                self.cycle_fault(args, args.span_of(GMODE), 0, &message, "give `[tools.N] radius`")
+                self.cycle_fault(args, args.span_of(GMODE), None, &message, "give `[tools.N] radius`")
             }
         }
     }
@@ -236,7 +242,7 @@ impl Run<'_> {
             None => {
                 let message = format!("{what} needs the angle at the tip of the tool");
                 let help = "give `[tools.N] tip_angle`: 118 for a common drill, 90 for a common centre drill";
-                self.cycle_fault(args, args.span_of(GMODE), 0, &message, help)
+                self.cycle_fault(args, args.span_of(GMODE), None, &message, help)
             }
         }
     }
@@ -247,7 +253,7 @@ impl Run<'_> {
         match args.digit(AMODE, 1) {
             1 if value < 0.0 => {
                 let help = "give it without a sign; 2 in the tens of `_AMODE` counts turns";
-                self.cycle_fault(args, args.span_of(key), 0, "a dwell in seconds is below 0", help)
+                self.cycle_fault(args, args.span_of(key), None, "a dwell in seconds is below 0", help)
             }
             2 => self.spindle_turns_of(args, key, value.abs()),
             _ => self.dwell_of(args, key),

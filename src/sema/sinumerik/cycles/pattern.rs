@@ -123,10 +123,10 @@ impl Run<'_> {
             Ok(positions) => positions,
             Err(fault) => {
                 let (alarm, what) = match fault {
-                    Fault::None => empty,
-                    Fault::Overlap => (61106, "the holes go round more than once"),
-                    Fault::TooMany => (0, "the pattern has more than 100000 holes"),
-                    Fault::Value => (0, "the data of the pattern make no positions"),
+                    Fault::None => (Some(empty.0), empty.1),
+                    Fault::Overlap => (Some(61106), "the holes go round more than once"),
+                    Fault::TooMany => (None, "the pattern has more than 100000 holes"),
+                    Fault::Value => (None, "the data of the pattern make no positions"),
                 };
                 return self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes");
             }
@@ -232,7 +232,7 @@ impl Run<'_> {
             let (x, y) = (args.number(x), args.number(y));
             let (Some(x), Some(y)) = (x, y) else {
                 if x.is_some() || y.is_some() {
-                    return self.cycle_fault(args, args.span, 0, "a position has one coordinate only", "give both");
+                    return self.cycle_fault(args, args.span, None, "a position has one coordinate only", "give both");
                 }
                 continue;
             };

@@ -110,7 +110,7 @@ impl Run<'_> {
         );
         let help =
             "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
-        self.fail_help(codes::S9015, 0, args.span, message, help)
+        self.fail_help(codes::S9015, args.span, message, help)
     }
 
     /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
@@ -208,13 +208,13 @@ impl Run<'_> {
         if !(0.0..360.0).contains(&start_angle) {
             let message = format!("the start angle NSP is {start_angle}");
             let help = "give 0 to below 360 degrees";
-            return self.cycle_fault(args, args.span_of(NSP), 0, &message, help);
+            return self.cycle_fault(args, args.span_of(NSP), None, &message, help);
         }
         let angle = args.or_zero(IANG);
         if args.or_zero(MPIT) != 0.0 && angle.abs() > METRIC_FLANK {
             let message = format!("the infeed angle IANG is {angle}, over half of the 60 degrees of a metric thread");
             let help = "give at most 30, below 0 for alternating flanks";
-            return self.cycle_fault(args, args.span_of(IANG), 0, &message, help);
+            return self.cycle_fault(args, args.span_of(IANG), None, &message, help);
         }
         let flank = if angle == 0.0 {
             Flank::Radial
@@ -263,7 +263,7 @@ impl Run<'_> {
             );
         }
         if let Err(fault) = thread.check() {
-            return self.cycle_fault(args, args.span, 0, &fault.to_string(), "check the arguments of the cycle");
+            return self.cycle_fault(args, args.span, None, &fault.to_string(), "check the arguments of the cycle");
         }
         self.says_shifted_starts(args, course.starts, &thread);
         self.send_cycle(Cycle::Thread(thread));
@@ -334,7 +334,7 @@ impl Run<'_> {
                 "the number of passes `_NRC` is {given}, and the infeed `_MID` makes {cuts}: which of them counts is not known"
             );
             let help = "leave one of them 0";
-            return self.fail_help(codes::S9015, 0, args.span_of(MID), format!("{}: {message}", args.name()), help);
+            return self.fail_help(codes::S9015, args.span_of(MID), format!("{}: {message}", args.name()), help);
         }
         self.whole_of(args, NRC, 1)
     }
@@ -381,7 +381,7 @@ impl Run<'_> {
             Some(n) => Ok(n as u32),
             None => {
                 let message = format!("{value} is no number of passes or starts");
-                self.cycle_fault(args, args.span_of(key), 0, &message, "give a whole number")
+                self.cycle_fault(args, args.span_of(key), None, &message, "give a whole number")
             }
         }
     }
@@ -396,7 +396,7 @@ impl Run<'_> {
         self.cycle_fault(
             args,
             args.span_of(IFLANK),
-            0,
+            None,
             "the flank infeed `_IFLANK` contradicts the angle `_IANG`",
             "give the angle, and the length as the editor computes it",
         )

@@ -81,7 +81,7 @@ impl Run<'_> {
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
             let help = "set `[machine] kind = \"lathe\"`";
-            return self.cycle_fault(args, args.span, 0, "undercuts need turning technology", help);
+            return self.cycle_fault(args, args.span, None, "undercuts need turning technology", help);
         }
         self.in_turning_plane(args)?;
         let [first, second, _] = self.st.roles();
@@ -136,7 +136,7 @@ impl Run<'_> {
             return self.cycle_fault(
                 args,
                 args.span_of(STA),
-                0,
+                None,
                 "the entry angle `_STA` is 0",
                 "give 30 to 90 degrees",
             );
@@ -151,7 +151,7 @@ impl Run<'_> {
             let negative = args.digit(AMODE, digit) == 1 && args.or_zero(key) < 0.0;
             if form_e && negative {
                 let message = format!("the allowance `{}` is negative", args.written(key));
-                return self.cycle_fault(args, args.span_of(key), 0, &message, "give an allowance above 0, or none");
+                return self.cycle_fault(args, args.span_of(key), None, &message, "give an allowance above 0, or none");
             }
         }
         if form_e && args.digit(AMODE, 0) != 1 && args.or_zero(EPD) != 0.0 {
@@ -162,7 +162,7 @@ impl Run<'_> {
                 return self.cycle_fault(
                     args,
                     args.span_of(EPD),
-                    0,
+                    None,
                     "the diameter with allowance `_EPD` lies inside the part",
                     help,
                 );
@@ -172,7 +172,7 @@ impl Run<'_> {
             return self.cycle_fault(
                 args,
                 args.span_of(EPL),
-                0,
+                None,
                 "form E has no allowance along Z (`_EPL`)",
                 "leave it out; form F relieves the face, too",
             );
@@ -254,7 +254,7 @@ impl Run<'_> {
                     "_FORM" => "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free",
                     _ => "arguments are counted by their commas",
                 };
-                self.cycle_fault(args, args.span, 0, &message, help)
+                self.cycle_fault(args, args.span, None, &message, help)
             }
             CallFault::Range(name) => {
                 let message = format!("`{name}` is out of range");
@@ -329,7 +329,7 @@ impl Run<'_> {
             CallFault::BothAllowances => {
                 let help = "the control takes either `_FAL` or `_FALX` and `_FALZ`: give one of them";
                 let message = "an allowance on all sides stands beside one along an axis";
-                self.cycle_fault(args, args.span_of(FAL), 0, message, help)
+                self.cycle_fault(args, args.span_of(FAL), None, message, help)
             }
         }
     }
@@ -389,10 +389,10 @@ impl Run<'_> {
         let face = cycle.face_end.unwrap_or(cycle.corner.y);
         if cycle.corner.y <= 0.0 || face < 0.0 || (internal && inside <= 0.0) {
             let help = "check the diameter, the end of the face and the clearance";
-            return self.cycle_fault(args, args.span, 0, "the cycle would go beyond the turning centre", help);
+            return self.cycle_fault(args, args.span, None, "the cycle would go beyond the turning centre", help);
         }
         if let Err(fault) = cycle.check() {
-            return self.cycle_fault(args, args.span, 0, &fault.to_string(), "check the arguments of the cycle");
+            return self.cycle_fault(args, args.span, None, &fault.to_string(), "check the arguments of the cycle");
         }
         self.send_cycle(Cycle::Undercut(cycle));
         Ok(())

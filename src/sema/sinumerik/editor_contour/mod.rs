@@ -17,7 +17,9 @@ use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::records::{Record, is_spoiled, read};
-use crate::text::{Loc, Span};
+use crate::text::Loc;
+
+use crate::sema::run::Where;
 
 use super::state::Diameter;
 use super::tangent::Heading;
@@ -219,8 +221,7 @@ impl Run<'_> {
         if other_plane && stored.start.is_none() {
             return self.fail_help(
                 codes::S9019,
-                0,
-                Span::default(),
+                Where::Block,
                 "the contour has no blocks, and its records are for another plane",
                 "select the plane of the contour in front of it, or accept it in the editor again",
             );

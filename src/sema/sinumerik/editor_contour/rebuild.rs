@@ -6,7 +6,7 @@ use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
-use crate::text::Span;
+use crate::sema::run::Where;
 
 use super::super::g_groups::Code;
 use super::super::state::Diameter;
@@ -21,7 +21,7 @@ impl Run<'_> {
         let place = |run: &mut Self| run.here.origin.loc = stored.begin;
         let here = self.here.origin;
         place(self);
-        let result = self.pending_must_be_done(Span::default()).and_then(|()| self.diameters_are_told(stored));
+        let result = self.pending_must_be_done(Where::Block).and_then(|()| self.diameters_are_told(stored));
         let result = result.and_then(|()| self.no_state_beside(stored));
         self.here.origin = here;
         result
@@ -94,7 +94,7 @@ impl Run<'_> {
 
     fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
         let message = format!("the contour has no blocks, and they are not made from its records: {what}");
-        self.fail_help(codes::S9019, 0, Span::default(), message, help)
+        self.fail_help(codes::S9019, Where::Block, message, help)
     }
 
     /// The blocks of a contour of which only the records are left.
@@ -102,7 +102,7 @@ impl Run<'_> {
         let plane = self.st.plane();
         self.note_once(
             codes::S8028,
-            Span::default(),
+            Where::Block,
             "the blocks of a stored contour are missing and are made from its records",
         );
         if unit != 1.0 {
@@ -212,7 +212,7 @@ impl Run<'_> {
         for (record, doubts) in made.doubts.iter().filter(|(at, _)| !made.assumed.iter().any(|(told, _)| told == at)) {
             self.stand_at(stored, *record);
             let message = format!("the undercut rests on facts that are not confirmed: {doubts}");
-            self.note_once(codes::S8022, Span::default(), message);
+            self.note_once(codes::S8022, Where::Block, message);
         }
     }
 }
