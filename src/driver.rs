@@ -95,8 +95,8 @@ impl Session {
             let hash = self.run(dialect, settings, files, &mut printer);
             let _ = printer.finish(hash);
         }
-        if let Some(check_idle) = dialect.check_idle {
-            check_idle(&self.job(settings, files));
+        if let Some(check_unexecuted) = dialect.check_unexecuted {
+            check_unexecuted(&self.job(settings, files));
         }
     }
 

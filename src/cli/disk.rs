@@ -5,6 +5,8 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Component, Path, PathBuf};
 
+use walkdir::{DirEntry, WalkDir};
+
 use crate::machine::tree::did_you_mean;
 use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
@@ -326,22 +328,14 @@ pub(super) fn walk(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec
     if !path.is_dir() {
         return Ok(vec![path.to_path_buf()]);
     }
+    let shown = |entry: &DirEntry| entry.depth() == 0 || !entry.file_name().to_string_lossy().starts_with('.');
     let mut found = Vec::new();
-    let mut folders = vec![path.to_path_buf()];
-    while let Some(folder) = folders.pop() {
-        let mut entries: Vec<PathBuf> = fs::read_dir(&folder)?.filter_map(|entry| Some(entry.ok()?.path())).collect();
-        entries.sort();
-        for entry in entries {
-            let hidden = matches!(entry.components().next_back(), Some(Component::Normal(name)) if name.to_string_lossy().starts_with('.'));
-            if hidden {
-                continue;
-            }
-            // A link to a folder could lead in circles.
-            if entry.is_dir() && !entry.is_symlink() {
-                folders.push(entry);
-            } else if entry.is_file() && takes(&entry) {
-                found.push(entry);
-            }
+    for entry in WalkDir::new(path).into_iter().filter_entry(shown) {
+        // No link is followed, so none leads in circles.
+        let circle = || io::Error::other("links lead in circles");
+        let entry = entry.map_err(|error| error.into_io_error().unwrap_or_else(circle))?.into_path();
+        if entry.is_file() && takes(&entry) {
+            found.push(entry);
         }
     }
     found.sort();

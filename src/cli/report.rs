@@ -118,11 +118,24 @@ pub(super) fn explain(code: &str, format: Format) -> Result<Exit, Trouble> {
         return Err(format!("no code `{code}`; {hint}"));
     };
     let text = if format == Format::Json {
-        format!("{}\n", object(found))
+        let mut value = object(found);
+        value["example"] = json!(found.example());
+        format!("{value}\n")
     } else {
-        format!("{} {} ({})\n{}\n\n{}\n", found.id, found.name, found.severity.word(), found.title, found.explain)
+        let head = format!("{} {} ({})\n{}\n", found.id, found.name, found.severity.word(), found.title);
+        format!("{head}\n{}\n{}", found.explain, example(found))
     };
     print(text.as_bytes())
+}
+
+/// The example of a code, its programs indented.
+fn example(code: &codes::Code) -> String {
+    let lines = code.example().into_iter().flat_map(str::lines);
+    let shown = lines.map(|line| match line.strip_prefix("-- ") {
+        Some(name) => format!("\n{name}:\n\n"),
+        None => format!("    {line}").trim_end().to_owned() + "\n",
+    });
+    shown.collect()
 }
 
 /// `partc rules`

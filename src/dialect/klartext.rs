@@ -12,7 +12,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: klartext::run,
     check_form: klartext::check_form,
-    check_idle: Some(klartext::check_idle),
+    check_unexecuted: Some(klartext::check_unexecuted),
+    cycles: klartext::cycle_signatures,
 };
 
 /// `BEGIN PGM` starts a line.

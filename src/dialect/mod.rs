@@ -10,6 +10,7 @@ use std::borrow::Cow;
 use crate::ir::contour::Sink;
 use crate::machine::{MachineKind, Settings};
 use crate::sema::Job;
+use crate::sema::cycle_table::Signature;
 
 /// What the rest of the compiler knows of a control's language.
 pub struct Dialect {
@@ -29,7 +30,9 @@ pub struct Dialect {
     /// Looks at the blocks of which the run, which comes before, reported no error, and says what can be known without
     /// running them: an error where the control itself refuses the program, a warning where only partc would refuse
     /// the block if it ran. `None` where a dialect knows no more than the form.
-    pub check_idle: Option<fn(&Job<'_>)>,
+    pub check_unexecuted: Option<fn(&Job<'_>)>,
+    /// What each of its cycles takes, built or not.
+    pub cycles: fn() -> Vec<&'static Signature>,
 }
 
 impl Dialect {
@@ -41,6 +44,13 @@ impl Dialect {
         let mut settings = settings.clone();
         settings.machine.kind = MachineKind::Lathe;
         Cow::Owned(settings)
+    }
+}
+
+impl Dialect {
+    /// The cycle that a program calls by this name: `CYCLE81`, `CYCL DEF 200`, `G869`.
+    pub fn cycle(&self, name: &str) -> Option<&'static Signature> {
+        (self.cycles)().into_iter().find(|cycle| cycle.name.eq_ignore_ascii_case(name.trim()))
     }
 }
 

@@ -12,7 +12,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: mtc200::run,
     check_form: mtc200::check_form,
-    check_idle: None,
+    check_unexecuted: None,
+    cycles: Vec::new,
 };
 
 /// The first line that is not blank begins with `%NPG`.

@@ -12,7 +12,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: false,
     run: sinumerik::run,
     check_form: sinumerik::check_form,
-    check_idle: Some(sinumerik::check_idle),
+    check_unexecuted: Some(sinumerik::check_unexecuted),
+    cycles: sinumerik::cycle_signatures,
 };
 
 /// A transfer header starts a line: `%_N_NAME_MPF`.

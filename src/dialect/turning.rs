@@ -12,7 +12,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     turns: true,
     run: turning::run,
     check_form: turning::check_form,
-    check_idle: None,
+    check_unexecuted: None,
+    cycles: turning::cycle_signatures,
 };
 
 /// A name line `%name.nc` with a title in square brackets behind it, or the section codes of DIN PLUS.

@@ -263,7 +263,7 @@ impl Sink for Lower<'_> {
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
         let start = self.at;
-        let modal = matches!(cycle, Cycle::Drilling(_));
+        let modal = cycle.repeats();
         let known = modal && self.refused.as_deref() == Some(cycle);
         let found = match known {
             true => None,

@@ -80,6 +80,7 @@ pub struct Cursor {
     line: u32,
     /// Offset of the first block: behind a byte order mark.
     first: u32,
+    holes: Holes,
     hash: Xxh3,
 }
 
@@ -127,6 +128,90 @@ fn first_of(a: u8, b: u8, text: &[u8]) -> Option<usize> {
     memchr2(a, b, rest).map(|at| text.len() - rest.len() + at)
 }
 
+/// A byte that fills up a file: no line of a program holds one.
+fn is_padding(b: u8) -> bool {
+    matches!(b, 0 | 0x1a)
+}
+
+fn is_empty(b: u8) -> bool {
+    b.is_ascii_whitespace() || b == 0x0b || is_padding(b)
+}
+
+/// NUL or Ctrl-Z with a program before and after.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Hole {
+    pub place: Place,
+    /// Text of one line stands before and after it.
+    pub inside: bool,
+}
+
+/// Looks for holes: in front of the program, behind it, and between the programs of an archive the same bytes are padding.
+#[derive(Debug, Clone, Copy)]
+struct Holes {
+    /// Text was seen, and text of this line.
+    begun: bool,
+    in_line: bool,
+    /// First byte of padding that may be a hole, and whether it may be one inside a line.
+    open: Option<(u64, bool)>,
+    /// Offset of the first hole of each kind, in lines and between them; beyond every file if there is none.
+    found: [u64; 2],
+    said: [bool; 2],
+}
+
+impl Holes {
+    const NONE: Holes = Holes { begun: false, in_line: false, open: None, found: [u64::MAX; 2], said: [false; 2] };
+
+    /// Looks through the next `bytes` of the file, which begin at `base`.
+    fn look(&mut self, bytes: &[u8], base: u64) {
+        let clean = self.begun && self.open.is_none() && memchr2(0, 0x1a, bytes).is_none();
+        if clean {
+            self.in_line = ends_in_line(bytes).unwrap_or(self.in_line);
+            return;
+        }
+        let mut at = 0;
+        while at < bytes.len() {
+            if let Some((hole, inside)) = &mut self.open {
+                let next = bytes[at..].iter().position(|b| !is_empty(*b)).map_or(bytes.len(), |next| at + next);
+                *inside &= !bytes[at..next].iter().any(is_line_end);
+                if next == bytes.len() {
+                    return;
+                }
+                let found = &mut self.found[usize::from(!*inside)];
+                if self.begun && bytes[next] != b'%' && *found == u64::MAX {
+                    *found = *hole;
+                }
+                self.open = None;
+                at = next;
+            }
+            let next = memchr2(0, 0x1a, &bytes[at..]).map_or(bytes.len(), |next| at + next);
+            self.begun |= bytes[at..next].iter().any(|b| !is_empty(*b));
+            self.in_line = ends_in_line(&bytes[at..next]).unwrap_or(self.in_line);
+            if next < bytes.len() {
+                self.open = Some((base + next as u64, self.in_line));
+            }
+            at = next;
+        }
+    }
+}
+
+fn is_line_end(b: &u8) -> bool {
+    matches!(b, b'\n' | b'\r')
+}
+
+/// Does text stand in the line in which `bytes` end? Unknown where they are blanks.
+fn ends_in_line(bytes: &[u8]) -> Option<bool> {
+    let line = bytes.iter().rposition(is_line_end);
+    let tail = &bytes[line.map_or(0, |at| at + 1)..];
+    if tail.iter().any(|b| !is_empty(*b)) { Some(true) } else { line.map(|_| false) }
+}
+
+/// Two bytes a character without a byte order mark: one of each pair is zero in most of them.
+fn is_utf16(head: &[u8]) -> bool {
+    let zeros = |from: usize| head.iter().skip(from).step_by(2).filter(|b| **b == 0).count();
+    let (even, odd) = (zeros(0), zeros(1));
+    head.len() >= 4 && even.max(odd) * 3 > head.len() && even.min(odd) == 0
+}
+
 /// The byte that ends the lines of a file which begins so: a file without a single line feed but with
 /// carriage returns ends its lines with those.
 pub(super) fn line_end(head: &[u8]) -> u8 {
@@ -155,19 +240,20 @@ impl Cursor {
             line_end: b'\n',
             line: 1,
             first: 0,
+            holes: Holes::NONE,
             hash: Xxh3::new(),
         };
         cursor.fill(sources).map_err(OpenError::Io)?;
         let head = &cursor.window[..cursor.end];
-        if head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]) {
+        if head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]) || is_utf16(&head[..head.len().min(4096)])
+        {
             return Err(OpenError::Utf16);
         }
         if head.starts_with(&[0xef, 0xbb, 0xbf]) {
             cursor.pos = 3;
             cursor.first = 3;
         }
-        let blank = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x0b | 0x1a);
-        if head.iter().all(blank) && head.len() as u64 == sources.size(file) {
+        if head[cursor.pos..].iter().all(|b| is_empty(*b)) && head.len() as u64 == sources.size(file) {
             return Err(OpenError::Empty);
         }
         cursor.line_end = line_end(head);
@@ -193,6 +279,33 @@ impl Cursor {
     /// Is the whole file in memory?
     pub fn is_whole(&self) -> bool {
         self.whole
+    }
+
+    /// The first hole of each kind that was read over; said once. `block` was read last.
+    #[inline]
+    pub fn passed_hole(&mut self, block: Place) -> Option<Hole> {
+        let [inside, between] = self.holes.found;
+        if inside.min(between) < self.base + self.pos as u64 { self.hole(block) } else { None }
+    }
+
+    #[cold]
+    fn hole(&mut self, block: Place) -> Option<Hole> {
+        let at = self.holes.found.into_iter().min()?;
+        let kind = usize::from(self.holes.found[0] != at);
+        // Beyond every place of a file, and found already.
+        self.holes.found[kind] = u64::MAX - 1;
+        if std::mem::replace(&mut self.holes.said[kind], true) {
+            return None;
+        }
+        let window = at.checked_sub(self.base).and_then(|from| self.window.get(from as usize..self.pos));
+        // What was read of it is gone where the hole is larger than what is read at a time.
+        let place = window.map_or(block, |since| {
+            // The last line may lack its end, and is counted all the same.
+            let unended = since.last() != Some(&self.line_end);
+            let lines = since.iter().filter(|b| **b == self.line_end).count() as u32 + u32::from(unended);
+            Place { at: at as u32, line: self.line.saturating_sub(lines).max(1) }
+        });
+        Some(Hole { place, inside: kind == 0 })
     }
 
     /// Reads the next logical block.
@@ -328,6 +441,8 @@ impl Cursor {
         text.truncate(done);
         self.hash = Xxh3::new();
         self.hash.update(&text);
+        self.holes = Holes { said: self.holes.said, ..Holes::NONE };
+        self.holes.look(&text, 0);
         self.end = text.len();
         self.window = text;
         self.base = 0;
@@ -361,6 +476,7 @@ impl Cursor {
         let at = self.base + self.end as u64;
         let n = sources.read_at(self.file, at, &mut self.window[self.end..])?;
         self.hash.update(&self.window[self.end..self.end + n]);
+        self.holes.look(&self.window[self.end..self.end + n], at);
         self.end += n;
         self.at_end = n == 0;
         Ok(())
@@ -422,6 +538,36 @@ mod tests {
         assert_eq!(found[0], ("A".into(), 0, 1));
         assert_eq!((found[1].0.as_str(), found[1].1, found[1].2), ("too long", 2, 2));
         assert_eq!(found[2], ("B".into(), 3 * MAX_BLOCK as u32 + 3, 3));
+    }
+
+    #[test]
+    fn holes_are_told_from_padding() {
+        let hole = |bytes: &[u8]| {
+            let sources = Sources::default();
+            let text = Box::new(Memory::new(bytes.to_vec()));
+            let file = sources.add(Opened { name: "a".into(), identity: "a".into(), text }).unwrap();
+            let mut cursor = Cursor::open(&sources, file, RULES).unwrap();
+            let mut found = Vec::new();
+            loop {
+                let place = cursor.place();
+                let end = matches!(cursor.next(&sources).unwrap(), Next::End);
+                found.extend(cursor.passed_hole(place).map(|hole| (hole.place.at, hole.place.line, hole.inside)));
+                if end {
+                    return found;
+                }
+            }
+        };
+        for whole in ["A\nB\n", "\0\0A\nB", "A\nB\0\0", "A\nB\n\x1a", "A\n\x1a\r\n\0 \n", "A\n\0\0%B\nC\n\x1a"] {
+            assert_eq!(hole(whole.as_bytes()), [], "{whole:?}");
+        }
+        assert_eq!(hole(b"A\nB\0C\nD\0E"), [(3, 2, true)]);
+        assert_eq!(hole(b"A\n\x1a\nC"), [(2, 2, false)]);
+        assert_eq!(hole(b"A\0\nC"), [(1, 1, false)]);
+        assert_eq!(hole(b"A\n\0C\nD \0E"), [(2, 2, false), (7, 3, true)]);
+        // The padding is longer than what is read at a time.
+        let wide = |tail: &str| [b"A\n".to_vec(), vec![0; CHUNK + 10], tail.as_bytes().to_vec()].concat();
+        assert_eq!(hole(&wide("\n")), []);
+        assert_eq!(hole(&wide("\nB\n")).len(), 1);
     }
 
     #[test]

@@ -1,39 +1,82 @@
 //! Every parameter of every cycle that is built has a case that would show if it were ignored.
 //!
-//! The table is docs/cycle-parameters.md. Each case is compiled as it stands, and with the argument emptied: the two must
-//! differ. A parameter without a case has to say why it has none.
+//! The parameters are those of the table that the compiler reads them by; docs/cycle-parameters.md is written of it, too.
+//! Each case is compiled as it stands, and with the argument emptied: the two must differ. A parameter without a case has
+//! to say in its row why nothing depends on it.
 
-use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use partc::dialect;
 use partc::machine::Settings;
+use partc::sema::cycle_table::{Rule, Signature, Status};
 use partc::text::files::NoFiles;
 
 use super::book::find;
 use super::common::{Compiled, compile_bytes};
+use super::cycle_cases::CASES;
 
-struct Row {
-    cycle: String,
-    place: usize,
-    case: Option<String>,
-}
+/// Set it to write the documentation anew.
+const UPDATE: &str = "PARTC_UPDATE_DOCS";
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+const INTRODUCTION: &str = "\
+# Cycles and their parameters
 
-fn rows() -> Vec<Row> {
-    let text = fs::read_to_string(root().join("docs/cycle-parameters.md")).expect("the table");
-    let mut rows = Vec::new();
-    for line in text.lines().filter(|line| line.starts_with("| ")) {
-        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-        let [cycle, place, _, case] = cells[..] else { panic!("four cells: {line}") };
-        let Ok(place) = place.parse() else { continue };
-        let case = case.strip_prefix('`').and_then(|case| case.strip_suffix('`')).map(str::to_owned);
-        rows.push(Row { cycle: cycle.to_owned(), place, case });
+Written from the tables by which partc reads the arguments; a test compares (`PARTC_UPDATE_DOCS=1 cargo test cycle_parameters`
+writes it anew). \"Left out\" is what holds where a call does not give the parameter; without a word it is 0.
+";
+
+fn documentation() -> String {
+    let mut shown = INTRODUCTION.to_owned();
+    for dialect in dialect::ALL {
+        let cycles = (dialect.cycles)();
+        if cycles.is_empty() {
+            continue;
+        }
+        let _ = writeln!(shown, "\n## {}\n", dialect.name);
+        let named = |cycle: &&&Signature| matches!(cycle.status, Status::Refused { .. });
+        let sections: Vec<String> = cycles.iter().filter(|cycle| !named(cycle)).map(|cycle| cycle.section()).collect();
+        shown.push_str(&sections.join("\n"));
+        let refused: Vec<String> =
+            cycles.iter().filter(named).map(|cycle| format!("* {}: {}\n", cycle.name, cycle.what)).collect();
+        if !refused.is_empty() {
+            let _ = write!(shown, "\n### Refused by name\n\n{}", refused.concat());
+        }
     }
-    rows
+    shown
+}
+
+#[test]
+fn the_documentation_is_that_of_the_tables() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/cycle-parameters.md");
+    let made = documentation();
+    if std::env::var_os(UPDATE).is_some() {
+        fs::write(&path, &made).expect("the documentation");
+    }
+    let found = fs::read_to_string(&path).expect("the documentation").replace("\r\n", "\n");
+    assert!(found == made, "{} is not up to date: {UPDATE}=1 writes it", path.display());
+}
+
+#[test]
+fn a_cycle_is_described_by_its_name() {
+    let sinumerik = dialect::find("sinumerik").expect("a dialect");
+    let shown = sinumerik.cycle("cycle97").expect("a cycle").describe();
+    assert!(shown.starts_with("CYCLE97(PIT, MPIT, SPL, FPL, DM1, DM2, APP, ROP, TDEP,"), "{shown}");
+    assert!(shown.contains("\nTDEP: depth of the thread, on the radius; length; needed\n"), "{shown}");
+    let klartext = dialect::find("klartext").expect("a dialect");
+    let shown = klartext.cycle("CYCL DEF 200").expect("a cycle").describe();
+    assert!(shown.contains("\nQ201: depth below the surface, 0 or less; length; needed\n"), "{shown}");
+    let shown = klartext.cycle("CYCL DEF 251").expect("a cycle").describe();
+    assert_eq!(shown, "CYCL DEF 251: RECTANGULAR POCKET\nnot supported (K9001)");
+    assert!(klartext.cycle("CYCL DEF 999").is_none());
+}
+
+/// The cycles of SINUMERIK that are compiled.
+fn built() -> impl Iterator<Item = &'static Signature> {
+    let cycles = dialect::find("sinumerik").map(|dialect| (dialect.cycles)()).unwrap_or_default();
+    // CYCLE62 calls a contour and makes nothing itself.
+    cycles.into_iter().filter(|cycle| cycle.status == Status::Built && cycle.name != "CYCLE62")
 }
 
 /// The arguments of the call of `cycle` in a line, and where they stand in it.
@@ -85,39 +128,65 @@ fn result(compiled: &Compiled) -> (Vec<String>, Vec<String>) {
 #[test]
 fn no_parameter_is_ignored() {
     let mut bad = Vec::new();
-    for row in rows() {
-        let Some(case) = &row.case else { continue };
-        let what = format!("{} {}: {case}", row.cycle, row.place);
-        let Some(case) = find(&format!("sinumerik/{case}")) else {
-            bad.push(format!("{what} does not exist"));
-            continue;
-        };
-        let Some(changed) = without(case.text().expect("a program in UTF-8"), &row.cycle, row.place) else {
-            bad.push(format!("{what} has no such argument"));
-            continue;
-        };
-        if result(&case.compile()) == result(&case.compile_instead(&changed)) {
-            bad.push(format!("{what} is the same without it"));
+    for cycle in built() {
+        for (place, parameter) in (1..).zip(cycle.parameters) {
+            let what = format!("{} {}", cycle.name, parameter.name);
+            let name = parameter.name.to_string();
+            let cases: Vec<&str> = CASES
+                .iter()
+                .filter(|(of, known, _)| *of == cycle.name && *known == name)
+                .map(|(.., case)| *case)
+                .collect();
+            if cases.is_empty() != parameter.without_effect.is_some() {
+                bad.push(format!(
+                    "{what} has {} cases, and without effect: {:?}",
+                    cases.len(),
+                    parameter.without_effect
+                ));
+            }
+            for case in cases {
+                let Some(found) = find(&format!("sinumerik/{case}")) else {
+                    bad.push(format!("{what}: {case} does not exist"));
+                    continue;
+                };
+                let Some(changed) = without(found.text().expect("a program in UTF-8"), cycle.name, place) else {
+                    bad.push(format!("{what}: {case} has no such argument"));
+                    continue;
+                };
+                let without = found.compile_instead(&changed);
+                if result(&found.compile()) == result(&without) {
+                    bad.push(format!("{what}: {case} is the same without it"));
+                }
+                if parameter.rule == Rule::Needed && !without.has_errors() {
+                    bad.push(format!("{what} is said to be needed, and {case} does without"));
+                }
+            }
         }
     }
     assert!(bad.is_empty(), "{bad:#?}");
 }
 
-/// The table is complete: places count from 1 without a gap, and the cycle takes exactly so many arguments.
 #[test]
-fn all_parameters_are_in_the_table() {
-    let mut places: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-    for row in rows() {
-        places.entry(row.cycle).or_default().push(row.place);
-    }
-    assert!(places.len() >= 20, "{} cycles", places.len());
-    for (cycle, list) in places {
-        assert_eq!(list, (1..=list.len()).collect::<Vec<_>>(), "{cycle}");
+fn every_case_belongs_to_a_parameter() {
+    let known = |cycle: &str, name: &str| {
+        built()
+            .any(|row| row.name == cycle && row.parameters.iter().any(|parameter| parameter.name.to_string() == name))
+    };
+    let strange: Vec<_> = CASES.iter().filter(|(cycle, name, _)| !known(cycle, name)).collect();
+    assert!(strange.is_empty(), "{strange:#?}");
+}
+
+/// A cycle takes exactly as many arguments as its row has.
+#[test]
+fn cycles_take_as_many_arguments_as_they_have_parameters() {
+    assert!(built().count() >= 20);
+    for cycle in built() {
         let too_many = |count: usize| {
-            let text = format!("G0 X0 Y0 Z20 F200\n{cycle}({}1)\nM30\n", ",".repeat(count - 1));
+            let text = format!("G0 X0 Y0 Z20 F200\n{}({}1)\nM30\n", cycle.name, ",".repeat(count - 1));
             let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &Settings::default(), &NoFiles);
             compiled.codes().contains(&"S2021")
         };
-        assert!(!too_many(list.len()) && too_many(list.len() + 1), "{cycle} takes {} arguments", list.len());
+        let most = cycle.parameters.len();
+        assert!(!too_many(most) && too_many(most + 1), "{} takes {most} arguments", cycle.name);
     }
 }

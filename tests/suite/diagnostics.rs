@@ -32,6 +32,16 @@ const BUILT: &[Built] = &[
         silent: || main_of(&with_comment_of(1 << 19)),
     },
     Built {
+        code: "P0005",
+        fires: || main_of(PART.replace(" R0 F300", "\0 R0 F300").as_bytes()),
+        silent: || main_of(format!("{PART}\x1a\0\0").as_bytes()),
+    },
+    Built {
+        code: "P0006",
+        fires: || main_of(PART.replace(" R0 F300", " R0 F300\0").as_bytes()),
+        silent: || main_of(format!("\0\0{PART}\x1a").as_bytes()),
+    },
+    Built {
         code: "P0102",
         fires: || {
             calling(|_| {

@@ -65,6 +65,8 @@ books! {
         compensation m6 oversizes;
     mtc200 = "mtc200":
         arcs corners flow functions manual offsets path text tools units variables;
+    same_part = "same_part":
+        lathe mill;
     sinumerik = "sinumerik":
         angles axes calls circles contour_cycles contours corners diameter drilling examples feeds flow frames
         functions lexical machine_coordinates offsets output patterns polar rotary settings tapping threads

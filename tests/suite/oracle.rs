@@ -102,6 +102,14 @@ pub fn all() -> &'static [Case] {
     })
 }
 
+/// Every case of the books is judged: as many as there were when they were single files, and the new ones.
+#[test]
+fn every_case_is_judged() {
+    let (cases, compiled) = (book::cases("").len(), all().len());
+    println!("{cases} cases, {compiled} of them compile");
+    assert!(cases >= 4_670 && compiled >= 3293, "{cases} cases, {compiled} of them compile");
+}
+
 fn report(failures: &[String], of: usize) {
     assert!(failures.is_empty(), "{} of {of}:\n{}", failures.len(), failures.join("\n"));
 }

@@ -3,6 +3,7 @@
 
 use super::book::{Case, cases};
 use super::common::{Compiled, compile_bytes, settings};
+use partc::sema::cycle_table::Kind;
 
 /// Letters whose number is a name, not a value.
 const NAMES: &[&str] = &["N", "G", "M", "T", "NS", "NE", "L"];
@@ -233,7 +234,7 @@ const BASES: &[Base] = &[
     },
 ];
 
-/// Words of the functions, by number, as the table of the compiler lists them.
+/// Words of the functions and cycles, by number, as the tables of the compiler list them.
 fn listed() -> Vec<(u16, Vec<String>)> {
     let table = include_str!("../../src/sema/turning/g_functions.rs");
     let mut list = Vec::new();
@@ -248,6 +249,12 @@ fn listed() -> Vec<(u16, Vec<String>)> {
             words.extend(["AN".to_owned(), "BR".to_owned()]);
         }
         list.push((number, words));
+    }
+    for cycle in (partc::dialect::find("heidenhain-turning").expect("a dialect").cycles)() {
+        let number = cycle.name.strip_prefix('G').and_then(|number| number.parse().ok()).expect("a G function");
+        // ID names a contour.
+        let words = cycle.parameters.iter().filter(|known| !matches!(known.kind, Kind::Text));
+        list.push((number, words.map(|known| known.name.to_string()).collect()));
     }
     list
 }

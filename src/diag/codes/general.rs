@@ -17,6 +17,16 @@ P0004 Error "empty-file" "file holds no block"
 "The file is empty, or holds nothing but blanks. No control runs that, and most often a transfer broke off or the editor did not save. \
 Nothing is written, since a program without moves would look like one that was compiled."
 
+P0005 Error "hole-in-block" "NUL or Ctrl-Z stands inside a block"
+"Text of one block or comment stands before and after these bytes, which no editor and no control writes. Something else stood there before: \
+a memory card, a transfer or a full disk lost it, perhaps with the end of the block and the next ones. Nothing is written.\n\
+Get the program anew from where it was made."
+
+P0006 Warning "hole-between-blocks" "NUL or Ctrl-Z stands between the blocks of a program"
+"Controls leave these bytes out where a paper tape or a transfer program has put them; partc does the same. They also stand where a memory card \
+or a transfer lost whole blocks: compare the program with the one that was sent. Before the first block and after the last one they are padding \
+and mean nothing."
+
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
 Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\

@@ -37,7 +37,16 @@ pub struct Code {
     pub explain: &'static str,
 }
 
+/// The first case of each code in the golden books, written by the test suite.
+const EXAMPLES: &str = include_str!("examples.txt");
+
 impl Code {
+    /// A program in which it is found: parts that begin with `-- ` and a name.
+    pub fn example(&self) -> Option<&'static str> {
+        let (_, found) = EXAMPLES.split_once(&format!("=== {}\n", self.id))?;
+        Some(found.split_once("\n=== ").map_or(found, |(own, _)| own).trim_end())
+    }
+
     /// The code together with the alarm that the control itself shows, where it shows one.
     pub fn alarm(&'static self, number: impl Into<Option<u32>>) -> Raised {
         let alarm = number.into();

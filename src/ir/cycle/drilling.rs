@@ -2,9 +2,11 @@
 
 use core::fmt;
 
-use crate::ir::Feed;
 use crate::ir::function::{Spindle, Turn};
+use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
+
+use super::Family;
 
 /// Most pecks of a hole; more is a lost decimal point.
 pub const MOST_PECKS: usize = 10_000;
@@ -37,9 +39,8 @@ pub enum Method {
     Drill {
         dwell: f64,
     },
-    Peck(Peck),
-    /// In steps, chips broken and removed by turns.
-    Deep(DeepHole),
+    /// In steps.
+    Peck(Pecking),
     Tap(Tap),
     /// To the depth, wait, back to the start plane at another feed, out.
     Ream {
@@ -55,17 +56,20 @@ pub enum Method {
     },
 }
 
-/// Drilling in steps.
+/// Drilling in steps: chips are broken in the hole, or removed out of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Peck {
+pub struct Pecking {
     /// First step, from the surface; over 0.
     pub first: f64,
     pub degression: Degression,
+    /// Factor on the feed of the first step, over 0 to 1.
+    pub first_feed: f64,
     /// Seconds at the depth of each step, and at the bottom.
     pub dwell: f64,
     pub dwell_at_bottom: f64,
-    /// Factor on the feed of the first step, over 0 to 1.
-    pub first_feed: f64,
+    pub breaks: Breaks,
+    /// Way back to break the chip; 0 or more.
+    pub way: f64,
     pub removal: Removal,
 }
 
@@ -82,47 +86,43 @@ pub enum Degression {
     Even { least: f64 },
 }
 
-/// What happens between two steps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Removal {
-    /// Back by this way, to break the chip; 0 or more.
-    Break { way: f64 },
-    /// Out to the start plane, wait, and at rapid to `ahead` in front of the last depth. `None`: 0.6 mm down to
-    /// 30 mm deep, then a fiftieth of the depth, at most 7 mm.
-    Clear { dwell: f64, ahead: Option<f64> },
-}
-
-/// Drilling in steps that become shorter by an amount; chips are broken in the hole or removed out of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DeepHole {
-    /// First step, from the surface; over 0.
-    pub first: f64,
-    /// Each further step is shorter by this, but not shorter than `least`; 0 or more.
-    pub less: f64,
-    pub least: f64,
-    pub breaks: Breaks,
-    /// Way back to break the chip; 0 or more.
-    pub way: f64,
-    /// In front of the last depth, where rapid traverse back into the hole ends: after the first step, and before the
-    /// last one; evenly between.
-    pub ahead: [f64; 2],
-    /// Seconds at the start plane between two steps.
-    pub dwell_out: f64,
-    /// Seconds at the bottom.
-    pub dwell: f64,
-    /// Feed out of the hole; `None` for rapid.
-    pub back: Option<Feed>,
-}
-
-/// Where chips are broken.
+/// Where chips are broken; after the other steps they are removed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Breaks {
-    /// Chips are removed after every step.
     Never,
+    /// After every step.
+    Always,
     /// After so many steps one after the other, before chips are removed again.
     Times(u32),
     /// Within a step, whenever this way is drilled; over 0.
     Every(f64),
+}
+
+/// Chips are removed: out to the start plane, a dwell, and at rapid to in front of the last depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Removal {
+    /// Feed out of the hole; `None` for rapid.
+    pub back: Option<Feed>,
+    /// Seconds at the start plane.
+    pub dwell: f64,
+    pub ahead: Ahead,
+    /// The last way out stops at the start plane, too.
+    pub at_the_end: bool,
+}
+
+/// Distance in front of the last depth, where rapid traverse back into the hole ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Ahead {
+    /// [`usual_ahead`] of the depth reached.
+    ByDepth,
+    /// After the first step, and before the last one; evenly between.
+    Evenly([f64; 2]),
+}
+
+/// The distance in front of a depth that old controls keep: 0.6 mm down to 30 mm, then a fiftieth of the depth, at most
+/// 7 mm (standard cycle CYCLE83, V06.02.09; HEIDENHAIN TNC 407, cycle 1).
+pub fn usual_ahead(depth: f64) -> f64 {
+    if depth <= 30.0 { 0.6 } else { (depth / 50.0).min(7.0) }
 }
 
 /// Tapping. The spindle turns one way in and the other way out.
@@ -299,7 +299,22 @@ impl Levels {
     }
 }
 
-impl Peck {
+impl Pecking {
+    /// Steps without dwell, chips removed at rapid.
+    pub fn new(first: f64, degression: Degression) -> Pecking {
+        let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::ByDepth, at_the_end: false };
+        Pecking {
+            first,
+            degression,
+            first_feed: 1.0,
+            dwell: 0.0,
+            dwell_at_bottom: 0.0,
+            breaks: Breaks::Never,
+            way: 0.0,
+            removal,
+        }
+    }
+
     /// The first step from an absolute depth, or from a relative one that wins; `None` where neither is given, or
     /// the absolute one does not lie between the surface and the bottom (alarm 61107).
     pub fn first_step(levels: &Levels, absolute: Option<f64>, relative: Option<f64>) -> Option<f64> {
@@ -315,17 +330,18 @@ impl Peck {
     }
 }
 
-impl DeepHole {
-    fn is_possible(&self) -> bool {
-        let way = |v: f64| v >= 0.0 && v.is_finite();
-        let breaks = !matches!(self.breaks, Breaks::Every(way) if !(way > 0.0 && way.is_finite()));
-        self.first > 0.0
-            && self.first.is_finite()
-            && way(self.less)
-            && way(self.least)
-            && way(self.way)
-            && self.ahead.iter().all(|v| way(*v))
-            && breaks
+impl Breaks {
+    fn is_possible(self) -> bool {
+        !matches!(self, Breaks::Every(way) if !(way > 0.0 && way.is_finite()))
+    }
+}
+
+impl Ahead {
+    fn is_possible(self) -> bool {
+        match self {
+            Ahead::ByDepth => true,
+            Ahead::Evenly(ways) => ways.iter().all(|way| *way >= 0.0 && way.is_finite()),
+        }
     }
 }
 
@@ -336,25 +352,10 @@ impl Degression {
     }
 }
 
-impl Drilling {
-    /// What the spindle does behind the hole, where the cycle changes it.
-    pub fn spindle_after(&self) -> Option<Spindle> {
-        if self.levels.outward() == 0.0 {
-            return None;
-        }
-        match &self.method {
-            Method::Tap(tap) => Some(tap.after),
-            Method::Bore(bore) => Some(Spindle::Start(bore.turn)),
-            Method::BoreWithStop { turn, .. } => Some(Spindle::Start(*turn)),
-            Method::Drill { .. } | Method::Peck(_) | Method::Deep(_) | Method::Ream { .. } => None,
-        }
-    }
+impl Family for Drilling {
+    type Fault = DrillingFault;
 
-    /// The first fault of the arguments.
-    ///
-    /// # Errors
-    /// See [`DrillingFault`].
-    pub fn check(&self) -> Result<(), DrillingFault> {
+    fn check(&self) -> Result<(), DrillingFault> {
         self.levels.check()?;
         let seconds = |s: f64| s >= 0.0 && s.is_finite();
         let positive = |v: f64| v > 0.0 && v.is_finite();
@@ -375,16 +376,14 @@ impl Drilling {
                 (speed(tap.speed_in) && speed(tap.speed_out) && speed(tap.speed_after), DrillingFault::Speed),
                 (tap.step.is_none_or(|step| positive(step.way) && seconds(step.chip.way())), DrillingFault::Peck),
             ],
-            Method::Deep(deep) => &[
-                (seconds(deep.dwell) && seconds(deep.dwell_out), DrillingFault::Dwell),
-                (deep.is_possible(), DrillingFault::Peck),
-                (deep.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
-            ],
             Method::Peck(peck) => &[
                 (seconds(peck.dwell) && seconds(peck.dwell_at_bottom), DrillingFault::Dwell),
+                (seconds(peck.removal.dwell), DrillingFault::Dwell),
                 (positive(peck.first) && good(peck.degression), DrillingFault::Peck),
                 (positive(peck.first_feed) && peck.first_feed <= 1.0, DrillingFault::Feed),
-                (good_removal(peck.removal), DrillingFault::Peck),
+                (seconds(peck.way) && peck.breaks.is_possible(), DrillingFault::Peck),
+                (peck.removal.ahead.is_possible(), DrillingFault::Peck),
+                (peck.removal.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
             ],
         };
         if !positive(self.feed.value()) && !matches!(self.method, Method::Tap(Tap { lead: Some(_), .. })) {
@@ -392,21 +391,36 @@ impl Drilling {
         }
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }
+
+    fn leaves(&self, at: &mut Pos) {
+        // A hole without depth moves nothing.
+        if self.levels.outward() != 0.0 {
+            at.set(self.axis, self.levels.retract);
+        }
+    }
+
+    fn spindle_after(&self) -> Option<Spindle> {
+        if self.levels.outward() == 0.0 {
+            return None;
+        }
+        match &self.method {
+            Method::Tap(tap) => Some(tap.after),
+            Method::Bore(bore) => Some(Spindle::Start(bore.turn)),
+            Method::BoreWithStop { turn, .. } => Some(Spindle::Start(*turn)),
+            Method::Drill { .. } | Method::Peck(_) | Method::Ream { .. } => None,
+        }
+    }
+
+    fn repeats(&self) -> bool {
+        true
+    }
 }
 
 fn good(degression: Degression) -> bool {
     match degression {
         Degression::Amount(amount) => amount > 0.0 && amount.is_finite(),
         Degression::Factor { factor, least } => factor > 0.0 && factor <= 1.0 && least >= 0.0 && least.is_finite(),
-        Degression::Plain { less, least } => less >= 0.0 && less.is_finite() && least > 0.0 && least.is_finite(),
+        Degression::Plain { less, least } => less >= 0.0 && less.is_finite() && least >= 0.0 && least.is_finite(),
         Degression::Even { least } => least >= 0.0 && least.is_finite(),
-    }
-}
-
-fn good_removal(removal: Removal) -> bool {
-    let length = |v: f64| v >= 0.0 && v.is_finite();
-    match removal {
-        Removal::Break { way } => length(way),
-        Removal::Clear { dwell, ahead } => length(dwell) && ahead.is_none_or(length),
     }
 }

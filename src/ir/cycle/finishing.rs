@@ -6,6 +6,7 @@ use crate::geo::offset::{self, NoParallel, Part};
 use crate::geo::{Element, Plane, Point2, Vec2, gap};
 use crate::ir::{Feed, Pos};
 
+use super::Family;
 use super::recess::{is_element, joined};
 use super::roughing::Nose;
 use super::turning::{Towards, is_coordinate, is_point, is_positive};
@@ -114,12 +115,10 @@ impl fmt::Display for FinishingFault {
     }
 }
 
-impl Finishing {
-    /// The first fault of the arguments.
-    ///
-    /// # Errors
-    /// See [`FinishingFault`].
-    pub fn check(&self) -> Result<(), FinishingFault> {
+impl Family for Finishing {
+    type Fault = FinishingFault;
+
+    fn check(&self) -> Result<(), FinishingFault> {
         let sign = |v: f64| v == -1.0 || v == 0.0 || v == 1.0;
         let descending = match self.descending {
             Descending::Cut { feed } => is_positive(feed.value()),
@@ -147,6 +146,31 @@ impl Finishing {
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }
 
+    fn leaves(&self, at: &mut Pos) {
+        let end = || {
+            let path = self.path(&self.contour).ok()?;
+            let last = path.last()?.element.to();
+            if self.end == FinishingEnd::Stay { Some(last) } else { self.beside(last) }
+        };
+        match self.end {
+            FinishingEnd::Start { .. } => {}
+            FinishingEnd::Point { to, .. } => at.set_in_plane(Plane::Zx, to),
+            FinishingEnd::Stay | FinishingEnd::Lift => {
+                match end().filter(|_| self.descending != Descending::Left) {
+                    Some(p) => at.set_in_plane(Plane::Zx, p),
+                    // It depends on what is left out.
+                    None => {
+                        let (infeed, cutting) = self.into.axes();
+                        at.forget(infeed);
+                        at.forget(cutting);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Finishing {
     /// From the contour to the centre of the nose.
     fn distance(&self) -> f64 {
         self.nose.radius + self.oversize
@@ -237,29 +261,5 @@ impl Finishing {
             let keeps_off = self.clear(p, to) >= self.oversize - offset::NEARER;
             (way_is_free && keeps_off && self.is_outside(to)).then_some(to)
         })
-    }
-
-    /// Changes `at` from where the cycle starts to where it ends.
-    pub fn leaves(&self, at: &mut Pos) {
-        let end = || {
-            let path = self.path(&self.contour).ok()?;
-            let last = path.last()?.element.to();
-            if self.end == FinishingEnd::Stay { Some(last) } else { self.beside(last) }
-        };
-        match self.end {
-            FinishingEnd::Start { .. } => {}
-            FinishingEnd::Point { to, .. } => at.set_in_plane(Plane::Zx, to),
-            FinishingEnd::Stay | FinishingEnd::Lift => {
-                match end().filter(|_| self.descending != Descending::Left) {
-                    Some(p) => at.set_in_plane(Plane::Zx, p),
-                    // It depends on what is left out.
-                    None => {
-                        let (infeed, cutting) = self.into.axes();
-                        at.forget(infeed);
-                        at.forget(cutting);
-                    }
-                }
-            }
-        }
     }
 }

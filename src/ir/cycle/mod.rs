@@ -10,9 +10,10 @@ pub mod thread;
 pub mod turning;
 pub mod undercut;
 
-use crate::geo::Plane;
+use core::fmt;
 
 use super::Pos;
+use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
@@ -21,32 +22,78 @@ pub use roughing::Roughing;
 pub use thread::Thread;
 pub use undercut::UndercutCycle;
 
-/// A machining cycle with all its arguments.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cycle {
-    Finishing(Finishing),
-    RecessTurning(RecessTurning),
-    Roughing(Roughing),
-    Thread(Thread),
-    Drilling(Drilling),
-    /// Ends where it starts.
-    Undercut(UndercutCycle),
-}
+/// What the resolved arguments of all cycles can say.
+pub trait Family {
+    /// Why arguments make no cycle.
+    type Fault: fmt::Display;
 
-impl Cycle {
-    /// Where the tool stands afterwards, in the programmed frame, if the cycle starts in `at`.
-    pub fn leaves(&self, at: &Pos) -> Pos {
-        let mut end = *at;
-        match self {
-            Cycle::Finishing(finishing) => finishing.leaves(&mut end),
-            Cycle::RecessTurning(recess) => recess.leaves(&mut end),
-            Cycle::Roughing(roughing) => roughing.leaves(&mut end),
-            Cycle::Thread(thread) => end.set_in_plane(Plane::Zx, thread.park),
-            // A hole without depth moves nothing.
-            Cycle::Drilling(hole) if hole.levels.outward() == 0.0 => {}
-            Cycle::Drilling(hole) => end.set(hole.axis, hole.levels.retract),
-            Cycle::Undercut(_) => {}
-        }
-        end
+    /// The first fault of the arguments.
+    ///
+    /// # Errors
+    /// See the fault of the family.
+    fn check(&self) -> Result<(), Self::Fault>;
+
+    /// Moves `at`, where the cycle starts, to where it leaves the tool, in the programmed frame.
+    fn leaves(&self, at: &mut Pos);
+
+    /// What the spindle does afterwards, where the cycle changes it.
+    fn spindle_after(&self) -> Option<Spindle> {
+        None
+    }
+
+    /// Is it run again and again, at many places, so that one refusal stands for all?
+    fn repeats(&self) -> bool {
+        false
     }
 }
+
+/// Hands the list of all families, variant and arguments, to a macro: the only place that names them all.
+macro_rules! families {
+    ($take:ident) => {
+        $take! {
+            Finishing(crate::ir::cycle::Finishing),
+            RecessTurning(crate::ir::cycle::RecessTurning),
+            Roughing(crate::ir::cycle::Roughing),
+            Thread(crate::ir::cycle::Thread),
+            Drilling(crate::ir::cycle::Drilling),
+            Undercut(crate::ir::cycle::UndercutCycle),
+        }
+    };
+}
+pub(crate) use families;
+
+macro_rules! cycle {
+    ($($family:ident($arguments:ty),)*) => {
+        /// A machining cycle with all its arguments.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum Cycle {
+            $($family($arguments),)*
+        }
+
+        impl Cycle {
+            /// Where the tool stands afterwards, in the programmed frame, if the cycle starts in `at`.
+            pub fn leaves(&self, at: &Pos) -> Pos {
+                let mut end = *at;
+                match self {
+                    $(Cycle::$family(cycle) => cycle.leaves(&mut end),)*
+                }
+                end
+            }
+
+            /// See [`Family::spindle_after`].
+            pub fn spindle_after(&self) -> Option<Spindle> {
+                match self {
+                    $(Cycle::$family(cycle) => cycle.spindle_after(),)*
+                }
+            }
+
+            /// See [`Family::repeats`].
+            pub fn repeats(&self) -> bool {
+                match self {
+                    $(Cycle::$family(cycle) => cycle.repeats(),)*
+                }
+            }
+        }
+    };
+}
+families!(cycle);

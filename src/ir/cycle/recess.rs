@@ -6,6 +6,7 @@ use core::fmt;
 use crate::geo::{Element, Plane, Vec2, distance};
 use crate::ir::{Feed, Pos};
 
+use super::Family;
 use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 
 /// Most elements of a contour.
@@ -149,13 +150,10 @@ impl fmt::Display for RecessFault {
     }
 }
 
-impl RecessTurning {
-    /// The first fault of the arguments. Whether the contour is a groove that the tool reaches is found out
-    /// when the path is computed.
-    ///
-    /// # Errors
-    /// See [`RecessFault`].
-    pub fn check(&self) -> Result<(), RecessFault> {
+impl Family for RecessTurning {
+    type Fault = RecessFault;
+
+    fn check(&self) -> Result<(), RecessFault> {
         let tool = &self.tool;
         let feeds = [self.feeds.plunge, self.feeds.turn, self.feeds.finish];
         let rules = [
@@ -177,18 +175,7 @@ impl RecessTurning {
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }
 
-    /// Between strokes further apart than the flat of the edge, ridges would stand.
-    fn strokes_fit(&self) -> bool {
-        match self.passes {
-            Passes::BothWays | Passes::OneWay | Passes::OneWayShorter => true,
-            Passes::Strokes { width, dwell } => {
-                is_positive(width) && width <= self.tool.width - 2.0 * self.tool.nose && is_length(dwell)
-            }
-        }
-    }
-
-    /// Changes `at` from where the cycle starts to where it ends.
-    pub fn leaves(&self, at: &mut Pos) {
+    fn leaves(&self, at: &mut Pos) {
         let (infeed, cutting) = self.into.axes();
         match self.end {
             RecessEnd::Start => {}
@@ -202,6 +189,18 @@ impl RecessTurning {
             RecessEnd::Lift => {
                 at.set(infeed, self.clear());
                 at.forget(cutting);
+            }
+        }
+    }
+}
+
+impl RecessTurning {
+    /// Between strokes further apart than the flat of the edge, ridges would stand.
+    fn strokes_fit(&self) -> bool {
+        match self.passes {
+            Passes::BothWays | Passes::OneWay | Passes::OneWayShorter => true,
+            Passes::Strokes { width, dwell } => {
+                is_positive(width) && width <= self.tool.width - 2.0 * self.tool.nose && is_length(dwell)
             }
         }
     }

@@ -5,6 +5,7 @@ use core::fmt;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::{Feed, Pos};
 
+use super::Family;
 use super::recess::{MOST_ELEMENTS, Operation, is_element, joined};
 use super::turning::{Towards, is_coordinate, is_length, is_positive};
 
@@ -120,6 +121,40 @@ impl fmt::Display for RoughingFault {
     }
 }
 
+impl Family for Roughing {
+    type Fault = RoughingFault;
+
+    fn check(&self) -> Result<(), RoughingFault> {
+        let rules = [
+            ((1..=MOST_ELEMENTS).contains(&self.contour.len()), RoughingFault::Elements),
+            (self.contour.iter().all(is_element), RoughingFault::Point),
+            (joined(&self.contour), RoughingFault::Gap),
+            (self.nose.fits(self.into), RoughingFault::Nose),
+            (is_coordinate(self.blank), RoughingFault::Blank),
+            (is_coordinate(self.begin) && self.side().is_some(), RoughingFault::Begin),
+            (is_positive(self.most), RoughingFault::Most),
+            (is_length(self.oversize.x) && is_length(self.oversize.y), RoughingFault::Oversize),
+            (is_positive(self.lift), RoughingFault::Lift),
+            (is_positive(self.feed.value()), RoughingFault::Feed),
+            (is_positive(self.finish_feed.value()), RoughingFault::Feed),
+            (self.entry.is_none_or(|feed| is_positive(feed.value())), RoughingFault::Feed),
+        ];
+        rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+
+    fn leaves(&self, at: &mut Pos) {
+        if self.end == RoughingEnd::Beside {
+            let (infeed, cutting) = self.into.axes();
+            at.set(cutting, self.begin);
+            match self.last_lift() {
+                Some(height) => at.set(infeed, height),
+                // It depends on the contour.
+                None => at.forget(infeed),
+            }
+        }
+    }
+}
+
 impl Roughing {
     /// A rectangle between the tool at `from` and the corner at `to`, as simple cycles remove it: cuts of
     /// `depth` at most, a lift of 1 mm. With `oblique` the end face leans by that much along the cutting axis
@@ -150,29 +185,6 @@ impl Roughing {
         }
     }
 
-    /// The first fault of the arguments. Whether the contour can be cut this way is found out when the path is
-    /// computed.
-    ///
-    /// # Errors
-    /// See [`RoughingFault`].
-    pub fn check(&self) -> Result<(), RoughingFault> {
-        let rules = [
-            ((1..=MOST_ELEMENTS).contains(&self.contour.len()), RoughingFault::Elements),
-            (self.contour.iter().all(is_element), RoughingFault::Point),
-            (joined(&self.contour), RoughingFault::Gap),
-            (self.nose.fits(self.into), RoughingFault::Nose),
-            (is_coordinate(self.blank), RoughingFault::Blank),
-            (is_coordinate(self.begin) && self.side().is_some(), RoughingFault::Begin),
-            (is_positive(self.most), RoughingFault::Most),
-            (is_length(self.oversize.x) && is_length(self.oversize.y), RoughingFault::Oversize),
-            (is_positive(self.lift), RoughingFault::Lift),
-            (is_positive(self.feed.value()), RoughingFault::Feed),
-            (is_positive(self.finish_feed.value()), RoughingFault::Feed),
-            (self.entry.is_none_or(|feed| is_positive(feed.value())), RoughingFault::Feed),
-        ];
-        rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
-    }
-
     /// Sense of the cutting axis from the contour to where the cuts begin; `None` if they begin above it.
     pub fn side(&self) -> Option<f64> {
         let along = |p: Point2| if self.into.is_radial() { p.x } else { p.y };
@@ -198,19 +210,6 @@ impl Roughing {
         let square = height(from) == height(to) && along(foot) == along(top) && height(top) == self.blank;
         let aside = if self.into.is_radial() { self.oversize.y } else { self.oversize.x };
         (plain && square).then(|| height(from) + (aside + self.lift) * out)
-    }
-
-    /// Changes `at` from where the cycle starts to where it ends.
-    pub fn leaves(&self, at: &mut Pos) {
-        if self.end == RoughingEnd::Beside {
-            let (infeed, cutting) = self.into.axes();
-            at.set(cutting, self.begin);
-            match self.last_lift() {
-                Some(height) => at.set(infeed, height),
-                // It depends on the contour.
-                None => at.forget(infeed),
-            }
-        }
     }
 }
 

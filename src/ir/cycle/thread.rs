@@ -2,8 +2,10 @@
 
 use core::fmt;
 
-use crate::geo::{Deg, Point2};
+use crate::geo::{Deg, Plane, Point2};
+use crate::ir::Pos;
 
+use super::Family;
 use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 
 /// Most parts of a chain.
@@ -150,17 +152,21 @@ impl fmt::Display for ThreadFault {
     }
 }
 
-impl Thread {
-    /// The first fault of the arguments.
-    ///
-    /// # Errors
-    /// See [`ThreadFault`].
-    pub fn check(&self) -> Result<(), ThreadFault> {
+impl Family for Thread {
+    type Fault = ThreadFault;
+
+    fn check(&self) -> Result<(), ThreadFault> {
         self.check_values()?;
         self.check_line()?;
         self.check_retract()
     }
 
+    fn leaves(&self, at: &mut Pos) {
+        at.set_in_plane(Plane::Zx, self.park);
+    }
+}
+
+impl Thread {
     fn check_values(&self) -> Result<(), ThreadFault> {
         let infeed = match self.infeed {
             Infeed::ConstantArea { first: cut }

@@ -4,7 +4,9 @@ use core::fmt;
 
 use crate::geo::Point2;
 use crate::geo::undercut::{Allowance, Fault, Orientation, Shape};
-use crate::ir::{Feed, Side};
+use crate::ir::{Feed, Pos, Side};
+
+use super::Family;
 
 /// An undercut cut by itself. Points are (Z, X) with X as a radius, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,12 +95,10 @@ impl fmt::Display for UndercutFault {
     }
 }
 
-impl UndercutCycle {
-    /// The first fault of the arguments.
-    ///
-    /// # Errors
-    /// See [`UndercutFault`].
-    pub fn check(&self) -> Result<(), UndercutFault> {
+impl Family for UndercutCycle {
+    type Fault = UndercutFault;
+
+    fn check(&self) -> Result<(), UndercutFault> {
         let positive = |v: f64| v > 0.0 && v.is_finite();
         let numbers = [self.corner.x, self.corner.y, self.allowance.reference, self.allowance.other];
         let sense = |v: f64| v == 1.0 || v == -1.0;
@@ -119,6 +119,11 @@ impl UndercutCycle {
         self.shape.check().map_err(UndercutFault::Shape)
     }
 
+    /// It ends where it starts.
+    fn leaves(&self, _: &mut Pos) {}
+}
+
+impl UndercutCycle {
     /// Side on which the nose is compensated: the tool stays outside the part.
     pub fn side(&self) -> Side {
         match (self.compensated, self.orientation.first * self.orientation.second > 0.0) {

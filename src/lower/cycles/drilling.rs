@@ -1,34 +1,29 @@
 //! Drilling, boring and tapping become moves of the drilling axis.
 
+mod pecking;
+
 use crate::diag::codes;
 use crate::ir::contour::{Coords, Move, Path, Thread};
-use crate::ir::cycle::drilling::{
-    Bore, Breaks, Chip, DeepHole, Degression, Drilling, DrillingFault, Levels, MOST_PECKS, Method, Peck, Removal, Tap,
-};
+use crate::ir::cycle::Family;
+use crate::ir::cycle::drilling::{Bore, Chip, Degression, Drilling, DrillingFault, Levels, Method, Tap};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::Axis;
 
 use super::track::Failure;
+use super::{Expand, Part, Start};
 
-/// What a cycle outside the turning plane is made of.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Part {
-    Move(Move),
-    Function(Function),
+impl Expand for Drilling {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+        expand(self, &start.at, start.axes, out)
+    }
 }
-
-/// Depth up to which the rapid way back into a hole ends `NEAR` above its bottom, and what it is below.
-const SHALLOW: f64 = 30.0;
-const NEAR: f64 = 0.6;
-const SHARE: f64 = 50.0;
-const FURTHEST: f64 = 7.0;
 
 /// Sends the parts of a hole at `start`.
 ///
 /// # Errors
 /// G3041 for arguments that make no hole, G3040 for steps without end.
-pub fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
     drilling.check().map_err(fault)?;
     let levels = &drilling.levels;
     if levels.outward() == 0.0 {
@@ -37,10 +32,9 @@ pub fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn F
     }
     // All depths are known before the tool moves.
     let depths = match &drilling.method {
-        Method::Deep(deep) => deep_steps(levels, deep).map_err(fault)?,
-        Method::Peck(peck) => depths(levels, peck.first, peck.degression).map_err(fault)?,
+        Method::Peck(peck) => pecking::steps(levels, peck).map_err(fault)?,
         Method::Tap(Tap { step: Some(step), .. }) => {
-            depths(levels, step.way.min(levels.way()), Degression::Even { least: step.way }).map_err(fault)?
+            pecking::depths(levels, step.way.min(levels.way()), Degression::Even { least: step.way }).map_err(fault)?
         }
         _ => vec![levels.depth],
     };
@@ -52,7 +46,6 @@ pub fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn F
             hole.dwell(*dwell);
         }
         Method::Peck(peck) => hole.peck(peck, &depths),
-        Method::Deep(deep) => hole.deep(deep, &depths),
         Method::Tap(tap) => hole.tap(tap, &depths),
         Method::Ream { dwell, back } => {
             hole.cut(levels.depth, drilling.feed);
@@ -81,93 +74,6 @@ fn fault(fault: DrillingFault) -> Failure {
         }
         _ => Failure::new(codes::G3041, fault.to_string(), "check the data of the drilling cycle"),
     }
-}
-
-/// Depths of the steps, the last one at the bottom. The last two are made alike where the rest would be shorter
-/// than the least step (standard cycle CYCLE83, V06.02.09).
-///
-/// # Errors
-/// `TooManyPecks`.
-pub fn depths(levels: &Levels, first: f64, degression: Degression) -> Result<Vec<f64>, DrillingFault> {
-    let total = levels.way();
-    let mut step = first.min(total);
-    let mut done = step;
-    let mut list = Vec::new();
-    while done < total {
-        list.push(done);
-        if list.len() >= MOST_PECKS {
-            return Err(DrillingFault::TooManyPecks);
-        }
-        let rest = total - done;
-        let next = match degression {
-            Degression::Factor { factor, least } => {
-                step = (step * factor).max(least);
-                let next = done + step;
-                if next > total + NOTHING {
-                    total
-                } else if (total - next).max(0.0) < least {
-                    done + rest / 2.0
-                } else {
-                    next
-                }
-            }
-            Degression::Plain { less, least } => {
-                step = (step - less).max(least);
-                if done + step + NOTHING >= total { total } else { done + step }
-            }
-            Degression::Even { .. } if done + step >= total => total,
-            Degression::Even { least } if total - (done + step) < least => done + rest / 2.0,
-            Degression::Even { .. } => done + step,
-            Degression::Amount(amount) => {
-                step = (step - amount).max(amount);
-                let whole = rest - step >= amount;
-                match (whole, rest > 2.0 * amount) {
-                    (true, true) => done + step,
-                    (true, false) if rest > amount => done + rest / 2.0,
-                    (false, true) if rest > step => total - amount,
-                    (false, false) if rest > step => done + rest / 2.0,
-                    _ => total,
-                }
-            }
-        };
-        if next <= done {
-            return Err(DrillingFault::TooManyPecks);
-        }
-        done = next;
-    }
-    list.push(total);
-    let out = levels.outward();
-    // The bottom is the programmed number, not a sum.
-    Ok(list.into_iter().map(|way| if way >= total { levels.depth } else { levels.reference - way * out }).collect())
-}
-
-/// Rest of a hole that is no step of its own: the error of the sum of the steps before.
-const NOTHING: f64 = 1e-9;
-
-/// Depths of the steps of a deep hole, the last one at the bottom.
-///
-/// # Errors
-/// `TooManyPecks`.
-fn deep_steps(levels: &Levels, deep: &DeepHole) -> Result<Vec<f64>, DrillingFault> {
-    let (total, out) = (levels.way(), levels.outward());
-    if matches!(deep.breaks, Breaks::Every(way) if total / way > MOST_PECKS as f64) {
-        return Err(DrillingFault::TooManyPecks);
-    }
-    let mut step = deep.first;
-    let mut done = step;
-    let mut list = Vec::new();
-    while total - done > NOTHING {
-        list.push(levels.reference - done * out);
-        if deep.less > 0.0 {
-            step = (step - deep.less).max(deep.least);
-        }
-        if step <= NOTHING || list.len() >= MOST_PECKS {
-            return Err(DrillingFault::TooManyPecks);
-        }
-        done += step;
-    }
-    list.push(levels.depth);
-    Ok(list)
 }
 
 struct Hole<'a> {
@@ -203,64 +109,6 @@ impl Hole<'_> {
 
     fn spindle(&mut self, spindle: Spindle) {
         (self.out)(Part::Function(Function::Spindle(spindle)));
-    }
-
-    fn peck(&mut self, peck: &Peck, depths: &[f64]) {
-        let out = self.levels.outward();
-        let feed = self.drilling.feed;
-        for (i, depth) in depths.iter().enumerate() {
-            let last = i + 1 == depths.len();
-            self.cut(*depth, if i == 0 { feed.with_value(feed.value() * peck.first_feed) } else { feed });
-            self.dwell(if last { peck.dwell_at_bottom } else { peck.dwell });
-            match peck.removal {
-                _ if last => {}
-                Removal::Break { way } => self.rapid(depth + out * way),
-                Removal::Clear { dwell, ahead } => {
-                    self.rapid(self.levels.start_plane());
-                    self.dwell(dwell);
-                    let deep = (self.levels.reference - depth).abs();
-                    let by_depth = if deep <= SHALLOW { NEAR } else { (deep / SHARE).min(FURTHEST) };
-                    // Never above the start plane: the tool stands there already.
-                    let ahead = ahead.unwrap_or(by_depth).min((self.levels.start_plane() - depth).abs());
-                    self.rapid(depth + out * ahead);
-                }
-            }
-        }
-    }
-
-    fn deep(&mut self, deep: &DeepHole, depths: &[f64]) {
-        let (out, feed, start) = (self.levels.outward(), self.drilling.feed, self.levels.start_plane());
-        let mut from = self.levels.reference;
-        let mut broken = 0;
-        for (i, &depth) in depths.iter().enumerate() {
-            if let Breaks::Every(way) = deep.breaks {
-                while (from - depth) * out > way + NOTHING {
-                    from -= way * out;
-                    self.cut(from, feed);
-                    self.rapid(from + out * deep.way);
-                }
-            }
-            self.cut(depth, feed);
-            from = depth;
-            if i + 1 == depths.len() {
-                break;
-            }
-            if matches!(deep.breaks, Breaks::Times(times) if broken < times) {
-                broken += 1;
-                self.rapid(depth + out * deep.way);
-                continue;
-            }
-            broken = 0;
-            self.leave(deep.back);
-            self.dwell(deep.dwell_out);
-            // The first time `ahead[0]`, before the last step `ahead[1]`.
-            let share = if depths.len() > 2 { i as f64 / (depths.len() - 2) as f64 } else { 0.0 };
-            let ahead = deep.ahead[0] + share * (deep.ahead[1] - deep.ahead[0]);
-            // Never above the start plane: the tool stands there already.
-            self.rapid(depth + out * ahead.min((start - depth) * out));
-        }
-        self.dwell(deep.dwell);
-        self.leave(deep.back);
     }
 
     /// Out to the start plane.

@@ -11,14 +11,22 @@ use crate::diag::codes;
 use crate::geo::offset::{NoParallel, Part};
 use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Feed;
+use crate::ir::cycle::Family;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 
 use super::slope::{Slope, reversed};
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::seen;
+use super::{Expand, Part as Done, Start};
 
 /// What arithmetic loses in a distance, mm.
 const SLACK: f64 = 1e-6;
+
+impl Expand for Finishing {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Done)) -> Result<(), Failure> {
+        expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
+    }
+}
 
 /// Sends the strokes of `finishing`; the tool stands at `from`.
 ///

@@ -17,13 +17,58 @@ pub mod undercut;
 pub mod valley;
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Plane;
-use crate::ir::contour::{CtxRef, Sink};
-use crate::ir::cycle::Cycle;
+use crate::geo::{Plane, Point2};
+use crate::ir::contour::{CtxRef, Move, Sink};
+use crate::ir::cycle::{Cycle, families};
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
 
 use track::{Failure, Stroke};
+
+/// What a cycle is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Part {
+    Move(Move),
+    Function(Function),
+}
+
+/// Where a cycle starts: where the tool stands, in the programmed frame, and the axes of the working plane.
+#[derive(Debug, Clone, Copy)]
+pub struct Start {
+    pub at: Pos,
+    pub axes: [Axis; 3],
+}
+
+/// A family of cycles as moves.
+pub trait Expand {
+    /// Sends the parts of the cycle.
+    ///
+    /// # Errors
+    /// Arguments that describe no safe path.
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure>;
+}
+
+impl Start {
+    /// Z and X, as a radius.
+    ///
+    /// # Errors
+    /// G3043 where they are not known.
+    fn in_turning_plane(&self) -> Result<Point2, Failure> {
+        self.at.in_plane(Plane::Zx).ok_or_else(|| {
+            let message = "the cycle starts where the tool stands, but its position in X and Z is not known";
+            Failure::new(codes::G3043, message, "position X and Z in front of the cycle")
+        })
+    }
+}
+
+impl Stroke {
+    fn part(self) -> Part {
+        match self {
+            Stroke::Dwell { seconds } => Part::Function(Function::Dwell(seconds)),
+            Stroke::Move(path) => Part::Move(path.movement()),
+        }
+    }
+}
 
 /// Sends what `cycle` does to `out`, starting in `start` (programmed frame).
 ///
@@ -36,36 +81,25 @@ pub fn expand(
     origin: &Origin,
     out: &mut dyn Sink,
 ) -> Result<(), Box<Diagnostic>> {
-    if let Cycle::Drilling(hole) = cycle {
-        let (first, second, third) = ctx.plane.axes();
-        let axes = [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]];
-        let mut send = |part: drilling::Part| match part {
-            drilling::Part::Move(mv) => out.movement(&mv, ctx, origin),
-            drilling::Part::Function(function) => out.function(&function, ctx, origin),
-        };
-        return drilling::expand(hole, start, axes, &mut send).map_err(|failure| report(failure, origin));
-    }
-    let mut send = |stroke: Stroke| match stroke {
-        Stroke::Dwell { seconds } => out.function(&Function::Dwell(seconds), ctx, origin),
-        Stroke::Move(path) => out.movement(&path.movement(), ctx, origin),
+    let (first, second, third) = ctx.plane.axes();
+    let start = Start { at: *start, axes: [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]] };
+    let mut send = |part: Part| match part {
+        Part::Move(mv) => out.movement(&mv, ctx, origin),
+        Part::Function(function) => out.function(&function, ctx, origin),
     };
-    let Some(from) = start.in_plane(Plane::Zx) else {
-        let message = "the cycle starts where the tool stands, but its position in X and Z is not known";
-        return Err(report(Failure::new(codes::G3043, message, "position X and Z in front of the cycle"), origin));
-    };
-    match cycle {
-        Cycle::Finishing(cycle) => finishing::expand(cycle, from, &mut send),
-        Cycle::RecessTurning(cycle) => recess::expand(cycle, from, &mut send),
-        Cycle::Roughing(cycle) => roughing::expand(cycle, from, &mut send),
-        Cycle::Thread(cycle) => thread::expand(cycle, from, &mut send),
-        Cycle::Undercut(cycle) => undercut::expand(cycle, from, &mut |mv| out.movement(mv, ctx, origin)),
-        // Done above: a hole needs no position in the turning plane.
-        Cycle::Drilling(_) => Ok(()),
-    }
-    .map_err(|failure| report(failure, origin))
+    expand_family(cycle, &start, &mut send).map_err(|failure| {
+        let found = Diagnostic::new(failure.code, origin.loc, failure.message);
+        Box::new(found.called(origin.call).help(failure.help))
+    })
 }
 
-fn report(failure: Failure, origin: &Origin) -> Box<Diagnostic> {
-    let found = Diagnostic::new(failure.code, origin.loc, failure.message);
-    Box::new(found.called(origin.call).help(failure.help))
+macro_rules! expand_family {
+    ($($family:ident($arguments:ty),)*) => {
+        fn expand_family(cycle: &Cycle, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+            match cycle {
+                $(Cycle::$family(cycle) => Expand::expand(cycle, start, out),)*
+            }
+        }
+    };
 }
+families!(expand_family);

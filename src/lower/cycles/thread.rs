@@ -9,13 +9,21 @@
 
 use crate::diag::codes;
 use crate::geo::Point2;
+use crate::ir::cycle::Family;
 use crate::ir::cycle::thread::{Flank, Thread};
 
 use super::infeed::Series;
 use super::track::{Failure, Strokes, Track, View};
+use super::{Expand, Part, Start};
 
 /// Most cuts of one thread.
 const MOST_CUTS: u64 = 100_000;
+
+impl Expand for Thread {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+        expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
+    }
+}
 
 /// Sends the strokes of `thread`; the tool stands at `from`.
 ///

@@ -7,15 +7,23 @@ use crate::diag::codes;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Orientation, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Plane, Point2, Vec2};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
+use crate::ir::cycle::Family;
 use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
 use super::track::Failure;
+use super::{Expand, Part, Start};
 
 /// Most depth steps.
 const MOST_STEPS: f64 = 10_000.0;
 /// What division may lose: 0.9 / 0.3 is three steps, not four.
 const SLACK: f64 = 1e-9;
+
+impl Expand for UndercutCycle {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+        expand(self, start.in_turning_plane()?, &mut |mv| out(Part::Move(*mv)))
+    }
+}
 
 /// Sends the moves of the cycle, which starts and ends in `from`, (Z, X) with X as a radius.
 ///

@@ -99,22 +99,24 @@ fn is_blank(b: u8) -> bool {
     matches!(b, b' ' | b'\t' | b'\r' | b'\n' | 0 | 0x0b | 0x0c | 0x1a)
 }
 
-/// Reads one logical block into `block`; what is wrong with it goes to `problems`.
-pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
+/// Reads one logical block into `block`; what is wrong with it goes to `problems`. True if the loop over literals took it.
+pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) -> bool {
     block.clear();
     let head = head(text);
     block.number = head.number;
     block.skip = head.skip;
-    let Some(&first) = text.get(head.from) else { return };
+    let Some(&first) = text.get(head.from) else { return false };
+    let mut literal = false;
     match first {
         // A remark, a heading, or a line of a set-up sheet.
         b';' | b'*' | b'(' => whole_comment(text, head.from + 1, block, problems),
-        _ if literal::parse(text, head.from, block) => {}
+        _ if literal::parse(text, head.from, block) => literal = true,
         _ => parse_statement(text, head.from, block, problems),
     }
     if block.comment.is_some() && memchr::memchr(b'\r', text).is_some() {
         hidden_block(text, problems);
     }
+    literal
 }
 
 /// A carriage return alone does not end a line in a file with line feeds; behind one in a comment a block may

@@ -23,8 +23,8 @@ use build::Build;
 /// A block is a line: nothing joins two of them. No line needs a closer look but one with a stray NUL.
 pub const SPLIT: SplitRules = SplitRules { mark: 0, continues: |_, _| false };
 
-/// Reads one block into `block`; what is wrong with it goes to `problems`.
-pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, problems: &mut Vec<Problem>) {
+/// Reads one block into `block`; what is wrong with it goes to `problems`. True if the loop over literals took it.
+pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, problems: &mut Vec<Problem>) -> bool {
     block.clear();
     if let Some(at) = stray_break(text) {
         let lead = text[at..].iter().take_while(|b| b.is_ascii_whitespace() || **b == 0).count();
@@ -33,19 +33,23 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
         problems.push(Problem::new(codes::M1050, span, message).help("save the file with one kind of line break"));
         block.stmt = Stmt::Bad;
         block.span = Span { start: 0, end: text.trim_ascii_end().len() as u32 };
-        return;
+        return false;
     }
     if let Some(&first @ (b'%' | b'!' | b'#' | b'$' | b'*')) = text.first() {
         block.stmt = Stmt::Header(first);
         block.span = Span { start: 0, end: text.trim_ascii_end().len() as u32 };
-        return;
+        return false;
     }
     let from = head(text, block, symbols);
     if from >= text.len() {
         block.span = Span { start: 0, end: from as u32 };
-    } else if !literal::parse(text, from, block) {
+        return false;
+    }
+    let literal = literal::parse(text, from, block);
+    if !literal {
         parse_statement(text, from, block, symbols, problems);
     }
+    literal
 }
 
 /// A carriage return or line feed with something behind it.

@@ -30,23 +30,25 @@ const MOST_SKIP: u8 = 9;
 /// Longest name of a label.
 const MOST_LABEL: usize = 32;
 
-/// Reads one block into `block`; what is wrong with it goes to `problems`.
-pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, problems: &mut Vec<Problem>) {
+/// Reads one block into `block`; what is wrong with it goes to `problems`. True if the loop over literals took it.
+pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, problems: &mut Vec<Problem>) -> bool {
     block.clear();
     if text.first() == Some(&b'%') {
         block.stmt = Stmt::Header;
         block.span = Span { start: 0, end: comment_start(text).unwrap_or(text.len()) as u32 };
         carriage_returns(text, block, problems);
-        return;
+        return false;
     }
     let from = head(text, block, symbols, problems);
+    let mut literal = false;
     match text.get(from) {
         None => {}
         Some(b';') => comment(text, from, block),
-        Some(_) if literal::parse(text, from, block) => {}
+        Some(_) if literal::parse(text, from, block) => literal = true,
         Some(_) => parse_statement(text, from, block, symbols, problems),
     }
     carriage_returns(text, block, problems);
+    literal
 }
 
 /// A carriage return alone ends no line in a file with line feeds: what stands on both sides of it must not become one

@@ -23,29 +23,32 @@ use build::Build;
 /// A block is a line: nothing joins two of them, so the mark is a byte that no program has.
 pub const SPLIT: SplitRules = SplitRules { mark: 0, continues: |_, _| false };
 
-/// Reads one block into `block`; what is wrong with it goes to `problems`.
-pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
+/// Reads one block into `block`; what is wrong with it goes to `problems`. True if the loop over literals took it.
+pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) -> bool {
     block.clear();
     if memchr::memchr(b'\r', text).is_some() && lone_return(text, block, problems) {
-        return;
+        return false;
     }
     let from = after_blanks(text, 0);
     match text.get(from) {
-        Some(b'%') => return program_name(text, from, block),
-        Some(b'#') if head_line(text, from, block) => return,
+        Some(b'%') => {
+            program_name(text, from, block);
+            return false;
+        }
+        Some(b'#') if head_line(text, from, block) => return false,
         _ => {}
     }
     let from = head(text, from, block);
-    let Some(&first) = text.get(from) else { return };
+    let Some(&first) = text.get(from) else { return false };
     if first == b'[' {
         comment(text, from, block, problems);
-        return;
+        return false;
     }
     if literal::parse(text, from, block) {
         if let Some(at) = block.comment.take() {
             comment(text, at.start as usize, block, problems);
         }
-        return;
+        return true;
     }
     let end = code_end(text);
     if end < text.len() {
@@ -54,6 +57,7 @@ pub fn parse_block(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) 
     if block.stmt != Stmt::Bad && !by_first_word(text, from, end, block) {
         parse_statement(&text[..end], from, block, problems);
     }
+    false
 }
 
 /// A carriage return alone does not end a line in a file with line feeds: what follows it looks like a line of its own.

@@ -164,7 +164,7 @@ impl Run<'_> {
                     codes::K1006,
                     span,
                     format!("{name} takes its size from other words"),
-                    &format!("write {form}"),
+                    format!("write {form}"),
                 );
             }
         };

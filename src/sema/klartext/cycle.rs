@@ -118,7 +118,7 @@ impl Run<'_> {
                         codes::K2402,
                         block.span,
                         format!("part {number}.{part} does not follow its cycle"),
-                        &format!("the definition begins with `CYCL DEF {number}.0`"),
+                        format!("the definition begins with `CYCL DEF {number}.0`"),
                     );
                 }
             },

@@ -163,7 +163,7 @@ impl Run<'_> {
                     codes::K1005,
                     span,
                     format!("`{}` stands in the name of the cycle", self.word_text(span)),
-                    &format!("the values of cycle {number} belong into the blocks {number}.1 and up"),
+                    format!("the values of cycle {number} belong into the blocks {number}.1 and up"),
                 );
             }
             at += word.len() + 1;

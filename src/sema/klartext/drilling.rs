@@ -4,8 +4,8 @@
 //! then. The values of the old dotted cycles are those of the definition.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::cycle::drilling::{Bore, Breaks, DeepHole, Levels, Method, Tap};
-use crate::ir::cycle::{Cycle, Drilling};
+use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Degression, Levels, Method, Pecking, Removal, Tap, usual_ahead};
+use crate::ir::cycle::{Cycle, Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
@@ -21,11 +21,6 @@ use super::{Outcome, Reported, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.
 const LIFT: f64 = 0.2;
-/// Old cycle 1: distance in front of the last depth down to this depth, and below as a part of the depth.
-const SHALLOW: f64 = 30.0;
-const NEAR: f64 = 0.6;
-const SHARE: f64 = 50.0;
-const FURTHEST: f64 = 7.0;
 /// The feed of a hole whose pitch makes it.
 const NO_FEED: Feed = Feed::PerMinute(1.0);
 /// Longest dwell in seconds.
@@ -244,17 +239,10 @@ impl Run<'_> {
         let ahead = self.cycle_length(cycle, CLEARANCE)?;
         let first = self.infeed(cycle)?;
         let dwell_out = self.cycle_dwell(cycle, DWELL_ABOVE)?;
-        Ok(Method::Deep(DeepHole {
-            first,
-            less: 0.0,
-            least: 0.0,
-            breaks: Breaks::Never,
-            way: 0.0,
-            ahead: [ahead; 2],
-            dwell_out,
-            dwell: cut.dwell,
-            back: None,
-        }))
+        let mut peck = steps(first, (0.0, 0.0), cut.dwell);
+        peck.removal.dwell = dwell_out;
+        peck.removal.ahead = Ahead::Evenly([ahead; 2]);
+        Ok(Method::Peck(peck))
     }
 
     /// Cycle 201.
@@ -294,17 +282,12 @@ impl Run<'_> {
         }
         // Older software lifts by this fixed way.
         let way = if cycle.sets(BREAK_WAY) { self.cycle_length(cycle, BREAK_WAY)? } else { LIFT };
-        Ok(Method::Deep(DeepHole {
-            first,
-            less: self.cycle_length(cycle, DECREMENT)?,
-            least: self.cycle_length(cycle, LEAST_PLUNGE)?,
-            breaks: if times > 0.0 { Breaks::Times(times as u32) } else { Breaks::Never },
-            way,
-            ahead: [ahead; 2],
-            dwell_out: self.cycle_dwell(cycle, DWELL_ABOVE)?,
-            dwell: cut.dwell,
-            back: self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?,
-        }))
+        let shorter = (self.cycle_length(cycle, DECREMENT)?, self.cycle_length(cycle, LEAST_PLUNGE)?);
+        let dwell = self.cycle_dwell(cycle, DWELL_ABOVE)?;
+        let back = self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?;
+        let breaks = if times > 0.0 { Breaks::Times(times as u32) } else { Breaks::Never };
+        let removal = Removal { back, dwell, ahead: Ahead::Evenly([ahead; 2]), at_the_end: true };
+        Ok(Method::Peck(Pecking { breaks, way, removal, ..steps(first, shorter, cut.dwell) }))
     }
 
     pub(super) fn pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
@@ -322,17 +305,11 @@ impl Run<'_> {
         }
         let every = self.cycle_length(cycle, BREAK_DEPTH)?;
         let back = if cycle.sets(RETRACT_FEED) { self.retract_feed(cycle, RETRACT_FEED, None)? } else { None };
-        Ok(Method::Deep(DeepHole {
-            first,
-            less: self.cycle_length(cycle, DECREMENT)?,
-            least: self.cycle_length(cycle, LEAST_PLUNGE)?,
-            breaks: if every > 0.0 { Breaks::Every(every) } else { Breaks::Never },
-            way: self.cycle_length(cycle, BREAK_WAY)?,
-            ahead,
-            dwell_out: 0.0,
-            dwell: cut.dwell,
-            back,
-        }))
+        let shorter = (self.cycle_length(cycle, DECREMENT)?, self.cycle_length(cycle, LEAST_PLUNGE)?);
+        let way = self.cycle_length(cycle, BREAK_WAY)?;
+        let breaks = if every > 0.0 { Breaks::Every(every) } else { Breaks::Never };
+        let removal = Removal { back, dwell: 0.0, ahead: Ahead::Evenly(ahead), at_the_end: true };
+        Ok(Method::Peck(Pecking { breaks, way, removal, ..steps(first, shorter, cut.dwell) }))
     }
 
     pub(super) fn boring(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
@@ -412,18 +389,9 @@ impl Run<'_> {
     pub(super) fn old_pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
         let first = self.part(cycle, 3)?.abs() * cycle.mm;
         let depth = self.part(cycle, 2)?.abs() * cycle.mm;
-        let ahead = if depth <= SHALLOW { NEAR } else { (depth / SHARE).min(FURTHEST) };
-        Ok(Method::Deep(DeepHole {
-            first,
-            less: 0.0,
-            least: 0.0,
-            breaks: Breaks::Never,
-            way: 0.0,
-            ahead: [ahead; 2],
-            dwell_out: 0.0,
-            dwell: cut.dwell,
-            back: None,
-        }))
+        let mut peck = steps(first, (0.0, 0.0), cut.dwell);
+        peck.removal.ahead = Ahead::Evenly([usual_ahead(depth); 2]);
+        Ok(Method::Peck(peck))
     }
 
     /// Cycle 17.
@@ -553,4 +521,13 @@ impl Run<'_> {
         );
         Err(Reported)
     }
+}
+
+/// Steps that become shorter by an amount, down to a least one; the tool leaves the hole after each.
+fn steps(first: f64, (less, least): (f64, f64), dwell: f64) -> Pecking {
+    // The least step counts only where the steps become shorter.
+    let least = if less == 0.0 { least.min(0.0) } else { least };
+    let mut peck = Pecking { dwell_at_bottom: dwell, ..Pecking::new(first, Degression::Plain { less, least }) };
+    peck.removal.at_the_end = true;
+    peck
 }

@@ -177,7 +177,7 @@ impl Run<'_> {
                 codes::K2304,
                 span,
                 format!("{q} is set by the control at the machine"),
-                &format!("give its value in partc.toml: `[variables]` with `{q} = …`"),
+                format!("give its value in partc.toml: `[variables]` with `{q} = …`"),
             );
         }
         if q.is_text() {
@@ -188,7 +188,7 @@ impl Run<'_> {
                 codes::K2301,
                 span,
                 format!("{q} is read before a value is assigned to it"),
-                &format!("assign a value, or give one in partc.toml: `[variables]` with `{q} = …`"),
+                format!("assign a value, or give one in partc.toml: `[variables]` with `{q} = …`"),
             );
         }
         self.report(Diagnostic::new(codes::K2302, self.loc(span), format!("{q} was never set and is read as 0")));
@@ -243,7 +243,7 @@ impl Run<'_> {
                 code,
                 span,
                 format!("the {what} of tool {} is not known", tool.called),
-                &format!("add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block", tool.called),
+                format!("add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block", tool.called),
             ),
             None => {
                 self.fail_help(code, span, format!("no tool is called, so it has no {what}"), "program TOOL CALL first")

@@ -187,7 +187,7 @@ impl Run<'_> {
                         codes::K2701,
                         m.span,
                         format!("M{} is a function of the machine builder", m.number),
-                        &format!("if the target machine understands it, add `[output] pass_m = [{}]`", m.number),
+                        format!("if the target machine understands it, add `[output] pass_m = [{}]`", m.number),
                     );
                 }
             }
@@ -202,7 +202,7 @@ impl Run<'_> {
             codes::K1005,
             m.span,
             format!("M{} has no place in a {head} block", m.number),
-            &format!("write M{} into the positioning block it belongs to", m.number),
+            format!("write M{} into the positioning block it belongs to", m.number),
         )
     }
 

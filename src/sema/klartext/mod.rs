@@ -19,7 +19,6 @@ mod drilling;
 mod eval;
 mod feed;
 mod help;
-mod idle;
 mod labels;
 mod lane;
 mod m_functions;
@@ -36,6 +35,7 @@ mod system;
 mod text_functions;
 mod tool;
 mod transform;
+mod unexecuted;
 mod vars;
 mod words;
 
@@ -52,7 +52,8 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Loc, Span, SplitRules};
 
-pub use idle::check_idle;
+pub use cycles::signatures as cycle_signatures;
+pub use unexecuted::check_unexecuted;
 
 use super::run::unexecuted::Blocks;
 use super::run::{self, Core, Interpreter, Language, Level, Parsed};

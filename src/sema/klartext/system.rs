@@ -163,7 +163,7 @@ impl Run<'_> {
                 codes::K2008,
                 block.span,
                 format!("the table data of tool {key} is not known"),
-                &format!("add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`"),
+                format!("add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`"),
             ),
         }
     }

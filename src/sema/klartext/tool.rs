@@ -321,7 +321,7 @@ impl Run<'_> {
                     codes::K2008,
                     span,
                     format!("tool {called} has an oversize DR, and its radius is not known"),
-                    &format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                    format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
                 )
             }
             Some(_) => self.one_radius(span),
@@ -337,7 +337,7 @@ impl Run<'_> {
             codes::K2890,
             span,
             format!("tool {called} has radius {own} in its TOOL DEF and {table} in the tool table"),
-            &format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF"),
+            format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF"),
         )
     }
 
@@ -353,7 +353,7 @@ impl Run<'_> {
                         codes::K2008,
                         span,
                         format!("the radius of tool {called} is not known"),
-                        &format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                        format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
                     )
                 }
             },
@@ -424,7 +424,7 @@ impl Run<'_> {
                         codes::K2006,
                         span,
                         format!("tool {number}.{index} is an index, and the output has whole numbers only"),
-                        &format!("give it a number in partc.toml: `[tools.{tool}]` with `number = …`"),
+                        format!("give it a number in partc.toml: `[tools.{tool}]` with `number = …`"),
                     ),
                 }
             }

@@ -434,7 +434,7 @@ impl Run<'_> {
             codes::K2707,
             word.span,
             format!("`{text}` behind M{number} may belong to it, or be where the block goes"),
-            &format!("write the coordinates in front of M{number}, or M{number} into a block of its own without L"),
+            format!("write the coordinates in front of M{number}, or M{number} into a block of its own without L"),
         )
     }
 
@@ -487,7 +487,7 @@ impl Run<'_> {
             codes::K2001,
             span,
             format!("{what} needs the position of {}, which is not known here", axis.letter()),
-            &self.st.position.help(axis, &format!("program an absolute position of {} first", axis.letter())),
+            self.st.position.help(axis, &format!("program an absolute position of {} first", axis.letter())),
         )
     }
 }

@@ -165,7 +165,7 @@ impl Run<'_> {
             let letter = axis.letter();
             if value != 0.0 {
                 let message = format!("{letter} only names its axis beside G74, so its value is 0");
-                return self.fail_help(codes::M1006, w.axes_span, message, &format!("write {letter}0"));
+                return self.fail_help(codes::M1006, w.axes_span, message, format!("write {letter}0"));
             }
             match self.job.settings.control.mtc200.home.get(&axis) {
                 Some(home) => end.set(axis, *home),

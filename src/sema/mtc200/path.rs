@@ -131,7 +131,7 @@ impl Run<'_> {
             codes::M2018,
             span,
             format!("{letter} is incremental, and its zero offset changed since {letter} was programmed last"),
-            &format!(
+            format!(
                 "program {letter} once under G90 behind the offset, then go on with G91; or set `[control] \
                  g91_after_offset` to \"with-offset\" or \"increment\""
             ),
@@ -150,7 +150,7 @@ impl Run<'_> {
             codes::M2001,
             span,
             format!("the position of {letter} is not known here"),
-            &self.st.position.help(axis, &format!("program an absolute position of {letter} first")),
+            self.st.position.help(axis, &format!("program an absolute position of {letter} first")),
         )
     }
 

@@ -2,9 +2,9 @@
 
 use crate::diag::{CallPath, Diagnostic, codes};
 use crate::sema::Job;
-use crate::text::blocks::OpenError;
+use crate::text::blocks::{Hole, OpenError, Place};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
-use crate::text::{Cursor, FileError, FileId, Loc, Request, SplitRules};
+use crate::text::{Cursor, FileError, FileId, Loc, Request, Span, SplitRules};
 
 /// Opens a file for reading from its start; reports what is wrong with it.
 pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) -> Option<Cursor> {
@@ -23,6 +23,20 @@ pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) ->
     };
     job.diags.push(found);
     None
+}
+
+/// Reports what is lost in a file; `block` was read last.
+#[inline]
+pub fn report_hole(job: &Job<'_>, file: FileId, cursor: &mut Cursor, block: Place, call: CallPath) {
+    if let Some(Hole { place, inside }) = cursor.passed_hole(block) {
+        let loc = Loc { file, line: place.line, span: Span::at(place.at, 1) };
+        let found = if inside {
+            Diagnostic::new(codes::P0005, loc, "NUL or Ctrl-Z stands inside a block")
+        } else {
+            Diagnostic::new(codes::P0006, loc, "NUL or Ctrl-Z stands between the blocks of the program")
+        };
+        job.diags.push(found.help("something may be lost here: get the program anew").called(call));
+    }
 }
 
 /// Finds and opens the program `name` that the block at `from` calls.

@@ -9,7 +9,7 @@ use crate::sema::Job;
 use crate::text::blocks::Place;
 use crate::text::{Cursor, FileId, Loc, Next, Span, SplitRules};
 
-use super::files::open_cursor;
+use super::files::{open_cursor, report_hole};
 use super::site::Site;
 
 /// Most blocks kept parsed.
@@ -146,7 +146,7 @@ impl<B: Clone> Source<B> {
         let place = self.cursor.place();
         self.parsed_again = place.at < self.furthest;
         self.furthest = self.furthest.max(place.at.saturating_add(1));
-        match self.cursor.next(job.sources) {
+        let read = match self.cursor.next(job.sources) {
             Ok(Next::Block(found)) => {
                 parse(found.text, into);
                 into.lines = found.lines;
@@ -166,6 +166,8 @@ impl<B: Clone> Source<B> {
                 job.diags.push(found.called(call));
                 Read::Broken
             }
-        }
+        };
+        report_hole(job, self.file, &mut self.cursor, place, call);
+        read
     }
 }

@@ -17,7 +17,7 @@ use super::frames::FrameValue;
 use super::known_words::Known;
 use super::value::{Val, to_text, whole};
 use super::vars::{MOST_R, Slot};
-use super::vocabulary::{Meaning, Procedure};
+use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::{Outcome, Reported, Run};
 
 /// Relative difference up to which two REAL values are equal.
@@ -248,7 +248,7 @@ impl Run<'_> {
     pub(super) fn undefined_word<T>(&mut self, name: Symbol, span: Span) -> Outcome<T> {
         match self.meaning(name) {
             Meaning::Known(known) => self.not_compiled(name, known, span),
-            Meaning::Procedure(Procedure::Refused(what)) => {
+            Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
                 let message = format!("{} ({what}) is not supported", self.symbols.name(name));
                 self.fail_help(codes::S9005, span, message, "replace it by plain moves")
             }
@@ -266,7 +266,7 @@ impl Run<'_> {
         let word = self.symbols.name(name);
         if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
             let message = format!("{word} lacks the axis or spindle in brackets");
-            return self.fail_help(codes::S1001.alarm(12080), span, message, &format!("write {word}[X]=…"));
+            return self.fail_help(codes::S1001.alarm(12080), span, message, format!("write {word}[X]=…"));
         }
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);

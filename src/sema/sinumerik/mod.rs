@@ -21,7 +21,6 @@ mod flow;
 mod formula_functions;
 mod frames;
 mod g_groups;
-mod idle;
 mod known_words;
 mod lane;
 mod left_out;
@@ -48,6 +47,7 @@ mod technology;
 mod threads;
 mod tools;
 mod undercut_sizes;
+mod unexecuted;
 mod value;
 mod vars;
 mod vocabulary;
@@ -85,7 +85,8 @@ use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
 
-pub use idle::check_idle;
+pub use cycles::signatures as cycle_signatures;
+pub use unexecuted::check_unexecuted;
 pub use vocabulary::all_words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.

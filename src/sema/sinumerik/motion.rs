@@ -416,7 +416,7 @@ impl Run<'_> {
             codes::S2042,
             place,
             format!("where {} stands is not known", axis.letter()),
-            &self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
+            self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
         )
     }
 }

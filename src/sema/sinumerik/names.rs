@@ -9,7 +9,7 @@ use crate::parser::symbols::Symbol;
 use super::axis_names::NamedAxis;
 use super::g_groups::{Code, Group};
 use super::value::{Val, whole};
-use super::vocabulary::{Address, Indexed, Meaning, Procedure};
+use super::vocabulary::{Address, Indexed, Meaning, Procedure, Refusal};
 use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
 use super::{Outcome, Run};
 
@@ -64,7 +64,7 @@ impl Run<'_> {
                     let given = self.given(word, block, text)?;
                     self.axis_word(words, named, given)?;
                 }
-                Meaning::Procedure(Procedure::Refused(what)) => {
+                Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
                     let message = format!("{} ({what}) is not supported", self.symbols.name(name));
                     return self.fail_help(codes::S9005, word.span, message, "replace it by plain moves");
                 }

@@ -66,7 +66,7 @@ impl Run<'_> {
                     codes::S9014,
                     place,
                     format!("{word} has no counterpart on the target"),
-                    &format!("name one: `[datums] {word} = \"G55\"`"),
+                    format!("name one: `[datums] {word} = \"G55\"`"),
                 );
             }
         };

@@ -9,7 +9,7 @@ use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
 use super::value::{Val, to_text, whole};
-use super::vocabulary::{Meaning, Procedure};
+use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
 use super::{Outcome, Run};
 
@@ -128,7 +128,7 @@ impl Run<'_> {
                 codes::S1001.alarm(12080),
                 call.span,
                 format!("`=` is missing in `{name}`"),
-                &format!("an address of more than one letter takes `=`: {letters}={digits}"),
+                format!("an address of more than one letter takes `=`: {letters}={digits}"),
             );
         }
         let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
@@ -292,10 +292,9 @@ impl Run<'_> {
             Procedure::Refused(_) if self.own_program(&name) => {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
-            Procedure::Refused(what) => {
+            Procedure::Refused(Refusal { what, code }) => {
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
-                let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
                 self.fail_help(
                     code,
                     call.span,

@@ -347,7 +347,7 @@ impl Skeleton {
     }
 }
 
-/// The check of idle blocks looks at programs again.
+/// The check of blocks that do not run looks at programs again.
 fn push_once(job: &Job<'_>, found: Diagnostic) {
     if !job.diags.knows(&found) {
         job.diags.push(found);

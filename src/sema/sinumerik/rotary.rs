@@ -68,7 +68,7 @@ impl Run<'_> {
             codes::S9101,
             span,
             format!("the sense in which {letter} turns is not known: its zero is shifted, and it counts modulo 360"),
-            &format!("write {letter}=DC(…), ACP(…) or ACN(…)"),
+            format!("write {letter}=DC(…), ACP(…) or ACN(…)"),
         )
     }
 

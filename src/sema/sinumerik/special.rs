@@ -183,7 +183,7 @@ impl Run<'_> {
                         codes::S9008,
                         span,
                         format!("where {} moves {letter} to is a machine datum", code.word()),
-                        &format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`"),
+                        format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`"),
                     );
                 }
             }

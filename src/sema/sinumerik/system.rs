@@ -37,7 +37,7 @@ impl Run<'_> {
             codes::S2028,
             span,
             format!("the value of `{key}` is known on the machine only"),
-            &format!("give it under [variables]: \"{key}\" = value"),
+            format!("give it under [variables]: \"{key}\" = value"),
         )
     }
 
@@ -199,8 +199,7 @@ impl Run<'_> {
                 codes::S2042,
                 span,
                 message,
-                &self
-                    .st
+                self.st
                     .position
                     .help(axis, "program the axis once in absolute coordinates before reading its position"),
             );
@@ -241,7 +240,7 @@ impl Run<'_> {
                         let word = offset_word(number);
                         let message =
                             format!("one component of {word} is set, the others are known on the machine only");
-                        return self.fail_help(codes::S2028, span, message, &format!("give {word} under [datums]"));
+                        return self.fail_help(codes::S2028, span, message, format!("give {word} under [datums]"));
                     }
                 };
                 let frame = self.new_frame(&old, rest, &value, span)?;
@@ -306,7 +305,7 @@ impl Run<'_> {
                     codes::S9103,
                     span,
                     format!("`{word}` is a setting datum, and what it changes is not compiled"),
-                    &format!(
+                    format!(
                         "leave it out; if the machine has this value anyhow, say so under [variables]: \"{key}\" = {shown}"
                     ),
                 );

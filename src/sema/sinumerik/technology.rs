@@ -191,7 +191,7 @@ impl Run<'_> {
                     codes::S2044,
                     m.span,
                     format!("what M{number} does is up to the machine builder"),
-                    &format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"),
+                    format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"),
                 );
             }
         }

@@ -3,6 +3,7 @@
 //! Source: reference sections 1.3, 2.14, 3, 5 and 6; group numbers and internal indices as `$P_GG` returns
 //! them.
 
+use crate::diag::{self, codes};
 use rustc_hash::FxHashMap;
 
 use super::axis_names::NamedAxis;
@@ -129,13 +130,25 @@ pub(super) enum Procedure {
     EndLabel,
     DiameterChannel,
     /// Refused by name: what it is.
-    Refused(&'static str),
+    Refused(Refusal),
 }
+
+/// Why a name is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Refusal {
+    /// What it is.
+    pub what: &'static str,
+    pub code: &'static diag::Code,
+}
+
+/// Names of transformations, by what they are.
+const TRANSFORMATIONS: &[(&str, &str)] = &[
+    ("five-axis transformation", "TRAORI TRAFOON ORIRESET"),
+    ("transformation", "TRANSMIT TRACYL TRAANG TRACON TRACOOF TRAINT"),
+];
 
 /// Names that are refused, by what they are.
 const REFUSED: &[(&str, &str)] = &[
-    ("five-axis transformation", "TRAORI TRAFOON ORIRESET"),
-    ("transformation", "TRANSMIT TRACYL TRAANG TRACON TRACOOF TRAINT"),
     (
         "axis coupling",
         "TRAILON TRAILOF LEADON LEADOF COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES EGDEF EGON EGONSYN EGONSYNE EGOFS EGOFC EGDEL TANG TANGON TANGOF TANGDEL TLIFT MASLON MASLOF MASLOFS MASLDEF MASLDEL CPON CPOF CPDEF CPDEL CPLON CPLOF CPLDEF CPLDEL GANTRY CTABDEF CTABEND CTABDEL",
@@ -242,13 +255,18 @@ const INDEXED_NAMES: &[(&str, Indexed)] = &[
 /// Every word of the language by name.
 pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
     let mut map = FxHashMap::default();
-    for (what, names) in REFUSED {
-        for name in names.split(' ') {
-            map.insert(name, Meaning::Procedure(Procedure::Refused(what)));
+    for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::S9005)] {
+        for (what, names) in list {
+            for name in names.split(' ') {
+                map.insert(name, Meaning::Procedure(Procedure::Refused(Refusal { what, code })));
+            }
         }
     }
     for cycle in super::cycles::rows() {
-        map.insert(cycle.signature.name, Meaning::Procedure(Procedure::Refused("machining cycle")));
+        map.insert(
+            cycle.signature.name,
+            Meaning::Procedure(Procedure::Refused(Refusal { what: "machining cycle", code: codes::S9005 })),
+        );
     }
     let simple = [
         (NO_EFFECT, Procedure::NoEffect),

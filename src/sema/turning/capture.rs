@@ -7,6 +7,7 @@ use crate::parser::turning::ast::Block;
 use crate::text::{Loc, Span};
 
 use super::contour::{Builder, Outline};
+use super::cycle_table::{Behind, Cycle};
 use super::geometry::note_adjusted;
 use super::sections::Family;
 use super::words::{Fun, Num, Words};
@@ -16,8 +17,7 @@ use crate::sema::run::Site;
 /// A cycle whose contour is being read.
 #[derive(Debug)]
 pub(super) struct Capture {
-    number: u16,
-    name: &'static str,
+    cycle: &'static Cycle,
     words: Words,
     /// The block of the cycle.
     here: Site,
@@ -41,17 +41,10 @@ impl Capture {
 
 impl Run<'_> {
     /// A cycle with its words; some wait for their contour.
-    pub(super) fn begin_cycle(&mut self, number: u16, name: &'static str, w: &Words) -> Outcome {
+    pub(super) fn begin_cycle(&mut self, cycle: &'static Cycle, w: &Words) -> Outcome {
         self.settle_chain()?;
-        let referenced = w.long("NS").is_some() || self.named.is_some();
-        let waits = match number {
-            31 => !w.has(b'X') && !w.has(b'Z') && !referenced,
-            89 | 817..=819 | 827..=829 => true,
-            810 | 820 | 869 | 890 => !referenced,
-            _ => false,
-        };
-        if !waits {
-            return self.cycle(number, name, w, None);
+        if !cycle.waits(w, self.named.is_some()) {
+            return (cycle.run)(self, w, Behind { outline: None, side: None });
         }
         if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
             return self.fail_help(
@@ -62,8 +55,7 @@ impl Run<'_> {
             );
         }
         self.capture = Some(Box::new(Capture {
-            number,
-            name,
+            cycle,
             words: w.clone(),
             here: self.here,
             builder: Builder::default(),
@@ -91,7 +83,7 @@ impl Run<'_> {
 
     fn captured(&mut self, w: &Words, block: &Block, capture: &mut Capture) -> Outcome {
         let (side, functions) = match *w.g() {
-            [side, ref rest @ ..] if capture.number == 89 && matches!(side.number, 41 | 42) => (Some(side), rest),
+            [side, ref rest @ ..] if capture.cycle.number == 89 && matches!(side.number, 41 | 42) => (Some(side), rest),
             ref all => (None, all),
         };
         if let Some(side) = side {
@@ -112,7 +104,10 @@ impl Run<'_> {
             return self.fail_help(
                 codes::T3003,
                 block.span,
-                format!("the contour of G{} ({}) holds a block that is no element", capture.number, capture.name),
+                format!(
+                    "the contour of G{} ({}) holds a block that is no element",
+                    capture.cycle.number, capture.cycle.signature.what
+                ),
                 "close the contour with a block that holds G80 alone",
             );
         };
@@ -122,7 +117,10 @@ impl Run<'_> {
             return self.fail_help(
                 codes::T3003,
                 fun.span,
-                format!("G{} cannot stand in the contour of G{} ({})", fun.number, capture.number, capture.name),
+                format!(
+                    "G{} cannot stand in the contour of G{} ({})",
+                    fun.number, capture.cycle.number, capture.cycle.signature.what
+                ),
                 "close the contour with a block that holds G80 alone",
             );
         }
@@ -134,8 +132,8 @@ impl Run<'_> {
         if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
             return self.fail(codes::T1003, self.block_span(), "G80 stands alone in its block");
         }
-        self.known_words(w, capture.number)?;
-        if let Some(outline) = self.contour_words(w, capture.number)? {
+        self.known_words(w, capture.cycle.number)?;
+        if let Some(outline) = self.contour_words(w, capture.cycle.number)? {
             if !capture.builder.is_empty() || capture.broken {
                 return self.fail(
                     codes::T1006,
@@ -146,7 +144,7 @@ impl Run<'_> {
             self.blank_of_form(&mut capture, w)?;
             return self.captured_cycle(&capture, &outline);
         }
-        let left_out = if matches!(capture.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
+        let left_out = if matches!(capture.cycle.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
         let outline = capture.builder.settle().and_then(|()| capture.builder.outline(left_out));
         let empty = capture.builder.is_empty();
         note_adjusted(&self.job, &capture.builder);
@@ -205,10 +203,8 @@ impl Run<'_> {
 
     fn captured_cycle(&mut self, capture: &Capture, outline: &Outline) -> Outcome {
         let here = std::mem::replace(&mut self.here, capture.here);
-        let result = match capture.number {
-            89 => self.contour_finishing(&capture.words, Some(outline), capture.side),
-            _ => self.cycle(capture.number, capture.name, &capture.words, Some(outline)),
-        };
+        let behind = Behind { outline: Some(outline), side: capture.side };
+        let result = (capture.cycle.run)(self, &capture.words, behind);
         self.here = here;
         result
     }

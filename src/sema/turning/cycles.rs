@@ -6,37 +6,10 @@ use crate::machine::AxisSet;
 
 use super::contour::{Edge, MOST_EDGES, Outline, Section};
 use super::geometry::Described;
-use super::sections::Family;
 use super::words::{Num, Words};
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
-    /// A cycle with all it needs.
-    pub(super) fn cycle(&mut self, number: u16, name: &str, w: &Words, outline: Option<&Outline>) -> Outcome {
-        match number {
-            31 => self.thread_cycle(w, outline),
-            32 => self.simple_thread(w),
-            36 => self.tapping(w),
-            86 => self.simple_recess(w),
-            71 | 74 => self.drilling(w, number == 74),
-            81 | 82 => self.rectangle(w, number == 81),
-            810 | 817..=819 | 820 | 827..=829 => self.contour_roughing(w, outline, number),
-            85 => self.undercut_cycle(w),
-            890 => self.finishing(w, outline),
-            869 if self.sections.family() == Family::Basic => self.fail_help(
-                codes::T2017,
-                self.block_span(),
-                "the MANUALplus 4110 has no G869, and a program without sections is one of that control",
-                "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml if it is for a later control",
-            ),
-            869 => self.recess_turning(w, outline),
-            _ => {
-                self.error(codes::T9006, format!("G{number} ({name}) is not supported yet"));
-                Err(Reported)
-            }
-        }
-    }
-
     /// Sends a cycle; the tool stands where the cycle leaves it.
     pub(super) fn send_cycle(&mut self, cycle: &Cycle) {
         self.core.send_cycle(cycle, &self.st.ctx);

@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
-use crate::ir::cycle::drilling::{Degression, Drilling, Levels, Method, Peck, Removal, Tap};
+use crate::ir::cycle::drilling::{Breaks, Degression, Drilling, Levels, Method, Pecking, Tap};
 use crate::ir::function::Spindle;
 use crate::machine::Axis;
 
@@ -142,7 +142,7 @@ impl Run<'_> {
     }
 
     /// P, I, J and B: the steps of a deep hole.
-    fn pecks(&self, w: &Words, depth: f64, dwell: f64) -> Outcome<Peck> {
+    fn pecks(&self, w: &Words, depth: f64, dwell: f64) -> Outcome<Pecking> {
         let mm = self.st.mm();
         let first = match w.get(b'P') {
             Some(num) => self.above_zero(num, "the first depth")?.min(depth),
@@ -165,10 +165,10 @@ impl Run<'_> {
                 "program J with the same value as I, or leave I out",
             );
         };
-        let removal = match w.get(b'B') {
-            Some(num) => Removal::Break { way: self.above_zero(num, "the return distance")? },
-            None => Removal::Clear { dwell: 0.0, ahead: None },
+        let (breaks, way) = match w.get(b'B') {
+            Some(num) => (Breaks::Always, self.above_zero(num, "the return distance")?),
+            None => (Breaks::Never, 0.0),
         };
-        Ok(Peck { first, degression, dwell: 0.0, dwell_at_bottom: dwell, first_feed: 1.0, removal })
+        Ok(Pecking { dwell_at_bottom: dwell, breaks, way, ..Pecking::new(first, degression) })
     }
 }

@@ -1,5 +1,6 @@
 //! The G functions: what they are called, which words they take, and those that are refused by name.
 
+use super::cycle_table::{self, Cycle};
 use super::words::{Letters, letters};
 
 /// What a G function does.
@@ -35,7 +36,7 @@ pub(super) enum Kind {
     /// G80
     EndOfContour,
     /// A cycle that a contour may follow.
-    Cycle(u16),
+    Cycle,
     Refused,
 }
 
@@ -49,10 +50,30 @@ pub(super) struct Function {
     pub letters: Letters,
     /// Longer addresses it takes.
     pub longs: &'static [&'static str],
+    pub cycle: Option<&'static Cycle>,
 }
 
 const fn row(number: u16, kind: Kind, name: &'static str, words: &str, longs: &'static [&'static str]) -> Function {
-    Function { number, kind, name, letters: letters(words), longs }
+    Function { number, kind, name, letters: letters(words), longs, cycle: None }
+}
+
+const fn cycle(number: u16) -> Function {
+    let row = cycle_table::of(number);
+    Function {
+        number,
+        kind: Kind::Cycle,
+        name: row.signature.what,
+        letters: row.letters(),
+        longs: &[],
+        cycle: Some(row),
+    }
+}
+
+impl Function {
+    /// Does it take this longer address?
+    pub fn takes(&self, long: &str) -> bool {
+        self.longs.contains(&long) || self.cycle.is_some_and(|cycle| cycle.takes(long))
+    }
 }
 
 const fn refused(number: u16, name: &'static str) -> Function {
@@ -73,11 +94,11 @@ pub(super) const TABLE: &[Function] = &[
     row(13, Kind::Arc { ccw: true, absolute: true }, "arc", "XZRIKBEQ", &["BR"]),
     row(14, Kind::ChangePoint, "tool change point", "QD", &[]),
     row(26, Kind::SpeedLimit, "speed limit", "S", &[]),
-    row(31, Kind::Cycle(31), "thread cycle", "XZFUIRBPAVHQCOJ", &["NS", "NE", "IC"]),
-    row(32, Kind::Cycle(32), "simple thread", "XZFPIBQKWCH", &[]),
+    cycle(31),
+    cycle(32),
     row(33, Kind::SingleThread, "single thread cut", "XZFBPCHEIK", &[]),
     refused(35, "metric thread"),
-    row(36, Kind::Cycle(36), "tapping", "XZBFQH", &[]),
+    cycle(36),
     row(40, Kind::CompensationOff, "nose radius compensation off", "", &[]),
     row(41, Kind::CompensationLeft, "nose radius compensation left", "", &[]),
     row(42, Kind::CompensationRight, "nose radius compensation right", "", &[]),
@@ -94,10 +115,10 @@ pub(super) const TABLE: &[Function] = &[
     row(58, Kind::OversizeEquidistant, "equidistant oversize", "P", &[]),
     row(59, Kind::ShiftAbsolute, "absolute zero shift", "XZ", &[]),
     refused(64, "interrupted feed"),
-    row(71, Kind::Cycle(71), "drilling", "XZEVD", &[]),
+    cycle(71),
     refused(72, "counterboring"),
     refused(73, "tapping with contour reference"),
-    row(74, Kind::Cycle(74), "deep-hole drilling", "XZPIBJEVD", &[]),
+    cycle(74),
     row(
         80,
         Kind::EndOfContour,
@@ -105,14 +126,14 @@ pub(super) const TABLE: &[Function] = &[
         "",
         &["XS", "ZS", "XE", "ZE", "AC", "WC", "BS", "BE", "RC", "IC", "KC", "EC", "HC"],
     ),
-    row(81, Kind::Cycle(81), "longitudinal roughing", "XZIKQV", &[]),
-    row(82, Kind::Cycle(82), "transverse roughing", "XZIKQV", &[]),
+    cycle(81),
+    cycle(82),
     refused(83, "contour repeat cycle"),
-    row(85, Kind::Cycle(85), "undercut", "XZIKE", &[]),
-    row(86, Kind::Cycle(86), "simple recess", "XZIKE", &[]),
+    cycle(85),
+    cycle(86),
     refused(87, "line with radius"),
     refused(88, "line with chamfer"),
-    row(89, Kind::Cycle(89), "contour finishing", "BIKJ", &[]),
+    cycle(89),
     refused(93, "feed per tooth"),
     row(94, Kind::PerMinute, "feed per minute", "F", &[]),
     row(95, Kind::PerRevolution, "feed per revolution", "F", &[]),
@@ -135,18 +156,18 @@ pub(super) const TABLE: &[Function] = &[
     refused(799, "thread milling"),
     refused(800, "thread milling"),
     refused(806, "thread milling"),
-    row(810, Kind::Cycle(810), "longitudinal roughing", "PIKEXZAWHQVD", &["NS", "NE", "XA", "ZA"]),
+    cycle(810),
     refused(811, "rectangular recess turning"),
     refused(815, "contour recess turning"),
-    row(817, Kind::Cycle(817), "longitudinal contour roughing", "XZPHIK", &[]),
-    row(818, Kind::Cycle(818), "longitudinal contour roughing", "XZPHIK", &[]),
-    row(819, Kind::Cycle(819), "longitudinal contour roughing with plunging", "XZPEHIK", &[]),
-    row(820, Kind::Cycle(820), "transverse roughing", "PIKEXZAWHQVD", &["NS", "NE", "XA", "ZA"]),
+    cycle(817),
+    cycle(818),
+    cycle(819),
+    cycle(820),
     refused(821, "rectangular recess turning"),
     refused(825, "contour recess turning"),
-    row(827, Kind::Cycle(827), "transverse contour roughing", "XZPHIK", &[]),
-    row(828, Kind::Cycle(828), "transverse contour roughing", "XZPHIK", &[]),
-    row(829, Kind::Cycle(829), "transverse contour roughing with plunging", "XZPEHIK", &[]),
+    cycle(827),
+    cycle(828),
+    cycle(829),
     refused(830, "contour-parallel roughing"),
     refused(835, "contour-parallel roughing with a neutral tool"),
     refused(840, "contour milling"),
@@ -155,8 +176,8 @@ pub(super) const TABLE: &[Function] = &[
     refused(862, "radial contour recessing"),
     refused(865, "axial rectangular recess"),
     refused(866, "recess"),
-    row(869, Kind::Cycle(869), "recess turning", "PRIKXZAWQUHVOEB", &["NS", "NE", "XA", "ZA", "RB", "RI", "RK"]),
-    row(890, Kind::Cycle(890), "finishing", "EVQHXZDIKOUB", &["NS", "NE"]),
+    cycle(869),
+    cycle(890),
     refused(901, "actual values in variables"),
     refused(902, "zero shift in variables"),
     refused(903, "lag in variables"),

@@ -8,6 +8,7 @@ use crate::ir::{Function as Item, Side};
 use crate::parser::turning::ast::Block;
 use crate::text::decode::readable;
 
+use super::cycle_table::Cycle;
 use super::g_functions::{Function, Kind, find};
 use super::sections::Part;
 use super::state::{FeedMode, SpeedMode};
@@ -85,7 +86,7 @@ impl Run<'_> {
     /// Looks the functions up and gives every word to one of them.
     fn plan(&mut self, w: &Words) -> Outcome<Plan> {
         let mut plan = Plan { motion: None, claimed: 0, only_path: true };
-        let mut longs: [&'static [&'static str]; 4] = [&[]; 4];
+        let mut functions: [Option<&'static Function>; 4] = [None; 4];
         for (i, fun) in w.g().iter().enumerate() {
             let function = self.function_of(*fun)?;
             self.check_same(w, i)?;
@@ -100,8 +101,8 @@ impl Run<'_> {
                 );
             }
             plan.claimed |= function.letters;
-            if let Some(slot) = longs.get_mut(i) {
-                *slot = function.longs;
+            if let Some(slot) = functions.get_mut(i) {
+                *slot = Some(function);
             }
             plan.only_path &= function.kind.is_path();
             if function.kind.is_motion() && plan.motion.replace((function, *fun)).is_some() {
@@ -113,7 +114,7 @@ impl Run<'_> {
                 );
             }
         }
-        self.check_words(w, &plan, &longs)?;
+        self.check_words(w, &plan, &functions)?;
         Ok(plan)
     }
 
@@ -142,7 +143,7 @@ impl Run<'_> {
     }
 
     #[inline]
-    fn check_words(&self, w: &Words, plan: &Plan, longs: &[&[&str]]) -> Outcome {
+    fn check_words(&self, w: &Words, plan: &Plan, functions: &[Option<&Function>]) -> Outcome {
         let stray = w.present() & !(plan.claimed | GENERAL);
         if stray != 0 {
             return self.stray_letter(w, stray, plan.motion.is_some());
@@ -164,7 +165,7 @@ impl Run<'_> {
         }
         for (addr, num) in w.longs() {
             let name = addr.to_string();
-            if !longs.iter().any(|list| list.contains(&name.as_str())) {
+            if !functions.iter().flatten().any(|function| function.takes(&name)) {
                 return self.fail_help(
                     codes::T1003,
                     num.span,
@@ -176,7 +177,7 @@ impl Run<'_> {
                 return self.fail(codes::T1003, num.span, format!("{name} takes a number"));
             }
         }
-        let named = plan.motion.is_some_and(|(function, _)| function.kind.takes_name());
+        let named = plan.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Cycle::takes_name));
         match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
             Some((addr, span)) => {
                 self.fail(codes::T1003, *span, format!("no function of the block takes a text at {addr}"))
@@ -258,7 +259,7 @@ impl Run<'_> {
             | Kind::Dwell
             | Kind::SingleThread
             | Kind::EndOfContour
-            | Kind::Cycle(_)
+            | Kind::Cycle
             | Kind::Refused => Ok(()),
         }
     }
@@ -290,7 +291,10 @@ impl Run<'_> {
                 "G80 ends a contour, and none was begun",
                 "a cycle such as G817 or G31 begins the contour",
             ),
-            Kind::Cycle(number) => self.begin_cycle(number, function.name, w),
+            Kind::Cycle => match function.cycle {
+                Some(cycle) => self.begin_cycle(cycle, w),
+                None => Err(Reported),
+            },
             _ => Err(Reported),
         }
     }
@@ -320,11 +324,6 @@ impl Kind {
         matches!(self, Kind::Rapid | Kind::Line | Kind::Arc { .. })
     }
 
-    /// ID names the contour of the cycle.
-    fn takes_name(self) -> bool {
-        matches!(self, Kind::Cycle(31 | 810 | 820 | 869 | 890))
-    }
-
     fn is_motion(self) -> bool {
         self.is_path()
             || matches!(
@@ -334,7 +333,7 @@ impl Kind {
                     | Kind::Dwell
                     | Kind::SingleThread
                     | Kind::EndOfContour
-                    | Kind::Cycle(_)
+                    | Kind::Cycle
             )
     }
 }

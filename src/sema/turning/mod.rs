@@ -9,6 +9,7 @@ mod contour;
 mod contour_finishing;
 mod contour_words;
 mod coordinates;
+mod cycle_table;
 mod cycles;
 mod drilling;
 mod eval;
@@ -40,6 +41,7 @@ mod undercuts;
 mod vars;
 mod words;
 
+pub use cycle_table::signatures as cycle_signatures;
 use std::ops::{Deref, DerefMut};
 
 use crate::diag::{Diagnostic, codes};

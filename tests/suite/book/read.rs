@@ -110,13 +110,17 @@ impl Draft {
         program: Vec<u8>,
     ) -> Case {
         let folders: Vec<&str> = book.split('/').collect();
-        let errors = folders[0] == "errors";
-        let dialect = folders[usize::from(errors)];
-        let stem = match chapter.split_once(' ') {
-            Some((code, _)) if errors => format!("{code}_{}", slug(heading)),
-            _ => slug(heading),
+        let (dialect, stem) = match folders[0] {
+            // A chapter for each code.
+            "errors" => {
+                let code = chapter.split(' ').next().unwrap_or_default();
+                (folders[1].to_owned(), format!("{code}_{}", slug(heading)))
+            }
+            // A chapter for each part, a case for each dialect.
+            "same_part" => (slug(heading).replace('_', "-"), format!("{}_in_{}", slug(chapter), slug(heading))),
+            folder => (folder.to_owned(), slug(heading)),
         };
-        let extension = self.extension.as_deref().unwrap_or(match dialect {
+        let extension = self.extension.as_deref().unwrap_or(match &dialect[..] {
             "klartext" => "H",
             "sinumerik" => "MPF",
             "mtc200" => "npg",
@@ -130,7 +134,7 @@ impl Draft {
             chapter: chapter.to_owned(),
             heading: heading.to_owned(),
             table: None,
-            dialect: dialect.to_owned(),
+            dialect,
             file: format!("{stem}.{extension}"),
             program,
             config: self.config.clone(),

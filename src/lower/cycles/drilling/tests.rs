@@ -1,7 +1,8 @@
 use proptest::prelude::*;
 
+use super::pecking::depths;
 use super::*;
-use crate::ir::cycle::drilling::{Chip, Resolved, TapStep};
+use crate::ir::cycle::drilling::{Ahead, Breaks, Chip, Pecking, Removal, Resolved, TapStep};
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -13,8 +14,8 @@ fn hole(levels: Levels, method: Method) -> Drilling {
     Drilling { axis: Axis::Z, levels, feed: Feed::PerMinute(100.0), method }
 }
 
-fn peck(first: f64, degression: Degression, removal: Removal) -> Method {
-    Method::Peck(Peck { first, degression, dwell: 0.0, dwell_at_bottom: 0.0, first_feed: 1.0, removal })
+fn breaking(first: f64, degression: Degression) -> Method {
+    Method::Peck(Pecking { breaks: Breaks::Always, way: 1.0, ..Pecking::new(first, degression) })
 }
 
 fn number(v: f64) -> String {
@@ -59,8 +60,7 @@ fn words(drilling: &Drilling) -> Vec<String> {
 /// `CYCLE83(155,150,1,5,0,100,,20,0,0,1,0)` of the reference.
 #[test]
 fn degression_by_amount() {
-    let drilling =
-        hole(levels(155.0, 150.0, 1.0, 5.0), peck(50.0, Degression::Amount(20.0), Removal::Break { way: 1.0 }));
+    let drilling = hole(levels(155.0, 150.0, 1.0, 5.0), breaking(50.0, Degression::Amount(20.0)));
     let z: Vec<_> = words(&drilling).iter().map(|line| line.rsplit(['Z']).next().unwrap().to_owned()).collect();
     assert_eq!(z, ["151", "100", "101", "70", "71", "50", "51", "30", "31", "17.5", "18.5", "5", "155"]);
 }
@@ -91,12 +91,43 @@ fn other_series_of_the_reference() {
 
 #[test]
 fn swarf_removal_stops_short_of_the_last_depth() {
-    let removal = Removal::Clear { dwell: 0.5, ahead: None };
     let degression = Degression::Factor { factor: 0.8, least: 5.0 };
-    let list = words(&hole(levels(10.0, 0.0, 1.0, -100.0), peck(20.0, degression, removal)));
+    let mut peck = Pecking::new(20.0, degression);
+    peck.removal.dwell = 0.5;
+    let list = words(&hole(levels(10.0, 0.0, 1.0, -100.0), Method::Peck(peck)));
     assert_eq!(list[..5], ["G0 Z1", "G1 F100 Z-20", "G0 Z1", "G4 0.5", "G0 Z-19.4"]);
     assert!(list.contains(&"G0 Z-47.824".to_owned()), "{list:?}");
     assert_eq!(list[list.len() - 2..], ["G1 F100 Z-100", "G0 Z10"]);
+}
+
+/// One step plan for all: a break every 4 mm, removal at a feed with a distance that grows.
+#[test]
+fn chips_are_broken_and_removed_by_turns() {
+    let removal =
+        Removal { back: Some(Feed::PerMinute(500.0)), dwell: 0.0, ahead: Ahead::Evenly([0.5, 1.5]), at_the_end: true };
+    let degression = Degression::Plain { less: 2.0, least: 3.0 };
+    let peck = Pecking { removal, way: 0.2, breaks: Breaks::Times(1), ..Pecking::new(6.0, degression) };
+    assert_eq!(
+        words(&hole(levels(50.0, 0.0, 2.0, -15.0), Method::Peck(peck))),
+        [
+            "G0 Z2",
+            "G1 F100 Z-6",
+            "G0 Z-5.8",
+            "G1 F100 Z-10",
+            "G1 F500 Z2",
+            "G0 Z-9",
+            "G1 F100 Z-13",
+            "G0 Z-12.8",
+            "G1 F100 Z-15",
+            "G1 F500 Z2",
+            "G0 Z50"
+        ]
+    );
+    let within = Pecking { breaks: Breaks::Every(4.0), way: 0.2, ..Pecking::new(10.0, degression) };
+    assert_eq!(
+        words(&hole(levels(50.0, 0.0, 2.0, -10.0), Method::Peck(within))),
+        ["G0 Z2", "G1 F100 Z-4", "G0 Z-3.8", "G1 F100 Z-8", "G0 Z-7.8", "G1 F100 Z-10", "G0 Z50"]
+    );
 }
 
 #[test]
@@ -199,10 +230,10 @@ fn depths_absolute_and_relative() {
     assert_eq!(depth(resolve(0.0, 0.0, None, Some(20.0))), Err(DrillingFault::ReferencePlane));
     assert_eq!(depth(resolve(10.0, 0.0, Some(20.0), None)), Err(DrillingFault::ReferencePlane));
     let at = levels(10.0, 0.0, 1.0, -20.0);
-    assert_eq!(Peck::first_step(&at, Some(-5.0), None), Some(5.0));
-    assert_eq!(Peck::first_step(&at, Some(5.0), None), None);
-    assert_eq!(Peck::first_step(&at, Some(-5.0), Some(50.0)), Some(20.0));
-    assert_eq!(Peck::first_step(&at, None, None), None);
+    assert_eq!(Pecking::first_step(&at, Some(-5.0), None), Some(5.0));
+    assert_eq!(Pecking::first_step(&at, Some(5.0), None), None);
+    assert_eq!(Pecking::first_step(&at, Some(-5.0), Some(50.0)), Some(20.0));
+    assert_eq!(Pecking::first_step(&at, None, None), None);
 }
 
 #[test]
@@ -213,9 +244,9 @@ fn refusals() {
     assert_eq!(code(hole(levels(-50.0, 0.0, 2.0, -20.0), Method::Drill { dwell: 0.0 })), "G3041");
     assert_eq!(code(hole(at, Method::Drill { dwell: -1.0 })), "G3041");
     let endless = Degression::Factor { factor: 0.5, least: 0.0 };
-    assert_eq!(code(hole(at, peck(5.0, endless, Removal::Break { way: 1.0 }))), "G3040");
-    assert_eq!(code(hole(at, peck(1e-9, Degression::constant(1e-9), Removal::Break { way: 1.0 }))), "G3040");
-    assert_eq!(code(hole(at, peck(0.0, endless, Removal::Break { way: 1.0 }))), "G3041");
+    assert_eq!(code(hole(at, breaking(5.0, endless))), "G3040");
+    assert_eq!(code(hole(at, breaking(1e-9, Degression::constant(1e-9)))), "G3040");
+    assert_eq!(code(hole(at, breaking(0.0, endless))), "G3041");
     let bore = Bore { dwell: 0.0, turn: Turn::Clockwise, orient: 0.0, back: None, lift: [1.0, 0.0, 0.0] };
     assert_eq!(code(hole(at, Method::Bore(bore))), "G3043");
     let none = Drilling { feed: Feed::PerMinute(0.0), ..hole(at, Method::Drill { dwell: 0.0 }) };

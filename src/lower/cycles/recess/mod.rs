@@ -14,17 +14,25 @@ use crate::diag::codes;
 use crate::geo::wall::Leg;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::Feed;
+use crate::ir::cycle::Family;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::{NoValley, Slot, Valley, seen};
+use super::{Expand, Part, Start};
 
 /// Most levels of one groove.
 const MOST_LEVELS: u64 = 100_000;
 
 /// Share of the effective cutting width that a turned cut may leave standing at a wall.
 const OFFSET_SHARE: f64 = 0.8;
+
+impl Expand for RecessTurning {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+        expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
+    }
+}
 
 /// Sends the strokes of `recess`; the tool stands at `from`.
 ///

@@ -14,6 +14,7 @@ use crate::diag::codes;
 use crate::geo::wall::{Leg, Wall};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::Feed;
+use crate::ir::cycle::Family;
 use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::{Falling, Nose, Roughing, RoughingEnd, Smoothing};
 
@@ -21,9 +22,16 @@ use super::infeed;
 use super::slope::{NoSlope, Slope};
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::seen;
+use super::{Expand, Part, Start};
 
 /// Most cuts of one cycle.
 const MOST_CUTS: u64 = 100_000;
+
+impl Expand for Roughing {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+        expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
+    }
+}
 
 /// Sends the strokes of `roughing`; the tool stands at `from`.
 ///

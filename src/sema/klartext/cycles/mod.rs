@@ -142,6 +142,11 @@ pub(super) fn rows() -> impl Iterator<Item = &'static Row> {
     FAMILIES.iter().copied().flatten()
 }
 
+/// What all of them take.
+pub fn signatures() -> Vec<&'static Signature> {
+    rows().map(|row| &row.signature).collect()
+}
+
 /// The cycle of this number.
 pub(super) fn find(number: u32) -> &'static Row {
     rows().find(|row| (row.numbers.0..=row.numbers.1).contains(&number)).unwrap_or(&UNKNOWN)

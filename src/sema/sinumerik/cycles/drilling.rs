@@ -4,8 +4,10 @@
 
 use crate::diag::codes;
 use crate::ir::Feed;
-use crate::ir::cycle::Drilling;
-use crate::ir::cycle::drilling::{Bore, Chip, Degression, DrillingFault, Levels, Method, Peck, Removal, Tap, TapStep};
+use crate::ir::cycle::drilling::{
+    Ahead, Bore, Breaks, Chip, Degression, DrillingFault, Levels, Method, Pecking, Tap, TapStep,
+};
+use crate::ir::cycle::{Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
 use crate::standard::din13::coarse_pitch;
 
@@ -100,7 +102,7 @@ impl Run<'_> {
                 "the first depth counts for the tip of the drill, the last one for its full diameter",
             );
         }
-        let Some(first) = Peck::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
+        let Some(first) = Pecking::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
             return self.cycle_fault(
                 args,
                 args.span_of(FDEP),
@@ -151,23 +153,24 @@ impl Run<'_> {
             None => 1.0,
         };
         let first_feed = if factor <= 0.0 { 0.001 } else { factor.min(1.0) };
-        let removal = match args.or_zero(VARI) {
-            0.0 => Removal::Break { way: self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK) },
-            1.0 => Removal::Clear {
-                dwell: self.dwell_of(args, DTS)?,
-                ahead: self.length_of(args, DIS1).filter(|way| *way > 0.0),
-            },
-            _ => {
-                return self.cycle_fault(
-                    args,
-                    args.span_of(VARI),
-                    61002,
-                    "VARI is 0 or 1",
-                    "0 breaks the chip, 1 removes it",
-                );
+        let mut peck = Pecking { dwell, dwell_at_bottom, first_feed, ..Pecking::new(first, degression) };
+        match args.or_zero(VARI) {
+            0.0 => {
+                peck.breaks = Breaks::Always;
+                peck.way = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
             }
-        };
-        Ok(Method::Peck(Peck { first, degression, dwell, dwell_at_bottom, first_feed, removal }))
+            1.0 => {
+                peck.removal.dwell = self.dwell_of(args, DTS)?;
+                if let Some(ahead) = self.length_of(args, DIS1).filter(|way| *way > 0.0) {
+                    peck.removal.ahead = Ahead::Evenly([ahead; 2]);
+                }
+            }
+            _ => {
+                let help = "0 breaks the chip, 1 removes it";
+                return self.cycle_fault(args, args.span_of(VARI), 61002, "VARI is 0 or 1", help);
+            }
+        }
+        Ok(Method::Peck(peck))
     }
 
     /// Unit of PIT: 0 that of the program, 1 mm, 2 turns per inch, 3 inch.

@@ -27,13 +27,14 @@ use super::g_groups::Group;
 use super::offsets::Outer;
 use super::state::{Diameter, State};
 use super::value::Val;
-use super::vocabulary::{Meaning, Procedure};
+use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::CallWord;
 use super::{Outcome, Reported, Run};
 use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use contours::Contours;
+pub use table::signatures;
 pub(super) use table::{find, rows};
 
 use arguments::{Arguments, DMODE, Key};
@@ -214,7 +215,7 @@ impl Run<'_> {
             return Some(result);
         }
         match self.vocabulary.get(name) {
-            Some(Meaning::Procedure(Procedure::Refused(what))) => Some(self.fail_help(
+            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(self.fail_help(
                 codes::S9005,
                 block.span,
                 format!("{name} ({what}) is not supported as a modal call"),
@@ -298,9 +299,7 @@ impl Run<'_> {
         self.thread_chain = None;
         self.core.send_cycle(&cycle, &self.st.ctx);
         self.st.position.move_to(&end);
-        if let Cycle::Drilling(hole) = &cycle
-            && let Some(after) = hole.spindle_after()
-        {
+        if let Some(after) = cycle.spindle_after() {
             self.st.turn = match after {
                 Spindle::Start(turn) => Some(turn),
                 _ => None,

@@ -4,9 +4,9 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
-use crate::ir::cycle::Cycle;
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
+use crate::ir::cycle::{Cycle, Family};
 use crate::machine::options::sinumerik::FlankReference;
 
 use super::super::value::whole;

@@ -3,8 +3,8 @@
 //! Source: reference sections 4.1, 5.1 and 5.7.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::cycle::Cycle;
 use crate::ir::cycle::undercut::UndercutCycle;
+use crate::ir::cycle::{Cycle, Family};
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::standard::din13::proposed_pitch;

@@ -101,6 +101,11 @@ pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
     FAMILIES.iter().copied().flatten()
 }
 
+/// What all of them take.
+pub fn signatures() -> Vec<&'static Signature> {
+    rows().map(|cycle| &cycle.signature).collect()
+}
+
 /// The cycle of this name.
 pub(in super::super) fn find(name: &str) -> Option<&'static Cycle> {
     rows().find(|cycle| cycle.signature.name == name)

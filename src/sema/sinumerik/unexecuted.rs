@@ -24,28 +24,28 @@ use super::programs::{Skeleton, Units, bare_name, without_extension};
 use super::vocabulary::{self, Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
-pub fn check_idle(job: &Job<'_>) {
+pub fn check_unexecuted(job: &Job<'_>) {
     let start = Loc { file: job.main, line: 1, span: Span::default() };
-    let mut idle = Idle::new(job);
+    let mut check = Unexecuted::new(job);
     let Some(main) = Program::open(job, job.main, start) else { return };
-    idle.files.push(main);
-    idle.units.first_of(job, &idle.files, 0);
-    if idle.collect_names().is_err() {
+    check.files.push(main);
+    check.units.first_of(job, &check.files, 0);
+    if check.collect_names().is_err() {
         return;
     }
     let Some(mut blocks) = Blocks::<Sinumerik>::of_main(job) else { return };
-    while let Some(passed) = blocks.next(job, &mut idle.symbols) {
+    while let Some(passed) = blocks.next(job, &mut check.symbols) {
         // A macro may stand for anything.
         if matches!(passed.block.stmt, Stmt::Define(_)) {
             return;
         }
-        if passed.is_free_of(&idle.reported) && !idle.iso_dialect(passed.block) {
-            idle.look(passed.block, passed.text, &passed.site);
+        if passed.is_free_of(&check.reported) && !check.iso_dialect(passed.block) {
+            check.look(passed.block, passed.text, &passed.site);
         }
     }
 }
 
-struct Idle<'a> {
+struct Unexecuted<'a> {
     job: &'a Job<'a>,
     symbols: Symbols,
     files: Vec<Program<Sinumerik>>,
@@ -61,9 +61,9 @@ struct Idle<'a> {
     iso: bool,
 }
 
-impl<'a> Idle<'a> {
-    fn new(job: &'a Job<'a>) -> Idle<'a> {
-        Idle {
+impl<'a> Unexecuted<'a> {
+    fn new(job: &'a Job<'a>) -> Unexecuted<'a> {
+        Unexecuted {
             job,
             symbols: Symbols::default(),
             files: Vec::new(),
@@ -313,9 +313,8 @@ impl<'a> Idle<'a> {
                 let shown = self.symbols.name(name).to_owned();
                 match self.vocabulary.get(shown.as_str()) {
                     Some(Meaning::Procedure(Procedure::Refused(_))) if is_built(&shown) => None,
-                    Some(Meaning::Procedure(Procedure::Refused(what))) => {
-                        let code = if what.contains("transformation") { codes::S9006 } else { codes::S9005 };
-                        Some(refused(self.job, here, word.span, code))
+                    Some(Meaning::Procedure(Procedure::Refused(refusal))) => {
+                        Some(refused(self.job, here, word.span, refusal.code))
                     }
                     Some(Meaning::Known(_)) if !self.variables.contains(&name) => {
                         Some(refused(self.job, here, word.span, codes::S9132))
@@ -331,17 +330,17 @@ impl<'a> Idle<'a> {
 }
 
 /// A word that may stand once and stands twice.
-fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Site) -> Option<Diagnostic> {
+fn repeated_words(check: &Unexecuted<'_>, block: &Block, here: &Site) -> Option<Diagnostic> {
     let once = |word: &Word| match word.target {
         Target::Letter(
             letter @ (b'X' | b'Y' | b'Z' | b'A'..=b'C' | b'U'..=b'W' | b'I'..=b'K' | b'F' | b'T' | b'D' | b'L' | b'P'),
         ) => {
-            let variable = std::str::from_utf8(&[letter]).ok().and_then(|name| idle.symbols.find(name));
-            !variable.is_some_and(|name| idle.variables.contains(&name))
+            let variable = std::str::from_utf8(&[letter]).ok().and_then(|name| check.symbols.find(name));
+            !variable.is_some_and(|name| check.variables.contains(&name))
         }
         Target::Name(name) => {
-            let address = matches!(idle.vocabulary.get(idle.symbols.name(name)), Some(Meaning::Address(_)));
-            address && !idle.variables.contains(&name)
+            let address = matches!(check.vocabulary.get(check.symbols.name(name)), Some(Meaning::Address(_)));
+            address && !check.variables.contains(&name)
         }
         _ => false,
     };
@@ -349,7 +348,7 @@ fn repeated_words(idle: &Idle<'_>, block: &Block, here: &Site) -> Option<Diagnos
         if block.words[..at].iter().any(|first| first.target == word.target) {
             let message = "the address stands twice in the block";
             return Some(
-                Diagnostic::new(codes::S2007.alarm(12000), here.loc(idle.job, word.span), message)
+                Diagnostic::new(codes::S2007.alarm(12000), here.loc(check.job, word.span), message)
                     .help("delete one of the words"),
             );
         }

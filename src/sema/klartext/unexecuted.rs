@@ -21,7 +21,7 @@ use super::words::{Admits, same_matter};
 use super::{m_functions, other, plane};
 
 /// Looks at every block of the main program after its run.
-pub fn check_idle(job: &Job<'_>) {
+pub fn check_unexecuted(job: &Job<'_>) {
     let start = Loc { file: job.main, line: 1, span: Span::default() };
     let reported = job.diags.errors_in(job.main);
     let labels = Labels::scan(job, job.main, start, &mut |found| {

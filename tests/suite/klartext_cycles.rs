@@ -1,0 +1,162 @@
+//! No parameter of a Klartext cycle is ignored: another value prints something else or is spoken of, and one that has to be
+//! there is missed. The parameters are those of the table that the compiler reads them by.
+
+use partc::dialect;
+use partc::machine::Settings;
+use partc::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+use partc::text::files::NoFiles;
+
+use super::common::compile_bytes;
+
+/// A Q parameter, a value, and another one that makes a difference.
+const VALUES: &[(u32, f64, f64)] = &[
+    (200, 2.0, 3.0),
+    (201, -20.0, -21.0),
+    (202, 5.0, 6.0),
+    (203, 0.0, 1.0),
+    (204, 50.0, 60.0),
+    (205, 2.0, 3.5),
+    (206, 150.0, 160.0),
+    (208, 300.0, 310.0),
+    (210, 0.0, 1.0),
+    (211, 0.0, 1.0),
+    (212, 1.0, 2.0),
+    (213, 1.0, 0.0),
+    (214, 1.0, 2.0),
+    (216, 50.0, 51.0),
+    (217, 40.0, 41.0),
+    (224, 15.0, 16.0),
+    (225, 10.0, 11.0),
+    (226, 20.0, 21.0),
+    (237, 10.0, 11.0),
+    (238, 12.0, 13.0),
+    (239, 1.0, -1.0),
+    (241, 4.0, 5.0),
+    (242, 3.0, 2.0),
+    (243, 2.0, 3.0),
+    (244, 80.0, 81.0),
+    (245, 0.0, 10.0),
+    (246, 270.0, 180.0),
+    (247, 0.0, 30.0),
+    (253, 700.0, 710.0),
+    (256, 0.5, 0.6),
+    (257, 3.0, 2.0),
+    (258, 0.5, 0.7),
+    (259, 1.0, 1.2),
+    (301, 1.0, 0.0),
+    (336, 0.0, 45.0),
+    (342, 0.0, 5.0),
+    (343, 0.0, 1.0),
+    (344, -8.0, -9.0),
+    (365, 0.0, 1.0),
+    (379, 0.0, 1.0),
+    (395, 0.0, 1.0),
+];
+
+/// The parts of the old cycles, by their kinds: a value and another one.
+const PARTS: &[(u32, u32, f64, f64)] = &[
+    (1, 1, 2.0, 3.0),
+    (1, 2, -15.0, -16.0),
+    (1, 3, 10.0, 5.0),
+    (1, 4, 0.0, 1.0),
+    (1, 5, 80.0, 90.0),
+    (2, 1, 2.0, 3.0),
+    (2, 2, -15.0, -16.0),
+    (2, 3, 0.0, 1.0),
+    (2, 4, 80.0, 90.0),
+    (17, 1, 2.0, 3.0),
+    (17, 2, -15.0, -16.0),
+    (17, 3, 1.5, -1.5),
+];
+
+/// Drilling cycles and patterns that are compiled, by number.
+fn cycles() -> Vec<(u32, &'static Signature)> {
+    let all = dialect::find("klartext").map(|dialect| (dialect.cycles)()).unwrap_or_default();
+    let numbered = all.into_iter().filter(|cycle| cycle.status == Status::Built).filter_map(|cycle| {
+        let number = cycle.name.strip_prefix("CYCL DEF ")?.parse().ok()?;
+        Some((number, cycle))
+    });
+    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 200..=209 | 220..=240)).collect()
+}
+
+/// The value of a parameter: `Other` for the one under test.
+#[derive(Clone, Copy, PartialEq)]
+enum Given {
+    Plain,
+    Other,
+    Nothing,
+}
+
+fn value(number: u32, parameter: &Parameter, given: Given) -> Option<f64> {
+    let (plain, other) = match parameter.name {
+        Name::Q(q) => VALUES.iter().find(|(known, ..)| *known == q).map(|(_, a, b)| (*a, *b)),
+        Name::Part(part) => {
+            PARTS.iter().find(|(of, known, ..)| (*of, *known) == (number, part)).map(|(.., a, b)| (*a, *b))
+        }
+        Name::Word(_) => None,
+    }
+    .unwrap_or_else(|| panic!("{number} {} has no value", parameter.name));
+    match given {
+        Given::Plain => Some(plain),
+        Given::Other => Some(other),
+        Given::Nothing => None,
+    }
+}
+
+/// The definition with one of its parameters otherwise.
+fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String {
+    let mut shown = format!("CYCL DEF {number}{}", if number < 20 { ".0 NAME\n" } else { " NAME" });
+    for (place, parameter) in cycle.parameters.iter().enumerate() {
+        let Some(value) = value(number, parameter, if place == at { given } else { Given::Plain }) else { continue };
+        match parameter.name {
+            Name::Part(part) if matches!(parameter.kind, Kind::Feed) => {
+                shown += &format!("CYCL DEF {number}.{part} F{value}\n")
+            }
+            Name::Part(part) => shown += &format!("CYCL DEF {number}.{part} VALUE {value:+}\n"),
+            name => shown += &format!(" ~\n {name}={value:+}"),
+        }
+    }
+    shown + "\n"
+}
+
+/// What is printed and what is said.
+fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {
+    let mut program = "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 F200\nL X+0 Y+0 Z+40 R0 FMAX M3\n".to_owned();
+    if (220..=229).contains(&number) {
+        let drilling = cycles().into_iter().find(|(number, _)| *number == 200).expect("cycle 200");
+        program += &definition(200, drilling.1, usize::MAX, Given::Plain);
+        program += &definition(number, cycle, at, given);
+    } else {
+        program += &definition(number, cycle, at, given);
+        program += "CYCL CALL\n";
+    }
+    program += "L X+9 M30\nEND PGM T MM\n";
+    let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &Settings::default(), &NoFiles);
+    let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
+    (moves, compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect())
+}
+
+#[test]
+fn no_parameter_is_ignored() {
+    assert!(cycles().len() >= 13, "{:?}", cycles());
+    let mut bad = Vec::new();
+    for (number, cycle) in cycles() {
+        let plain = run(number, cycle, usize::MAX, Given::Plain);
+        if plain.1.iter().any(|said| {
+            said.starts_with("K9") || said.starts_with("K24") && !said.contains("K2409") && !said.contains("K2408")
+        }) {
+            bad.push(format!("cycle {number}: {:?}", plain.1));
+        }
+        for (at, parameter) in cycle.parameters.iter().enumerate() {
+            let what = format!("cycle {number} {}", parameter.name);
+            if (run(number, cycle, at, Given::Other) == plain) != parameter.without_effect.is_some() {
+                bad.push(format!("{what}: another value, and without effect: {:?}", parameter.without_effect));
+            }
+            let missed = run(number, cycle, at, Given::Nothing).1.iter().any(|said| said.starts_with("K2402"));
+            if missed != (parameter.rule == Rule::Needed) {
+                bad.push(format!("{what}: {:?}, and it is missed: {missed}", parameter.rule));
+            }
+        }
+    }
+    assert!(bad.is_empty(), "{bad:#?}");
+}
