@@ -11,6 +11,7 @@ pub mod element;
 pub mod gap;
 pub mod intersect;
 pub mod offset;
+pub mod open;
 pub mod pattern;
 pub mod plane;
 pub mod undercut;

@@ -3,6 +3,7 @@
 //! In: files and settings. Out: items for [`Sink`](crate::ir::contour::Sink), diagnostics. The only writer
 //! of modal state. One folder per dialect; what they share stands here.
 
+pub mod chain;
 pub mod common;
 pub mod cycle_table;
 pub mod klartext;

@@ -51,6 +51,7 @@ const VALUES: &[(u32, f64, f64)] = &[
     (365, 0.0, 1.0),
     (379, 0.0, 1.0),
     (395, 0.0, 1.0),
+    (403, 1.0, 2.0),
 ];
 
 /// The parts of the old cycles, by their kinds: a value and another one.

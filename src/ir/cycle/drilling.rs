@@ -168,11 +168,12 @@ impl Chip {
     }
 }
 
-/// Steps of a tap, all alike but for the last two.
+/// Steps of a tap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TapStep {
-    /// Depth of a step, over 0.
+    /// Depth of the first step, over 0.
     pub way: f64,
+    pub degression: Degression,
     /// What removes the chip between two steps.
     pub chip: Chip,
 }
@@ -374,7 +375,10 @@ impl Family for Drilling {
                 (seconds(tap.dwell), DrillingFault::Dwell),
                 (tap.lead.is_none_or(positive), DrillingFault::Lead),
                 (speed(tap.speed_in) && speed(tap.speed_out) && speed(tap.speed_after), DrillingFault::Speed),
-                (tap.step.is_none_or(|step| positive(step.way) && seconds(step.chip.way())), DrillingFault::Peck),
+                (
+                    tap.step.is_none_or(|step| positive(step.way) && good(step.degression) && seconds(step.chip.way())),
+                    DrillingFault::Peck,
+                ),
             ],
             Method::Peck(peck) => &[
                 (seconds(peck.dwell) && seconds(peck.dwell_at_bottom), DrillingFault::Dwell),

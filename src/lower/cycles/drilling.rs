@@ -5,7 +5,7 @@ mod pecking;
 use crate::diag::codes;
 use crate::ir::contour::{Coords, Move, Path, Thread};
 use crate::ir::cycle::Family;
-use crate::ir::cycle::drilling::{Bore, Chip, Degression, Drilling, DrillingFault, Levels, Method, Tap};
+use crate::ir::cycle::drilling::{Bore, Chip, Drilling, DrillingFault, Levels, Method, Tap};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::Axis;
@@ -34,7 +34,7 @@ fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut
     let depths = match &drilling.method {
         Method::Peck(peck) => pecking::steps(levels, peck).map_err(fault)?,
         Method::Tap(Tap { step: Some(step), .. }) => {
-            pecking::depths(levels, step.way.min(levels.way()), Degression::Even { least: step.way }).map_err(fault)?
+            pecking::depths(levels, step.way, step.degression).map_err(fault)?
         }
         _ => vec![levels.depth],
     };

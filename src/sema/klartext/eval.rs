@@ -372,12 +372,6 @@ impl Run<'_> {
         })
     }
 
-    /// Span of the whole block, counted from its start.
-    pub(super) fn block_span(&self) -> Span {
-        let span = self.here.origin.loc.span;
-        Span { start: span.start - self.here.at, end: span.end - self.here.at }
-    }
-
     /// FN 37: EXPORT copies a local parameter to the caller.
     pub(super) fn export(&mut self, number: u32) -> Outcome {
         let q = QRef { kind: QKind::Ql, number };

@@ -3,10 +3,12 @@
 //! Source: reference sections 2.10 and 2.11.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Deg, Plane, Point2, SAME_DIRECTION, intersect};
+use crate::geo::open::{Coord, Data, Fault, NOT_FIXED, Rules, Start, solve};
+use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::chain::Angles;
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -18,6 +20,30 @@ use super::{Outcome, Reported, Run};
 
 /// Blocks without a move over which the control looks for the end of a corner (MD 20200).
 const MOST_BETWEEN: u32 = 3;
+
+/// By how much a line may run backwards: what rounding makes of none, in mm.
+const BACK: f64 = 1e-9;
+
+/// Two lines by their angles, or one and a coordinate: one solution, or none.
+const RULES: Rules = Rules {
+    agrees: f64::INFINITY,
+    touch: SAME_POINT,
+    smooth_touch: SAME_POINT,
+    reach: |_| SAME_POINT,
+    chord: None,
+    one_coordinate: false,
+    leaves_along: false,
+};
+
+fn line(angle: Deg) -> Data {
+    Data { entry: Some(Angles::FromPlus.entry(angle)), ..Data::default() }
+}
+
+/// Where the line ends.
+fn ended(at: Point2, data: &Data, next: Option<&Data>) -> Result<Point2, Fault> {
+    let among = solve(&Start { at, dir: None, goes_on: false }, data, [next, None], &RULES)?;
+    among.single().map(|solution| solution.solved.to).ok_or(NOT_FIXED)
+}
 
 /// First line of a pair: its end comes with the next block.
 #[derive(Debug)]
@@ -152,22 +178,17 @@ impl Run<'_> {
             let axis = if self.st.position.get(axes[0]).is_none() { axes[0] } else { axes[1] };
             return self.unknown_axis(axis, span);
         };
-        let u = angle.unit();
-        let (along, across) = match (end.get(axes[0]), end.get(axes[1])) {
-            (Some(x), _) => (x - start.x, u.x),
-            (_, Some(y)) => (y - start.y, u.y),
-            _ => return Err(Reported),
-        };
-        if across.abs() < SAME_DIRECTION {
+        let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
+        let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
+        let Ok(point) = ended(start, &data, None) else {
             return self.fail_help(
                 codes::S2070.alarm(10795),
                 span,
                 "the end coordinate cannot be reached at this angle",
                 "the line runs at a right angle to the axis of the end coordinate",
             );
-        }
-        let way = along / across;
-        if way < -1e-9 {
+        };
+        if (point - start).dot(&angle.unit()) < -BACK {
             return self.fail_help(
                 codes::S2070.alarm(10795),
                 span,
@@ -176,14 +197,6 @@ impl Run<'_> {
             );
         }
         let mut made = *end;
-        let mut point = start + u * way;
-        // The programmed coordinate stays as it was written.
-        if let Some(x) = end.get(axes[0]) {
-            point.x = x;
-        }
-        if let Some(y) = end.get(axes[1]) {
-            point.y = y;
-        }
         made.set_in_plane(plane, point);
         Ok(made)
     }
@@ -199,14 +212,17 @@ impl Run<'_> {
             return Err(Reported);
         };
         let (u, v) = (pending.angle.unit(), angle.unit());
-        let Some((s, _)) = intersect::lines(start, u, to, v, SAME_DIRECTION) else {
+        let next = Data { x: Coord::At(to.x), y: Coord::At(to.y), ..line(angle) };
+        let Ok(corner) = ended(start, &line(pending.angle), Some(&next)) else {
             return refuse(self, "the two lines are parallel and have no corner", "check the two angles");
         };
-        let corner: Point2 = start + u * s;
-        let behind = (to - corner).dot(&v);
-        if s < -1e-9 || behind < -1e-9 {
-            let which =
-                if s < -1e-9 { "the first line would run backwards" } else { "the second line would run backwards" };
+        let (first_way, second_way) = ((corner - start).dot(&u), (to - corner).dot(&v));
+        if first_way < -BACK || second_way < -BACK {
+            let which = if first_way < -BACK {
+                "the first line would run backwards"
+            } else {
+                "the second line would run backwards"
+            };
             return refuse(
                 self,
                 &format!("the lines meet behind the start: {which}"),

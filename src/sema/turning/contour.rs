@@ -5,10 +5,11 @@
 
 use crate::diag::{Code, codes};
 use crate::geo::corner::{self, NoCut};
+use crate::geo::open::{Rules, Solution, Solutions, Start};
 use crate::geo::{Element, Point2, SAME_POINT, arc, distance};
 use crate::text::Loc;
 
-use super::chain::{Chain, Fault, Partial, Solved};
+use super::chain::{Chain, Choice, Data, Fault, RULES, Solved, by_distance, in_words};
 use super::coordinates::Transition;
 use super::forms::{self, Recess};
 use super::sides::Form;
@@ -31,8 +32,18 @@ pub(super) struct Mark {
     pub number: Option<u32>,
     pub loc: Loc,
     pub transition: Transition,
+    /// Of two solutions the one that lies further from the start.
+    pub far: bool,
     /// How far the radii at both ends of an arc may differ, in mm.
     pub arc_tolerance: f64,
+}
+
+impl Choice for Mark {
+    const RULES: Rules = RULES;
+
+    fn choose(&self, start: &Start, _: Option<&Mark>, among: &Solutions) -> Result<Solution, Fault> {
+        by_distance(start, self.far, among)
+    }
 }
 
 /// What G34 and G37 say of a thread, in mm.
@@ -99,11 +110,11 @@ impl Builder {
     }
 
     /// Adds an element.
-    pub fn push(&mut self, partial: Partial, mark: Mark) -> Result<(), Flaw> {
+    pub fn push(&mut self, data: Data, mark: Mark) -> Result<(), Flaw> {
         if self.pieces.len() >= MOST {
             return Err(Flaw::new(codes::T3003, mark.loc, format!("the contour has more than {MOST} elements")));
         }
-        self.chain.push(partial, mark);
+        self.chain.push(data, mark);
         self.drain(false)
     }
 
@@ -118,9 +129,9 @@ impl Builder {
             let last = self.pieces.last();
             let open = last.is_none_or(|piece| piece.mark.transition == Transition::Open && piece.undercut.is_none());
             let dir = last.filter(|_| open).and_then(|piece| piece.solved.end_direction());
-            match self.chain.next(at, dir, closed) {
-                Ok(Some((solved, mark))) => {
-                    let settled = self.settled(solved, &mark);
+            match self.chain.next(&Start { at, dir, goes_on: true }, closed) {
+                Ok(Some((solution, mark))) => {
+                    let settled = self.settled(solution.solved, &mark);
                     if settled.is_err() {
                         self.chain.clear();
                     }
@@ -137,7 +148,7 @@ impl Builder {
                 Ok(None) => return Ok(()),
                 Err((fault, mark)) => {
                     self.chain.clear();
-                    let (code, why) = match fault {
+                    let (code, why) = match in_words(fault) {
                         Fault::Open(why) => (codes::T3001, why),
                         Fault::Impossible(why) => (codes::T3002, why),
                         Fault::Contradiction(why) => (codes::T3006, why),

@@ -5,7 +5,7 @@
 use crate::diag::codes;
 use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};
 
-use super::chain::{AGREES, Coord, Partial};
+use super::chain::{AGREES, Coord, Data};
 use super::contour::{Builder, Flaw, Mark, Outline};
 use super::coordinates::{Transition, transition_of};
 use super::readings::Question;
@@ -114,10 +114,16 @@ impl Run<'_> {
                 builder.start(to);
                 continue;
             }
-            let partial = Partial { z: Coord::At(to.x), x: Coord::At(to.y), ..Partial::default() };
+            let data = Data { x: Coord::At(to.x), y: Coord::At(to.y), tolerance: AGREES, ..Data::default() };
             builder.push(
-                partial,
-                Mark { number: None, loc: self.here.origin.loc, transition: *transition, arc_tolerance: AGREES },
+                data,
+                Mark {
+                    number: None,
+                    loc: self.here.origin.loc,
+                    transition: *transition,
+                    far: false,
+                    arc_tolerance: AGREES,
+                },
             )?;
         }
         builder.settle()?;

@@ -1,10 +1,11 @@
 //! From words to an element with the data it was programmed with.
 
 use crate::diag::codes;
+use crate::geo::Deg;
 use crate::machine::{ArcChoice, Axis};
 use crate::text::Span;
 
-use super::chain::{AGREES, Center, Coord, Partial};
+use super::chain::{AGREES, Angles, Center, Coord, Data};
 use super::readings::Question;
 use super::sections::Family;
 use super::words::{Num, Words};
@@ -27,36 +28,44 @@ pub(super) enum Transition {
     Chamfer(f64),
 }
 
+/// What B and Q of an element say.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Follows {
+    pub transition: Transition,
+    /// Of two solutions the one that lies further from the start.
+    pub far: bool,
+}
+
 impl Run<'_> {
     /// A coordinate in mm, X as a radius.
     #[inline]
     pub(super) fn coord(&self, num: Option<Num>, axis: Axis) -> Coord {
-        let Some(num) = num else { return Coord::Missing };
+        let Some(num) = num else { return Coord::Stay };
         let mm = self.st.mm() * if axis == Axis::X { 0.5 } else { 1.0 };
         match (num.unknown, num.incremental) {
-            (true, _) => Coord::Unknown,
+            (true, _) => Coord::Open,
             (_, true) => Coord::By(num.value * mm),
             _ => Coord::At(num.value * mm),
         }
     }
 
     /// The element that the words of a block describe; `arc`: counter-clockwise, and whether its centre is absolute.
-    pub(super) fn partial(&mut self, w: &Words, arc: Option<(bool, bool)>) -> Outcome<(Partial, Transition)> {
+    pub(super) fn element_of(&mut self, w: &Words, arc: Option<(bool, bool)>) -> Outcome<(Data, Follows)> {
         let angle = self.one_of(w.get(b'A'), w.long("AN"))?;
         let transition = self.transition(w)?;
-        let angle = angle.map(|num| self.line_angle(num));
-        let mut partial = Partial {
+        let entry = angle.map(|num| Angles::FromMinus.entry(Deg(self.line_angle(num))));
+        let far = self.far(w, arc.is_some())?;
+        let mut data = Data {
             arc: arc.map(|(ccw, _)| ccw),
-            z: self.coord(w.get(b'Z'), Axis::Z),
-            x: self.coord(w.get(b'X'), Axis::X),
-            angle,
-            far: self.far(w, arc.is_some())?,
-            tangential: transition == Transition::Open,
+            x: self.coord(w.get(b'Z'), Axis::Z),
+            y: self.coord(w.get(b'X'), Axis::X),
+            entry,
+            smooth: transition == Transition::Open,
             tolerance: self.arc_tolerance(),
-            ..Partial::default()
+            ..Data::default()
         };
-        let open = partial.z == Coord::Unknown || partial.x == Coord::Unknown;
-        let cut_off = partial.angle.is_some() && partial.z == Coord::Missing && partial.x == Coord::Missing;
+        let open = data.x == Coord::Open || data.y == Coord::Open;
+        let cut_off = data.entry.is_some() && data.x == Coord::Stay && data.y == Coord::Stay;
         if !open && !cut_off {
             self.without_effect(w, b"Q", "the end of the element is given, so there is nothing to choose");
         }
@@ -64,14 +73,14 @@ impl Run<'_> {
             self.depends_on(Question::ArcChoice, w.span(b'Q', self.block_span()));
         }
         if let Some((_, absolute)) = arc {
-            partial.radius = self.arc_radius(w)?;
+            data.radius = self.arc_radius(w)?;
             // The centre of the 4110 is written in diameters like every other X value.
             let share = if self.sections.family() == Family::Basic { 0.5 } else { 1.0 };
             let mm = self.st.mm();
-            partial.center =
-                Center { z: w.value(b'K').map(|k| k * mm), x: w.value(b'I').map(|i| i * mm * share), absolute };
+            data.center =
+                Center { x: w.value(b'K').map(|k| k * mm), y: w.value(b'I').map(|i| i * mm * share), absolute };
         }
-        Ok((partial, transition))
+        Ok((data, Follows { transition, far }))
     }
 
     /// How far the radii at both ends of an arc may differ, in mm.

@@ -106,7 +106,7 @@ impl Run<'_> {
     fn bottom_of_hole(&self, w: &Words, at: Point2) -> Outcome<f64> {
         let span = self.block_span();
         match self.coord(w.get(b'X'), Axis::X) {
-            Coord::Missing => {}
+            Coord::Stay => {}
             Coord::At(x) if (x - at.y).abs() <= 1e-6 => {}
             _ => {
                 return self.fail_help(

@@ -13,7 +13,7 @@ use crate::text::decode::readable;
 
 use super::chain::Coord;
 use super::contour::{Builder, Flaw, Mark, Outline};
-use super::coordinates::Transition;
+use super::coordinates::{Follows, Transition};
 use super::geometry_forms::{ALL_CODES, CODES_OF_G22};
 use super::readings::Question;
 use super::words::{Fun, Letters, Words, letters};
@@ -169,6 +169,7 @@ impl Run<'_> {
             number: block.number,
             loc: self.here.origin.loc,
             transition: Transition::Open,
+            far: false,
             arc_tolerance: self.arc_tolerance(),
         };
         match fun.number {
@@ -265,8 +266,8 @@ impl Run<'_> {
                 "program `G0 X… Z…` as the first element",
             );
         }
-        let (partial, transition) = self.partial(w, arc)?;
-        let pushed = builder.push(partial, Mark { transition, ..mark });
+        let (data, Follows { transition, far }) = self.element_of(w, arc)?;
+        let pushed = builder.push(data, Mark { transition, far, ..mark });
         self.checked(pushed)
     }
 

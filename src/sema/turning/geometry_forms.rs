@@ -53,8 +53,8 @@ impl Run<'_> {
         self.only(w, letters("XZIKBR"), &[])?;
         let span = self.block_span();
         let (in_face, start) = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
-            (Coord::Missing, Coord::At(z)) => (false, z),
-            (Coord::At(x), Coord::Missing) => (true, x),
+            (Coord::Stay, Coord::At(z)) => (false, z),
+            (Coord::At(x), Coord::Stay) => (true, x),
             _ => {
                 return self.fail_help(
                     codes::T1005,
@@ -110,8 +110,8 @@ impl Run<'_> {
             Some(num) => return self.fail(codes::T1007, num.span, "A lies between 0 and 180 degrees"),
         };
         let at = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
-            (Coord::At(x), Coord::Missing) => Along::X(x),
-            (Coord::Missing, Coord::At(z)) => Along::Z(z),
+            (Coord::At(x), Coord::Stay) => Along::X(x),
+            (Coord::Stay, Coord::At(z)) => Along::Z(z),
             _ => {
                 return self.fail(
                     codes::T1005,

@@ -3,6 +3,7 @@
 //! Source: reference sections 4 and 5.
 
 use crate::diag::{Diagnostic, codes};
+use crate::geo::open::{Rules, Solution, Solutions, Start};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
@@ -12,8 +13,8 @@ use crate::machine::Axis;
 use crate::sema::common::position::Missing;
 use crate::text::Span;
 
-use super::chain::{AGREES, Coord, Fault, Partial, Solved};
-use super::coordinates::Transition;
+use super::chain::{AGREES, Choice, Coord, Data, Fault, RULES, Solved, by_distance, in_words};
+use super::coordinates::{Follows, Transition};
 use super::sections::Family;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -23,9 +24,17 @@ use super::{Outcome, Reported, Run};
 pub(super) struct Tag {
     feed: Option<Feed>,
     side: Side,
-    transition: Transition,
+    follows: Follows,
     corner_feed: Option<Feed>,
     origin: Origin,
+}
+
+impl Choice for Tag {
+    const RULES: Rules = RULES;
+
+    fn choose(&self, start: &Start, _: Option<&Tag>, among: &Solutions) -> Result<Solution, Fault> {
+        by_distance(start, self.follows.far, among)
+    }
 }
 
 impl Run<'_> {
@@ -34,14 +43,15 @@ impl Run<'_> {
     pub(super) fn straight(&mut self, w: &Words, rapid: bool) -> Outcome {
         let feed = if rapid { None } else { Some(self.cutting_feed()?) };
         self.st.side_fresh = false;
-        let (partial, transition) = self.partial(w, None)?;
-        let open = partial.angle.is_some() || partial.z == Coord::Unknown || partial.x == Coord::Unknown;
+        let (data, follows) = self.element_of(w, None)?;
+        let open = data.entry.is_some() || data.x == Coord::Open || data.y == Coord::Open;
         if open || !self.chain.is_empty() {
-            return self.chained(partial, transition, feed, w);
+            return self.chained(data, follows, feed, w);
         }
+        let transition = follows.transition;
         let mut end = Pos::UNKNOWN;
-        self.end_on(Axis::X, partial.x, w, &mut end)?;
-        self.end_on(Axis::Z, partial.z, w, &mut end)?;
+        self.end_on(Axis::X, data.y, w, &mut end)?;
+        self.end_on(Axis::Z, data.x, w, &mut end)?;
         if end.known().is_empty() {
             return self.fail(codes::T1005, self.block_span(), "the block names no end point");
         }
@@ -78,7 +88,7 @@ impl Run<'_> {
                 let from = self.position_of(axis, w.span(axis.letter() as u8, self.block_span()))?;
                 end.set(axis, from + d);
             }
-            Coord::Missing | Coord::Unknown => {}
+            Coord::Stay | Coord::Open => {}
         }
         Ok(())
     }
@@ -118,20 +128,20 @@ impl Run<'_> {
             );
         }
         let feed = Some(self.cutting_feed()?);
-        let (partial, transition) = self.partial(w, Some((ccw, absolute)))?;
-        self.chained(partial, transition, feed, w)
+        let (data, follows) = self.element_of(w, Some((ccw, absolute)))?;
+        self.chained(data, follows, feed, w)
     }
 
     /// An element that may need the next one.
-    fn chained(&mut self, partial: Partial, transition: Transition, feed: Option<Feed>, w: &Words) -> Outcome {
+    fn chained(&mut self, data: Data, follows: Follows, feed: Option<Feed>, w: &Words) -> Outcome {
         self.stand()?;
-        let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
+        let corner = matches!(follows.transition, Transition::Rounding(_) | Transition::Chamfer(_));
         if w.has(b'E') && !corner {
             return self.stray_e(w);
         }
         let corner_feed = if corner { self.corner_feed(w)? } else { None };
-        let tag = Tag { feed, side: self.st.side, transition, corner_feed, origin: self.here.origin };
-        self.chain.push(partial, tag);
+        let tag = Tag { feed, side: self.st.side, follows, corner_feed, origin: self.here.origin };
+        self.chain.push(data, tag);
         self.drain_chain(false)
     }
 
@@ -149,8 +159,8 @@ impl Run<'_> {
         while !self.chain.is_empty() {
             let at = self.stand()?;
             let dir = self.direction();
-            match self.chain.next(at, dir, closed) {
-                Ok(Some((solved, tag))) => self.send_solved(solved, &tag),
+            match self.chain.next(&Start { at, dir, goes_on: true }, closed) {
+                Ok(Some((solution, tag))) => self.send_solved(solution.solved, &tag),
                 Ok(None) => return Ok(()),
                 Err((fault, tag)) => {
                     self.chain.clear();
@@ -200,8 +210,8 @@ impl Run<'_> {
         }
         self.st.stands(solved.to);
         self.st.moved = true;
-        self.follow(solved, tag.transition);
-        self.send_corner(tag.transition, tag.corner_feed, &tag.origin);
+        self.follow(solved, tag.follows.transition);
+        self.send_corner(tag.follows.transition, tag.corner_feed, &tag.origin);
     }
 
     fn send_corner(&mut self, transition: Transition, feed: Option<Feed>, origin: &Origin) {
@@ -266,7 +276,7 @@ impl Run<'_> {
         self.end_on(Axis::X, x, w, &mut end)?;
         self.end_on(Axis::Z, z, w, &mut end)?;
         let to = Point2::new(end.get(Axis::Z).unwrap_or(from.x), end.get(Axis::X).unwrap_or(from.y));
-        if x == Coord::Unknown || z == Coord::Unknown || distance(from, to) <= SAME_POINT {
+        if x == Coord::Open || z == Coord::Open || distance(from, to) <= SAME_POINT {
             return self.fail(codes::T1005, span, "a thread needs an end point");
         }
         // The pitch counts along the axis that moves most, so the target and the control agree on it.
@@ -301,8 +311,8 @@ impl Run<'_> {
         for axis in [Axis::X, Axis::Z] {
             match self.coord(w.get(axis.letter() as u8), axis) {
                 Coord::At(v) => end.set(axis, v),
-                Coord::Missing => {}
-                Coord::By(_) | Coord::Unknown => {
+                Coord::Stay => {}
+                Coord::By(_) | Coord::Open => {
                     let span = w.span(axis.letter() as u8, self.block_span());
                     return self.fail(codes::T1007, span, "G701 takes absolute machine coordinates");
                 }
@@ -362,7 +372,7 @@ impl Run<'_> {
 
 /// The finding for an element that cannot be completed.
 pub(super) fn fault_of(fault: Fault, origin: &Origin) -> Diagnostic {
-    let (code, why, help) = match fault {
+    let (code, why, help) = match in_words(fault) {
         Fault::Open(why) => (codes::T3001, why, "give its end point, its angle or its centre"),
         Fault::Impossible(why) => {
             (codes::T3002, why, "check the end points, angles and radii of this and the next block")

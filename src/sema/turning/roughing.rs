@@ -76,7 +76,7 @@ impl Run<'_> {
         let ordinate = |coord: Coord, from: f64| match coord {
             Coord::At(v) => Some(v),
             Coord::By(d) => Some(from + d),
-            Coord::Missing | Coord::Unknown => None,
+            Coord::Stay | Coord::Open => None,
         };
         let x = ordinate(self.coord(w.get(b'X'), Axis::X), at.y);
         let z = ordinate(self.coord(w.get(b'Z'), Axis::Z), at.x);

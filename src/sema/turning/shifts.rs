@@ -31,7 +31,7 @@ impl Run<'_> {
         }
         let z = match self.coord(w.get(b'Z'), Axis::Z) {
             Coord::At(z) => z,
-            Coord::Missing if kind != Kind::ShiftAbsolute => 0.0,
+            Coord::Stay if kind != Kind::ShiftAbsolute => 0.0,
             _ => return self.fail(codes::T1005, self.block_span(), "the shift needs an absolute Z"),
         };
         let mut shift = self.st.shift;

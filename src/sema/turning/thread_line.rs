@@ -68,7 +68,7 @@ impl Run<'_> {
         let ordinate = |coord: Coord, from: f64| match coord {
             Coord::At(v) => Some(v),
             Coord::By(d) => Some(from + d),
-            Coord::Missing | Coord::Unknown => None,
+            Coord::Stay | Coord::Open => None,
         };
         let (x, z) = (self.coord(x, Axis::X), self.coord(z, Axis::Z));
         let (Some(x), Some(z)) = (ordinate(x, at.y), ordinate(z, at.x)) else {

@@ -269,7 +269,7 @@ mod tests {
         assert_eq!(fails(square(0.3, 2.5, 0.6, 0.0)), SLOPE);
         assert_eq!(fails(square(0.3, 2.5, 10.0, 15.0)), RADIUS);
         assert_eq!(fails(square(0.3, 1.3, 0.6, 15.0)), "the undercut is too narrow for its radius");
-        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), SIZES);
+        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), RADIUS);
         let groove = Shape::Groove { width: 2.0, depth: 0.5, edge: Edge::Sharp, radius: 1.0 };
         assert_eq!(fails(groove), RADIUS);
         assert!(fails(square(0.3, 35.0, 0.6, 15.0)).starts_with("the undercut is wider"));

@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::pecking::depths;
 use super::*;
-use crate::ir::cycle::drilling::{Ahead, Breaks, Chip, Pecking, Removal, Resolved, TapStep};
+use crate::ir::cycle::drilling::{Ahead, Breaks, Chip, Degression, Pecking, Removal, Resolved, TapStep};
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -176,7 +176,7 @@ fn tapping_turns_back_on_the_way_out() {
         words(&hole(at, Method::Tap(tap))),
         ["G0 Z2", "M19 R0", "S200", "M3", "G33 K1.25 Z-20", "S400", "M4", "G33 K1.25 Z2", "S1000", "M5", "G0 Z50"]
     );
-    let by = |way, chip| Some(TapStep { way, chip });
+    let by = |way, chip| Some(TapStep { way, degression: Degression::Even { least: way }, chip });
     let breaking = |way, back| by(way, Chip::Break { back });
     let steps = Tap {
         step: by(12.0, Chip::Remove { ahead: 1.0 }),

@@ -26,7 +26,7 @@ pub(in super::super) const DIAMETER: Q = Q(344);
 pub(in super::super) const DEEPENED: Q = Q(379);
 pub(in super::super) const DEPTH_REFERENCE: Q = Q(395);
 
-const Q201: Parameter = q(DEPTH, Kind::Length, "depth below the surface, 0 or less").needed();
+pub(super) const Q201: Parameter = q(DEPTH, Kind::Length, "depth below the surface, 0 or less").needed();
 const Q202: Parameter = q(PLUNGE, Kind::Length, "plunging depth, above 0").needed();
 const Q205: Parameter = q(LEAST_PLUNGE, Kind::Length, "least plunging depth").needed();
 const Q206: Parameter = q(FEED, Kind::Feed, "feed for plunging; FAUTO takes that of the TOOL CALL").needed();
@@ -34,7 +34,7 @@ const Q208: Parameter = q(RETRACT_FEED, Kind::Feed, "feed of the retraction, 0 t
 const Q210: Parameter = q(DWELL_ABOVE, Kind::Dwell, "dwell above the hole").needed();
 const Q211: Parameter = q(DWELL, Kind::Dwell, "dwell at the depth").needed();
 const Q212: Parameter = q(DECREMENT, Kind::Length, "by which each plunging depth is shorter").needed();
-const Q239: Parameter = q(PITCH, Kind::Length, "pitch; above 0 right-hand, below 0 left-hand").needed();
+pub(super) const Q239: Parameter = q(PITCH, Kind::Length, "pitch; above 0 right-hand, below 0 left-hand").needed();
 const Q395: Parameter =
     q(DEPTH_REFERENCE, Kind::Number, "depth: 0 of the tip; 1, of the full diameter, is refused").default("0");
 

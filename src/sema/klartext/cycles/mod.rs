@@ -3,6 +3,7 @@
 pub(super) mod drilling;
 mod named;
 pub(super) mod patterns;
+mod tapping_in_steps;
 pub(super) mod transformations;
 
 use core::fmt;
@@ -135,7 +136,8 @@ impl Row {
     }
 }
 
-const FAMILIES: &[&[Row]] = &[drilling::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
+const FAMILIES: &[&[Row]] =
+    &[drilling::ROWS, tapping_in_steps::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
 
 /// All cycles that are known, family by family.
 pub(super) fn rows() -> impl Iterator<Item = &'static Row> {

@@ -33,7 +33,6 @@ pub(super) const ROWS: &[Row] = &[
     named(39, "CYCL DEF 39", "CYLINDER SURFACE CONTOUR"),
     named(204, "CYCL DEF 204", "BACK BORING"),
     named(208, "CYCL DEF 208", "BORE MILLING"),
-    named(209, "CYCL DEF 209", "TAPPING WITH CHIP BREAKING"),
     named(210, "CYCL DEF 210", "SLOT RECIPROCATING"),
     named(211, "CYCL DEF 211", "CIRCULAR SLOT"),
     named(212, "CYCL DEF 212", "POCKET FINISHING"),

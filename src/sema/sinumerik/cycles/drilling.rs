@@ -244,7 +244,8 @@ impl Run<'_> {
             variant @ (1.0 | 2.0) => {
                 let back = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
                 let chip = if variant == 1.0 { Chip::Break { back } } else { Chip::Remove { ahead: back } };
-                Some(TapStep { way: self.tap_step(args, levels)?, chip })
+                let way = self.tap_step(args, levels)?;
+                Some(TapStep { way, degression: Degression::Even { least: way }, chip })
             }
             _ => {
                 let help = "0 taps in one go, 1 breaks the chip, 2 removes it";

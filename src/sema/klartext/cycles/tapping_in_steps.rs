@@ -1,0 +1,76 @@
+//! Cycle 209: rigid tapping that breaks the chip.
+
+use crate::ir::cycle::drilling::{Chip, Degression, Method, TapStep};
+use crate::machine::Generation;
+use crate::sema::cycle_table::{Kind, Signature, Status};
+
+use super::super::defined_cycle::DefinedCycle;
+use super::super::{Outcome, Run};
+use super::drilling::{ANGLE, BREAK_DEPTH, BREAK_WAY, Q201, Q239};
+use super::{AT_SURFACE, Cut, Drilling, Nature, Q, REMOVE, Row, SECOND, SET_UP, q};
+
+/// Factor on the speed of the spindle on the way back.
+const BACK_FACTOR: Q = Q(403);
+
+pub(super) const ROWS: &[Row] = &[Row {
+    numbers: (209, 209),
+    nature: Nature::Drilling(&Drilling {
+        method: |run, cycle, cut| run.tapping_in_steps(cycle, cut),
+        feed: None,
+        dwell: None,
+        taps: true,
+    }),
+    signature: Signature {
+        name: "CYCL DEF 209",
+        what: "TAPPING WITH CHIP BREAKING",
+        status: Status::Built,
+        source: "HEIDENHAIN TNC 640 cycles, p. 102",
+        parameters: &[
+            SET_UP,
+            Q201,
+            Q239,
+            AT_SURFACE,
+            SECOND,
+            q(BREAK_DEPTH, Kind::Length, "depth after which the chip is broken; 0 never").needed(),
+            q(BREAK_WAY, Kind::Number, "way back in pitches; 0 out of the hole").needed(),
+            q(ANGLE, Kind::Angle, "angle of the spindle before the cut").needed(),
+            q(BACK_FACTOR, Kind::Number, "factor on the speed of the way back, 0.0001 to 10").default("1"),
+        ],
+    },
+    form: REMOVE,
+}];
+
+impl Run<'_> {
+    /// As cycle 207; after every Q257 the tap goes back by Q256 pitches, or out to the set-up clearance.
+    fn tapping_in_steps(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
+        let (way, pitches) = (self.cycle_length(cycle, BREAK_DEPTH)?, self.cycle_number(cycle, BREAK_WAY)?);
+        if way < 0.0 || pitches < 0.0 {
+            return self.cycle_value(cycle, &format!("Q257 = {way} and Q256 = {pitches} are not below zero"));
+        }
+        let angle = self.cycle_number(cycle, ANGLE)?;
+        let factor = if cycle.sets(BACK_FACTOR) { self.cycle_number(cycle, BACK_FACTOR)? } else { 1.0 };
+        if !(0.0001..=10.0).contains(&factor) {
+            return self.cycle_value(cycle, &format!("the factor Q403 = {factor} is not 0.0001 to 10"));
+        }
+        let old = self.job.settings.control.klartext == Generation::Tnc426;
+        if old && way > 0.0 && pitches > 0.0 {
+            return self.cycle_unbuilt(cycle, "Q256, which may be a length on older controls,");
+        }
+        if way > 0.0 && pitches == 0.0 && factor != 1.0 {
+            return self.cycle_unbuilt(cycle, "Q256 = 0 with Q403, whose speed back into the hole is not known,");
+        }
+        let Method::Tap(mut tap) = self.rigid_tapping(cycle, cut)? else { return Err(super::super::Reported) };
+        tap.orient = Some(angle.rem_euclid(360.0));
+        if way > 0.0 {
+            let back = pitches * tap.lead.unwrap_or(0.0);
+            let chip = if pitches == 0.0 { Chip::Remove { ahead: 0.0 } } else { Chip::Break { back } };
+            tap.step = Some(TapStep { way, degression: Degression::Plain { less: 0.0, least: 0.0 }, chip });
+        }
+        if let (true, Some(speed)) = (factor != 1.0, self.st.speed) {
+            tap.speed_in = Some(speed);
+            tap.speed_out = Some(speed * factor);
+            tap.speed_after = Some(speed);
+        }
+        Ok(Method::Tap(tap))
+    }
+}
