@@ -72,11 +72,9 @@ impl Text {
         if units.unsigned_abs() >= self.many {
             self.too_long |= places.digits(units) > self.digits;
         }
-        places.write(&[b' ', address], units, &mut self.bytes);
         // A line that begins with a number word has no blank in front.
-        if self.bytes[self.line] == b' ' {
-            self.bytes.remove(self.line);
-        }
+        let blank = self.bytes.len() > self.line;
+        places.write(blank, address, units, &mut self.bytes);
         self
     }
 
