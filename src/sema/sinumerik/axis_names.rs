@@ -90,6 +90,11 @@ impl AxisNames {
         }
     }
 
+    /// The configuration gives the names.
+    pub fn are_given(&self) -> bool {
+        self.given
+    }
+
     /// The axis with a letter.
     #[inline]
     pub fn letter(&self, letter: u8) -> Option<NamedAxis> {

@@ -22,6 +22,7 @@ mod formula_functions;
 mod frames;
 mod g_groups;
 mod known_words;
+mod lane;
 mod left_out;
 mod machine_place;
 mod macros;
@@ -171,6 +172,8 @@ struct Run<'a> {
     words: Option<Box<Words>>,
     /// Blocks are of the ISO dialect, up to G290.
     iso: bool,
+    /// A straight block may take the lane.
+    plain: bool,
 }
 
 /// Deepest nesting of texts that are executed.
@@ -200,6 +203,7 @@ impl<'a> Run<'a> {
             machine: eval::Machine::new(eval::RULES),
             words: None,
             iso: false,
+            plain: false,
         }
     }
 }
@@ -233,6 +237,49 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
+        if !self.line_lane(block) {
+            self.execute_any(block, text);
+            self.plain = self.is_plain();
+        }
+    }
+
+    fn end_of_file(&mut self) {
+        self.plain = false;
+        self.file_over();
+    }
+
+    fn unread_block(&mut self) {
+        self.lose_all();
+    }
+
+    #[inline]
+    fn level_ends(&mut self) -> bool {
+        let at = self.place().at;
+        if self.levels.len() > 1 && self.ends_here(at) {
+            self.plain = false;
+            return true;
+        }
+        let over = at >= self.units.list[self.unit()].end;
+        if over {
+            self.plain = false;
+            self.file_over();
+        }
+        over
+    }
+
+    fn forgive(&mut self, _: &Block) {
+        if self.iso {
+            self.problems.clear();
+        }
+    }
+
+    fn finish(&mut self) {
+        self.report_open();
+    }
+}
+
+impl Run<'_> {
+    fn execute_any(&mut self, block: &Block, text: &[u8]) {
         if self.job.skips(block.skip) {
             return;
         }
@@ -254,39 +301,6 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let _ = self.statement(block, text);
     }
 
-    fn end_of_file(&mut self) {
-        self.file_over();
-    }
-
-    fn unread_block(&mut self) {
-        self.lose_all();
-    }
-
-    #[inline]
-    fn level_ends(&mut self) -> bool {
-        let at = self.place().at;
-        if self.levels.len() > 1 && self.ends_here(at) {
-            return true;
-        }
-        let over = at >= self.units.list[self.unit()].end;
-        if over {
-            self.file_over();
-        }
-        over
-    }
-
-    fn forgive(&mut self, _: &Block) {
-        if self.iso {
-            self.problems.clear();
-        }
-    }
-
-    fn finish(&mut self) {
-        self.report_open();
-    }
-}
-
-impl Run<'_> {
     /// The main program of a file: an archive may begin with its subprograms.
     fn main_unit(&mut self, first: usize) -> usize {
         if self.units.list[first].kind == UnitKind::Main {
