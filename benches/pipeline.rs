@@ -88,7 +88,10 @@ fn compile_turned(bencher: Bencher<'_, '_>) {
         .bench(|| compile_as("heidenhain-turning", &text));
 }
 
-fn parse_all(text: &str, parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::internals::parser::problem::Problem>)) -> usize {
+fn parse_all(
+    text: &str,
+    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::internals::parser::problem::Problem>),
+) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {
         parse(line, &mut block, &mut problems);

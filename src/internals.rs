@@ -13,7 +13,7 @@ pub mod driver {
 }
 
 pub mod emit {
-    pub use crate::emit::{LineMap, Output, plot, targets};
+    pub use crate::emit::{LineMap, Output, plot, reread};
 }
 
 pub mod geo {
@@ -29,7 +29,9 @@ pub mod lower {
 }
 
 pub mod machine {
-    pub use crate::machine::{Axis, Machine, MachineKind, Settings, Undercuts, axis, config, tree};
+    pub use crate::machine::{
+        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, axis, config, tools, tree,
+    };
 }
 
 pub mod parser {
@@ -44,6 +46,12 @@ pub mod sema {
     }
 }
 
+pub mod target {
+    pub use crate::target::{ALL, Target};
+}
+
 pub mod text {
-    pub use crate::text::{FileError, FileId, Files, Loc, Memory, Opened, ReadAt, Request, Sources, files, sources};
+    pub use crate::text::{
+        FileError, FileId, Files, Loc, Memory, Opened, ReadAt, Request, Sources, Span, files, sources,
+    };
 }

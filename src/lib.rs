@@ -31,6 +31,7 @@ mod machine;
 mod parser;
 mod sema;
 mod standard;
+mod target;
 mod text;
 
 pub use dialect::Dialect;
@@ -60,7 +61,8 @@ pub mod diagnostics {
 
 /// Where the output goes, and the targets that it is made for.
 pub mod output {
-    pub use crate::emit::{LineMap, Output, targets};
+    pub use crate::emit::{LineMap, Output};
+    pub use crate::target::{ALL as TARGETS, Target};
 }
 
 /// The languages that partc reads.

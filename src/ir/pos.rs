@@ -51,7 +51,13 @@ impl Pos {
     /// Takes over every known coordinate of `other`.
     #[inline]
     pub fn update(&mut self, other: &Pos) {
-        for axis in other.known.iter() {
+        // Most moves name main axes only.
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            if other.known.contains(axis) {
+                self.values[axis.index()] = other.values[axis.index()];
+            }
+        }
+        for axis in other.known.without(AxisSet::MAIN).iter() {
             self.values[axis.index()] = other.values[axis.index()];
         }
         self.known = self.known.union(other.known);

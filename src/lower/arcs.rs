@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 
 use crate::diag::{Diagnostic, Diags, codes};
 use crate::geo::arc::{self, Closing, TangentArc};
-use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
+use crate::geo::{Element, Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{self, ArcShape};
 use crate::ir::motion::{Arc, Path};
 use crate::ir::{Feed, Origin};
@@ -28,7 +28,8 @@ const FAR: f64 = 10.0;
 /// Direction of the contour so far.
 #[derive(Debug, Default)]
 pub struct Last {
-    tangent: Option<(Vec2, Plane)>,
+    /// The element that has the direction, and its plane.
+    element: Option<(Element, Plane)>,
     why: Why,
 }
 
@@ -48,7 +49,13 @@ impl Last {
 
     /// After a corner the direction is the one of the next element.
     pub fn corner(&mut self) {
-        *self = Last { tangent: None, why: Why::Corner };
+        *self = Last { element: None, why: Why::Corner };
+    }
+
+    /// The direction in which the contour goes on in `plane`.
+    fn tangent(&self, plane: Plane) -> Option<Vec2> {
+        let (element, _) = self.element.filter(|(_, in_plane)| *in_plane == plane)?;
+        element.end_direction()
     }
 
     /// Takes over the direction at the end of `step`.
@@ -57,9 +64,9 @@ impl Last {
         let plane = step.plane();
         let Some(element) = step.element(plane) else { return self.forget() };
         if step.leaves(plane) {
-            *self = Last { tangent: None, why: Why::OtherAxis };
+            *self = Last { element: None, why: Why::OtherAxis };
         } else if element.length() > SAME_POINT {
-            self.tangent = element.end_direction().map(|dir| (dir, plane));
+            self.element = Some((element, plane));
         }
         // An element of no length leaves the direction as it was.
     }
@@ -226,7 +233,7 @@ fn resolve_arc(
             }
         },
         ArcShape::Tangent => {
-            let Some((tangent, _)) = last.tangent.filter(|(_, in_plane)| *in_plane == plane) else {
+            let Some(tangent) = last.tangent(plane) else {
                 let why = match last.why {
                     Why::Start => "no element with a direction precedes the tangential arc",
                     Why::Corner => "a chamfer or rounding directly before a tangential arc leaves its direction open",

@@ -4,6 +4,7 @@
 //! fails as a whole: a block that cannot be read is reported and has no statement.
 
 pub mod klartext;
+mod literal;
 pub mod mtc200;
 pub mod not_a_number;
 pub mod problem;

@@ -102,6 +102,32 @@ pub enum OpenError {
     Empty,
 }
 
+/// Bytes looked through eight at a time: most lines of a part program end within them.
+const SHORT_LINE: usize = 64;
+
+/// Where the first `a` or `b` stands.
+#[inline]
+fn first_of(a: u8, b: u8, text: &[u8]) -> Option<usize> {
+    const ONES: u64 = 0x0101_0101_0101_0101;
+    // Sets the high bit of each byte that is zero, and perhaps of bytes above the lowest one of them.
+    let zeros = |v: u64| v.wrapping_sub(ONES) & !v & (ONES << 7);
+    let (a8, b8) = (ONES * u64::from(a), ONES * u64::from(b));
+    let mut rest = text;
+    while let Some((bytes, after)) = rest.split_first_chunk::<8>() {
+        let bytes = u64::from_le_bytes(*bytes);
+        let found = zeros(bytes ^ a8) | zeros(bytes ^ b8);
+        let at = text.len() - rest.len();
+        if found != 0 {
+            return Some(at + found.trailing_zeros() as usize / 8);
+        }
+        rest = after;
+        if at >= SHORT_LINE {
+            break;
+        }
+    }
+    memchr2(a, b, rest).map(|at| text.len() - rest.len() + at)
+}
+
 /// A byte that fills up a file: no line of a program holds one.
 fn is_padding(b: u8) -> bool {
     matches!(b, 0 | 0x1a)
@@ -332,7 +358,7 @@ impl Cursor {
         let mut marked = false;
         let mut too_long = false;
         let end = loop {
-            match memchr2(self.line_end, self.rules.mark, &self.window[scan..self.end]) {
+            match first_of(self.line_end, self.rules.mark, &self.window[scan..self.end]) {
                 Some(i) if self.rules.mark != self.line_end && self.window[scan + i] == self.rules.mark => {
                     marked = true;
                     scan += i + 1;
@@ -460,6 +486,19 @@ impl Cursor {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    proptest::proptest! {
+        #[test]
+        fn the_first_mark_is_found(text in "[a-c\u{80}\u{0}]{0,200}", at in 0usize..250, mark in "[~\n]") {
+            let mut text = text.into_bytes();
+            let mark = mark.as_bytes()[0];
+            if at < text.len() {
+                text[at] = mark;
+            }
+            proptest::prop_assert_eq!(first_of(b'\n', b'~', &text), memchr2(b'\n', b'~', &text));
+            proptest::prop_assert_eq!(first_of(mark, mark, &text), memchr::memchr(mark, &text));
+        }
+    }
     use crate::text::{Memory, Opened};
 
     const RULES: SplitRules = SplitRules { mark: b'~', continues: |line, _| line.trim_ascii_end().ends_with(b"~") };

@@ -5,7 +5,9 @@ use std::rc::Rc;
 use partc::internals::diag::Diags;
 use partc::internals::geo::{Element, Plane, Point2};
 use partc::internals::ir::captured::{Captured, PieceKind, Unfit};
-use partc::internals::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink};
+use partc::internals::ir::contour::{
+    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink,
+};
 use partc::internals::ir::undercut::{Undercut, form_f};
 use partc::internals::ir::{Feed, Function, Origin, Pos, Side, motion};
 use partc::internals::lower::Lower;

@@ -196,7 +196,8 @@ fn path(compiled: &Compiled) -> Vec<&str> {
 }
 
 fn errors(compiled: &Compiled) -> Vec<&'static str> {
-    let is_error = |found: &&partc::internals::diag::Diagnostic| found.code.severity == partc::internals::diag::Severity::Error;
+    let is_error =
+        |found: &&partc::internals::diag::Diagnostic| found.code.severity == partc::internals::diag::Severity::Error;
     compiled.findings.iter().filter(is_error).map(|found| found.code.id).collect()
 }
 

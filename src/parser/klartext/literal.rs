@@ -1,121 +1,108 @@
-//! The fast path: path blocks whose words are all literals, decoded in one loop over the bytes.
-//!
-//! For every block it takes it yields exactly what the grammar yields; whatever it does not know it leaves
-//! alone. CAM programs consist of such blocks.
+//! Plain words of Klartext: see [`crate::parser::literal`].
 
 use crate::lexer::klartext::Value;
 use crate::machine::Axis;
-use crate::text::{Span, number::decimal};
+use crate::parser::literal::{self, Shape};
+use crate::text::Span;
 
 use super::ast::{Addr, Block, PathFn, Stmt, Word};
-
-/// Longest literal whose digits need no counting.
-const SHORT: usize = 16;
 
 /// Reads the statement at `from` if it is plain; otherwise leaves `block` as it was.
 #[inline]
 pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
-    let (stmt, mut at) = match &text[from..] {
+    let (stmt, at) = match &text[from..] {
         [b'L', b' ', ..] => (Stmt::Path(PathFn::Line), from + 2),
         [b'C', b'C', b' ', ..] => (Stmt::Pole, from + 3),
         [b'C', b' ', ..] => (Stmt::Path(PathFn::Circle), from + 2),
         _ => return false,
     };
     // A head alone is as long as the head; blanks behind it are not part of the block.
-    let mut end = if matches!(stmt, Stmt::Pole) { from + 2 } else { from + 1 };
-    let mut first = true;
-    loop {
-        while let Some(b' ' | b'\t') = text.get(at) {
-            at += 1;
-        }
-        let Some(&letter) = text.get(at) else { break };
-        if letter == b';' {
-            // The grammar keeps the first comment of the first line; a joined block is left to it.
-            if memchr::memchr(b'\n', &text[at..]).is_some() {
-                return undo(block);
-            }
-            block.comment = Some(Span { start: at as u32 + 1, end: text.len() as u32 });
-            break;
-        }
-        let Some((addr, value, next)) = word(text, at, letter) else { return undo(block) };
-        // `C 90` is an axis word, and blanks between an address and its number belong to the grammar.
-        if first && matches!(value, Value::None) && !matches!(addr, Addr::FeedMax) {
-            return undo(block);
-        }
-        if !matches!(text.get(next), None | Some(b' ' | b'\t' | b';')) {
-            return undo(block);
-        }
-        block.words.push(Word { addr, value, span: Span { start: at as u32, end: next as u32 } });
-        first = false;
-        at = next;
-        end = next;
-    }
+    let Some(end) = literal::words::<Plain>(text, at, at - 1, block) else { return false };
     block.stmt = stmt;
     block.span = Span { start: from as u32, end: end as u32 };
     true
 }
 
-#[cold]
-fn undo(block: &mut Block) -> bool {
-    block.words.clear();
-    block.comment = None;
-    false
+struct Plain;
+
+impl Shape for Plain {
+    type Block = Block;
+
+    const COMMENT: u8 = b';';
+    const COMMA: bool = true;
+    const GLUED: bool = false;
+    const LONGEST: usize = super::MOST_DIGITS;
+
+    #[inline]
+    fn word(text: &[u8], at: usize, letter: u8, block: &mut Block) -> Option<usize> {
+        let (axis, incremental) = match letter {
+            b'X' => (Axis::X, false),
+            b'Y' => (Axis::Y, false),
+            b'Z' => (Axis::Z, false),
+            b'A' => (Axis::A, false),
+            b'B' => (Axis::B, false),
+            b'C' => (Axis::C, false),
+            // A letter in lower case is left to the grammar.
+            b'I' => (text.get(at + 1).filter(|b| b.is_ascii_uppercase()).and_then(|b| Axis::of(*b))?, true),
+            _ => return other_word(text, at, letter, block),
+        };
+        let (value, end) = number(text, at + 1 + usize::from(incremental))?;
+        Some(add(block, Addr::Axis { axis, incremental }, Value::Number(value), at, end))
+    }
+
+    fn comment(text: &[u8], at: usize, block: &mut Block) -> bool {
+        block.comment = Some(Span { start: at as u32 + 1, end: text.len() as u32 });
+        // The grammar keeps the first comment of the first line; a joined block is left to it.
+        memchr::memchr(b'\n', &text[at..]).is_none()
+    }
+
+    fn undo(block: &mut Block) {
+        block.words.clear();
+        block.comment = None;
+    }
 }
 
-/// The word at `at`: address, value, and where it ends.
 #[inline]
-fn word(text: &[u8], at: usize, letter: u8) -> Option<(Addr, Value, usize)> {
-    let (axis, incremental, value_at) = match letter {
-        b'X' => (Axis::X, false, at + 1),
-        b'Y' => (Axis::Y, false, at + 1),
-        b'Z' => (Axis::Z, false, at + 1),
-        b'A' => (Axis::A, false, at + 1),
-        b'B' => (Axis::B, false, at + 1),
-        b'C' => (Axis::C, false, at + 1),
-        b'I' => (Axis::of(*text.get(at + 1)?)?, true, at + 2),
-        b'F' => return feed(text, at),
-        b'M' => return m_function(text, at),
-        b'R' => return compensation(text, at),
-        b'D' => {
-            return match text.get(at + 1..at + 3)? {
-                b"R+" => Some((Addr::TurnPlus, Value::None, at + 3)),
-                b"R-" => Some((Addr::TurnMinus, Value::None, at + 3)),
-                _ => None,
-            };
-        }
-        _ => return None,
-    };
-    // An incremental letter in lower case is left to the grammar.
-    if incremental && !text[at + 1].is_ascii_uppercase() {
-        return None;
-    }
-    let (value, end) = number(text, value_at)?;
-    Some((Addr::Axis { axis, incremental }, Value::Number(value), end))
+fn add(block: &mut Block, addr: Addr, value: Value, at: usize, end: usize) -> usize {
+    block.words.push(Word { addr, value, span: Span { start: at as u32, end: end as u32 } });
+    end
 }
 
 #[inline]
 fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
-    let (negative, digits) = match text.get(at)? {
-        b'+' => (false, at + 1),
-        b'-' => (true, at + 1),
-        _ => (false, at),
-    };
-    let (value, len) = decimal(&text[digits..], true)?;
-    if len > SHORT || value > super::LARGEST_WORD {
-        return None;
-    }
-    Some((if negative { -value } else { value }, digits + len))
+    let number = literal::number::<Plain>(text, at)?;
+    (number.value.abs() <= super::LARGEST_WORD).then_some((number.value, number.end))
 }
 
-fn feed(text: &[u8], at: usize) -> Option<(Addr, Value, usize)> {
-    if text[at..].starts_with(b"FMAX") {
-        return Some((Addr::FeedMax, Value::None, at + 4));
-    }
-    if !text.get(at + 1)?.is_ascii_digit() {
+/// Feed, M functions, compensation and direction.
+fn other_word(text: &[u8], at: usize, letter: u8, block: &mut Block) -> Option<usize> {
+    let rest = &text[at..];
+    let (addr, value, end) = match letter {
+        b'F' if rest.starts_with(b"FMAX") => (Addr::FeedMax, Value::None, at + 4),
+        b'F' if rest.get(1)?.is_ascii_digit() => {
+            let (value, end) = number(text, at + 1)?;
+            (Addr::Feed, Value::Number(value), end)
+        }
+        b'M' => m_function(text, at)?,
+        b'R' => match rest.get(1)? {
+            b'0' => (Addr::Radius { signed: false }, Value::Number(0.0), at + 2),
+            b'L' => (Addr::CompLeft, Value::None, at + 2),
+            b'R' => (Addr::CompRight, Value::None, at + 2),
+            _ => return None,
+        },
+        b'D' => match rest.get(1..3)? {
+            b"R+" => (Addr::TurnPlus, Value::None, at + 3),
+            b"R-" => (Addr::TurnMinus, Value::None, at + 3),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    // `C 90` is an axis word: a block that begins with a word without a number belongs to the grammar.
+    let first = block.words.is_empty() && matches!(value, Value::None) && !matches!(addr, Addr::FeedMax);
+    if first || !literal::ends::<Plain>(text, end) {
         return None;
     }
-    let (value, end) = number(text, at + 1)?;
-    Some((Addr::Feed, Value::Number(value), end))
+    Some(add(block, addr, value, at, end))
 }
 
 fn m_function(text: &[u8], at: usize) -> Option<(Addr, Value, usize)> {
@@ -125,15 +112,6 @@ fn m_function(text: &[u8], at: usize) -> Option<(Addr, Value, usize)> {
     }
     let number = text[at + 1..at + 1 + digits].iter().fold(0, |n, d| n * 10 + u32::from(d - b'0'));
     Some((Addr::M(number), Value::None, at + 1 + digits))
-}
-
-fn compensation(text: &[u8], at: usize) -> Option<(Addr, Value, usize)> {
-    match text.get(at + 1)? {
-        b'0' => Some((Addr::Radius { signed: false }, Value::Number(0.0), at + 2)),
-        b'L' => Some((Addr::CompLeft, Value::None, at + 2)),
-        b'R' => Some((Addr::CompRight, Value::None, at + 2)),
-        _ => None,
-    }
 }
 
 #[cfg(test)]
@@ -187,6 +165,21 @@ mod tests {
             gap in prop::sample::select(vec![" ", "  ", "\t"]),
         ) {
             let text = format!("{head}{}", words.join(gap));
+            let (taken, fast, slow, problems) = both(text.as_bytes());
+            if taken {
+                prop_assert_eq!(fast, slow, "{}", text);
+                prop_assert!(problems.is_empty(), "{}: {:?}", text, problems);
+            } else {
+                prop_assert_eq!(fast, Block::default(), "{}", text);
+            }
+        }
+
+        #[test]
+        fn fast_path_equals_grammar_for_all_letters(
+            head in prop::sample::select(vec!["L ", "C ", "CC "]),
+            words in prop::collection::vec(r"I?[A-Z][+-]?[0-9]{0,17}([.,][0-9]{0,9})?[ \t;]{0,2}", 0..5),
+        ) {
+            let text = format!("{head}{}", words.concat());
             let (taken, fast, slow, problems) = both(text.as_bytes());
             if taken {
                 prop_assert_eq!(fast, slow, "{}", text);

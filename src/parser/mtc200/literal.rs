@@ -1,75 +1,51 @@
-//! The fast path: blocks of plain words, decoded in one loop over the bytes.
-//!
-//! For every block it takes it yields exactly what the grammar yields; whatever it does not know it leaves
-//! alone. CAM programs consist of such blocks.
+//! Plain words of MTC200: see [`crate::parser::literal`].
 
-use crate::text::{Span, number::decimal};
+use crate::parser::literal::{self, Shape};
+use crate::text::Span;
 
 use super::ast::{Block, Stmt, Target, Value, Word};
 
 /// Reads the words at `from` if all are a letter and a number; otherwise leaves `block` as it was.
 #[inline]
 pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
-    let mut at = from;
-    let mut end = from;
-    loop {
-        while let Some(b' ' | b'\t') = text.get(at) {
-            at += 1;
-        }
-        let Some(&letter) = text.get(at) else { break };
-        if letter == b';' {
-            if text[at..].contains(&b'\n') {
-                return undo(block);
-            }
-            block.comments.push(Span { start: at as u32 + 1, end: text.len() as u32 });
-            break;
-        }
-        let Some((value, next)) = word(text, at, letter) else { return undo(block) };
-        let target = Target::Letter(letter & 0xdf);
-        block.words.push(Word {
-            target,
-            value: Value::Literal(value),
-            span: Span { start: at as u32, end: next as u32 },
-        });
-        at = next;
-        end = next;
-    }
+    let Some(end) = literal::words::<Plain>(text, from, from, block) else { return false };
     if block.words.is_empty() {
-        return undo(block);
+        Plain::undo(block);
+        return false;
     }
     block.stmt = Stmt::Words;
     block.span = Span { start: from as u32, end: end as u32 };
     true
 }
 
-#[cold]
-fn undo(block: &mut Block) -> bool {
-    block.words.clear();
-    block.comments.clear();
-    false
-}
+struct Plain;
 
-/// The word at `at`: its value and where it ends.
-#[inline]
-fn word(text: &[u8], at: usize, letter: u8) -> Option<(f64, usize)> {
-    if !letter.is_ascii_alphabetic() {
-        return None;
+impl Shape for Plain {
+    type Block = Block;
+
+    const COMMENT: u8 = b';';
+
+    #[inline]
+    fn word(text: &[u8], at: usize, letter: u8, block: &mut Block) -> Option<usize> {
+        if !letter.is_ascii_alphabetic() {
+            return None;
+        }
+        let number = literal::number::<Plain>(text, at + 1)?;
+        let span = Span { start: at as u32, end: number.end as u32 };
+        let target = Target::Letter(letter & 0xdf);
+        block.words.push(Word { target, value: Value::Literal(number.value), span });
+        Some(number.end)
     }
-    let (sign, from) = match text.get(at + 1)? {
-        b'-' => (-1.0, at + 2),
-        b'+' => (1.0, at + 2),
-        b'0'..=b'9' | b'.' => (1.0, at + 1),
-        _ => return None,
-    };
-    let (value, len) = decimal(&text[from..], false)?;
-    let next = from + len;
-    // `=`, a bracket, a second point may follow: the grammar knows.
-    match text.get(next) {
-        None | Some(b' ' | b'\t' | b';') => {}
-        Some(b) if b.is_ascii_alphabetic() => {}
-        _ => return None,
+
+    fn comment(text: &[u8], at: usize, block: &mut Block) -> bool {
+        block.comments.push(Span { start: at as u32 + 1, end: text.len() as u32 });
+        !text[at..].contains(&b'\n')
     }
-    Some((sign * value, next))
+
+    fn undo(block: &mut Block) {
+        block.words.clear();
+        block.comments.clear();
+    }
 }
 
 #[cfg(test)]
@@ -108,7 +84,7 @@ mod tests {
     proptest! {
         #[test]
         fn agrees_with_the_grammar(
-            words in proptest::collection::vec((r"[A-Za-z][+-]?[0-9]{0,18}(\.[0-9]{0,4})?", r"[ \t]{0,2}"), 1..6),
+            words in proptest::collection::vec((r"[A-Za-z][+-]?[0-9]{0,18}(\.[0-9]{0,9})?", r"[ \t]{0,2}"), 1..6),
             comment in proptest::option::of("; ?[ -~]{0,8}"),
         ) {
             let mut text: String = words.iter().flat_map(|(word, blank)| [word.as_str(), blank]).collect();

@@ -1,73 +1,54 @@
-//! The fast path: blocks of plain words, decoded in one loop over the bytes.
-//!
-//! For every block it takes it yields exactly what the grammar yields; whatever it does not know it leaves
-//! alone. CAM programs consist of such blocks.
+//! Plain words of SINUMERIK: see [`crate::parser::literal`].
 
-use crate::text::{Span, number::decimal};
+use crate::parser::literal::{self, Shape};
+use crate::text::Span;
 
 use super::ast::{Block, Stmt, Target, Value, Word};
-
-/// Longest literal that is decoded here.
-const SHORT: usize = 16;
 
 /// Reads the words at `from` if all are a letter and a number; otherwise leaves `block` as it was.
 #[inline]
 pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
-    let mut at = from;
-    let mut end = from;
-    loop {
-        while let Some(b' ' | b'\t') = text.get(at) {
-            at += 1;
-        }
-        let Some(&letter) = text.get(at) else { break };
-        if letter == b';' {
-            block.comment = Some(Span { start: at as u32 + 1, end: text.len() as u32 });
-            break;
-        }
-        let Some((value, next)) = word(text, at, letter) else { return undo(block) };
-        let target = Target::Letter(letter & 0xdf);
-        block.words.push(Word { target, value, span: Span { start: at as u32, end: next as u32 } });
-        at = next;
-        end = next;
-    }
+    let Some(end) = literal::words::<Plain>(text, from, from, block) else { return false };
     block.stmt = Stmt::Words;
     block.span = Span { start: from as u32, end: end as u32 };
     true
 }
 
-#[cold]
-fn undo(block: &mut Block) -> bool {
-    block.words.clear();
-    block.comment = None;
-    false
-}
+struct Plain;
 
-/// The word at `at`: its value and where it ends.
-#[inline]
-fn word(text: &[u8], at: usize, letter: u8) -> Option<(Value, usize)> {
-    if !letter.is_ascii_alphabetic() {
-        return None;
+impl Shape for Plain {
+    type Block = Block;
+
+    const COMMENT: u8 = b';';
+    const LONGEST: usize = 16;
+
+    #[inline]
+    fn word(text: &[u8], at: usize, letter: u8, block: &mut Block) -> Option<usize> {
+        if !letter.is_ascii_alphabetic() {
+            return None;
+        }
+        let number = literal::number::<Plain>(text, at + 1)?;
+        // An exponent belongs to the grammar.
+        if matches!(text.get(number.end), Some(b'E' | b'e')) {
+            return None;
+        }
+        let whole = number.is_whole(text);
+        let digits = if whole && !number.signed { (number.end - number.from) as u8 } else { 0 };
+        let value = Value::Literal { value: number.value, whole, digits };
+        let span = Span { start: at as u32, end: number.end as u32 };
+        block.words.push(Word { target: Target::Letter(letter & 0xdf), value, span });
+        Some(number.end)
     }
-    let (sign, from) = match text.get(at + 1)? {
-        b'-' => (-1.0, at + 2),
-        b'+' => (1.0, at + 2),
-        b'0'..=b'9' | b'.' => (1.0, at + 1),
-        _ => return None,
-    };
-    let (value, len) = decimal(&text[from..], false)?;
-    let next = from + len;
-    // A name, an exponent, an index or `=` may follow: the grammar knows.
-    match text.get(next) {
-        None | Some(b' ' | b'\t' | b';') => {}
-        Some(b) if b.is_ascii_alphabetic() && !matches!(b, b'E' | b'e') => {}
-        _ => return None,
+
+    fn comment(text: &[u8], at: usize, block: &mut Block) -> bool {
+        block.comment = Some(Span { start: at as u32 + 1, end: text.len() as u32 });
+        true
     }
-    if len > SHORT {
-        return None;
+
+    fn undo(block: &mut Block) {
+        block.words.clear();
+        block.comment = None;
     }
-    let whole = !text[from..next].contains(&b'.');
-    let digits = if whole && from == at + 1 { len as u8 } else { 0 };
-    Some((Value::Literal { value: sign * value, whole, digits }, next))
 }
 
 #[cfg(test)]
@@ -106,7 +87,7 @@ mod tests {
     proptest! {
         #[test]
         fn agrees_with_the_grammar(
-            words in proptest::collection::vec((r"[A-Za-z][+-]?[0-9]{0,6}(\.[0-9]{0,4})?", r"[ \t]{0,2}"), 1..6),
+            words in proptest::collection::vec((r"[A-Za-z][+-]?[0-9]{0,18}(\.[0-9]{0,9})?", r"[ \t]{0,2}"), 1..6),
             comment in proptest::option::of("; ?[ -~]{0,8}"),
         ) {
             let mut text: String = words.iter().flat_map(|(word, blank)| [word.as_str(), blank]).collect();

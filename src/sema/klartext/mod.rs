@@ -20,6 +20,7 @@ mod eval;
 mod feed;
 mod help;
 mod labels;
+mod lane;
 mod m_functions;
 mod other;
 mod path;
@@ -81,6 +82,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         machine: Machine::new(eval::rules(job.settings)),
         words: None,
         skipped: None,
+        plain: false,
     };
     if run::run(&mut run) { run.core.hash() } else { 0 }
 }
@@ -197,6 +199,8 @@ struct Run<'a> {
     words: Option<Box<words::Words>>,
     /// Number of a cycle whose definition was skipped, while lines of its parameters may follow.
     skipped: Option<u32>,
+    /// A straight block may take the lane.
+    plain: bool,
 }
 
 impl<'a> Deref for Run<'a> {
@@ -228,6 +232,35 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
+        if !self.line_lane(block) {
+            self.execute_any(block, text);
+            self.plain = self.is_plain();
+        }
+    }
+
+    fn end_of_file(&mut self) {
+        self.plain = false;
+        self.file_over();
+    }
+
+    fn unread_block(&mut self) {
+        self.lose_all();
+    }
+
+    /// A block that is left out takes the lines along in which it goes on.
+    fn forgive(&mut self, block: &Block) {
+        if self.job.skips(block.skip.then_some(0)) {
+            self.problems.retain(|problem| problem.code != codes::K1850);
+        }
+    }
+
+    fn finish(&mut self) {
+        self.report_open();
+    }
+}
+
+impl Run<'_> {
+    fn execute_any(&mut self, block: &Block, text: &[u8]) {
         if self.job.skips(block.skip.then_some(0)) {
             self.skip(block, text);
             return;
@@ -261,27 +294,6 @@ impl<'a> Interpreter<'a> for Run<'a> {
         }
     }
 
-    fn end_of_file(&mut self) {
-        self.file_over();
-    }
-
-    fn unread_block(&mut self) {
-        self.lose_all();
-    }
-
-    /// A block that is left out takes the lines along in which it goes on.
-    fn forgive(&mut self, block: &Block) {
-        if self.job.skips(block.skip.then_some(0)) {
-            self.problems.retain(|problem| problem.code != codes::K1850);
-        }
-    }
-
-    fn finish(&mut self) {
-        self.report_open();
-    }
-}
-
-impl Run<'_> {
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
         match block.stmt {
             Stmt::Empty | Stmt::Bad => Ok(()),
@@ -341,8 +353,7 @@ impl Run<'_> {
     /// Nothing is known behind this block; what only suffers from it is not worth another error.
     fn lose_all(&mut self) {
         self.st.lose(crate::machine::AxisSet::MAIN);
-        self.st.pole = None;
-        self.st.pole_lost = true;
+        self.st.polar.lose_pole();
         self.lost();
     }
 
@@ -386,7 +397,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if !matches!(self.st.change, change::Change::None) {
+        if !matches!(self.st.tool.change, change::Change::None) {
             self.watch_move(mv);
         }
         if let Some(corner) = self.st.corner.take() {
@@ -422,13 +433,13 @@ impl Run<'_> {
             self.finish_cycle();
         }
         self.forgotten_change();
-        if self.st.side != crate::ir::Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")
                     .help("program a block with R0 before the end"),
             );
         }
-        if !self.st.transform.is_none() {
+        if !self.st.frames.transform().is_none() {
             self.report(
                 Diagnostic::new(codes::K2502, self.here.origin.loc, "the program ends with a transformation in force")
                     .help("reset datum shift, mirror, rotation and scaling before the end"),

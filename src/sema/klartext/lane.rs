@@ -1,0 +1,67 @@
+//! The lane of straight blocks: what most blocks of a CAM program are, while nothing else is on.
+//!
+//! Whether something is on is asked once, behind each block that did not take the lane; those that take it change the
+//! position and the feed only. Each condition names what a straight block would otherwise do about it.
+
+use crate::ir::contour::{Coords, Move, Path};
+use crate::ir::{Pos, Side};
+use crate::lexer::klartext::Value;
+use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
+
+use super::Run;
+use super::change::Change;
+
+impl Run<'_> {
+    /// Does a straight block do nothing but move?
+    pub(super) fn is_plain(&self) -> bool {
+        let st = &self.st;
+        self.skipped.is_none()
+            && !self.cycles.is_open()
+            && !self.cycles.modal()
+            && self.approach.is_none()
+            && matches!(st.change, Change::None)
+            && st.corner.is_none()
+            && st.polar.is_none()
+            && st.plunge_share.is_none()
+            && !st.per_revolution
+            && st.side == Side::None
+            && !st.side_lost
+    }
+
+    /// Executes an `L` block of X, Y, Z, F and R0 while nothing else is on; false if it is another block.
+    #[inline]
+    pub(super) fn line_lane(&mut self, block: &Block) -> bool {
+        if !self.plain || block.stmt != Stmt::Path(PathFn::Line) || block.skip || block.comment.is_some() {
+            return false;
+        }
+        let mm = self.level().frame.unit.mm();
+        let mut end = Pos::UNKNOWN;
+        let (mut feed, mut rapid, mut uncompensated) = (None, false, false);
+        for word in &block.words {
+            match (word.addr, word.value) {
+                (Addr::Axis { axis, incremental: false }, Value::Number(value))
+                    if axis.is_main() && !end.known().contains(axis) =>
+                {
+                    end.set(axis, value * mm);
+                }
+                (Addr::Feed, Value::Number(value)) if value > 0.0 && feed.is_none() && !rapid => feed = Some(value),
+                (Addr::FeedMax, _) if feed.is_none() && !rapid => rapid = true,
+                (Addr::Radius { signed: false }, Value::Number(0.0)) if !uncompensated => uncompensated = true,
+                _ => return false,
+            }
+        }
+        if end.known().is_empty() || feed.is_none() && self.st.feed.is_none() && !rapid {
+            return false;
+        }
+        if let Some(written) = feed {
+            self.st.feed = Some(self.feed_of(written));
+            self.st.written_feed = written;
+        }
+        let path = if rapid { Path::Rapid } else { Path::straight(self.st.feed) };
+        self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
+        self.st.last_rapid = rapid;
+        self.st.position.move_to(&end);
+        self.st.moved = true;
+        true
+    }
+}
