@@ -52,6 +52,8 @@ pub struct Printer<'a> {
     /// Axes that are printed again even if they do not change.
     stale: AxisSet,
     feed: Option<(FeedKind, i64)>,
+    /// The feed that was asked for last, which `feed` is printed for.
+    asked: Option<Feed>,
     feed_kind: FeedKind,
     /// Constant cutting speed is on.
     constant_cut: bool,
@@ -100,6 +102,7 @@ impl<'a> Printer<'a> {
             known: AxisSet::EMPTY,
             stale: AxisSet::EMPTY,
             feed: None,
+            asked: None,
             feed_kind: FeedKind::PerMinute,
             constant_cut: false,
             plane: if lathe { Plane::Zx } else { Plane::Xy },
@@ -395,6 +398,11 @@ impl<'a> Printer<'a> {
     /// The F word where it changes; a change of its kind gets a line of its own.
     #[inline]
     fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
+        // Under G93 every line has its own F.
+        let timed = matches!(feed, Feed::InverseTime(_));
+        if self.asked == Some(feed) && !timed {
+            return Ok(None);
+        }
         let units = self.places.units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
@@ -406,8 +414,8 @@ impl<'a> Printer<'a> {
             self.words(kind.word(), origin);
         }
         let new = (kind, units);
-        // Under G93 every line has its own F.
-        let known = self.feed.replace(new) == Some(new) && kind != FeedKind::InverseTime;
+        self.asked = Some(feed);
+        let known = self.feed.replace(new) == Some(new) && !timed;
         Ok(if known { None } else { Some(units) })
     }
 
