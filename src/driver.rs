@@ -6,7 +6,7 @@ use crate::diag::{Diags, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::Plot;
 use crate::emit::trace::Trace;
-use crate::emit::{LineMap, Output, Printer, targets};
+use crate::emit::{LineMap, Output, Printer};
 use crate::ir::motion;
 use crate::ir::verify;
 use crate::lower::Lower;
@@ -61,7 +61,7 @@ impl Session {
     /// Compiles the main program to `out`. With an error among the findings the output must not be used.
     ///
     /// # Errors
-    /// What the output reports; an unknown target.
+    /// What the output reports.
     pub fn compile<'a>(
         &'a self,
         dialect: &Dialect,
@@ -70,14 +70,12 @@ impl Session {
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> io::Result<()> {
-        let traits = targets::find(&settings.output.target)
-            .ok_or_else(|| io::Error::other(format!("unknown target `{}`", settings.output.target)))?;
         let name = self.sources.name(FileId(0));
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
         // The settings may live shorter than what was handed in.
         let map = map.map(|map| -> &mut dyn LineMap { map });
-        let mut printer = Printer::new(traits, settings, &name, &self.diags, out, map);
+        let mut printer = Printer::new(settings, &name, &self.diags, out, map);
         let hash = self.run(dialect, settings, files, &mut printer);
         printer.finish(hash)
     }
@@ -90,11 +88,9 @@ impl Session {
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
         // An output of the target finds what only shows in printed numbers.
-        if let Some(traits) = targets::find(&settings.output.target) {
-            let mut printer = Printer::new(traits, settings, "", &self.diags, &mut nowhere, None);
-            let hash = self.run(dialect, settings, files, &mut printer);
-            let _ = printer.finish(hash);
-        }
+        let mut printer = Printer::new(settings, "", &self.diags, &mut nowhere, None);
+        let hash = self.run(dialect, settings, files, &mut printer);
+        let _ = printer.finish(hash);
         if let Some(check_unexecuted) = dialect.check_unexecuted {
             check_unexecuted(&self.job(settings, files));
         }

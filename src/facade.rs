@@ -52,7 +52,7 @@ impl<'a> Program<'a> {
 pub enum Trouble {
     /// The language of the program is not known.
     Language(String),
-    /// The target of the settings is not known, or the output failed.
+    /// The output failed.
     Output(io::Error),
 }
 

@@ -21,4 +21,5 @@ pub mod machine;
 pub mod parser;
 pub mod sema;
 pub mod standard;
+pub mod target;
 pub mod text;

@@ -41,6 +41,11 @@ pub(super) enum Command {
         #[arg(long, value_enum, default_value = "human")]
         format: Format,
     },
+    /// List the targets and what each can say
+    Targets {
+        #[arg(long, value_enum, default_value = "human")]
+        format: Format,
+    },
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
     /// Print the manual page
@@ -130,7 +135,7 @@ pub(super) struct Common {
     #[arg(long, default_value = "auto", value_parser = dialects())]
     pub dialect: String,
     /// Control that shall run the output
-    #[arg(long, value_name = "TARGET", value_parser = ["linuxcnc"])]
+    #[arg(long, value_name = "TARGET", value_parser = crate::target::NAMES)]
     pub target: Option<String>,
     /// Configuration file, instead of the nearest partc.toml
     #[arg(long, value_name = "FILE", conflicts_with = "isolated")]

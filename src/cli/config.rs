@@ -6,6 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use crate::machine::settings::{Compensation, Settings};
 use crate::machine::tree::{Node, Spot, Table, Value, overlay, parse};
 use crate::machine::{config, schema, show, tools};
+use crate::target;
 use crate::text::decode::escaped_json;
 
 use super::args::{Common, Config, Format};
@@ -105,7 +106,7 @@ pub(super) fn settings(input: &Path, common: &Common) -> Result<Settings, Troubl
         read_tools(&path, &mut settings)?;
     }
     if let Some(target) = &common.target {
-        settings.output.target.clone_from(target);
+        settings.output.target = target::find(target).ok_or_else(|| format!("no target `{target}`"))?;
     }
     match common.compensation.as_deref() {
         Some("control") => settings.output.compensation = Compensation::Control,

@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 use similar::TextDiff;
 
+use crate::emit::Output as _;
 use crate::emit::reread::Change;
-use crate::emit::{Output as _, targets};
+use crate::target;
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Format, Test};
@@ -84,7 +85,7 @@ fn is_output(path: &Path) -> bool {
 }
 
 fn is_golden(path: &Path) -> bool {
-    targets::ALL.iter().any(|traits| path.to_string_lossy().ends_with(&format!(".golden.{}", traits.extension)))
+    target::ALL.iter().any(|target| path.to_string_lossy().ends_with(&format!(".golden.{}", target.extension)))
 }
 
 struct Run<'a> {
@@ -99,9 +100,7 @@ impl Run<'_> {
     /// Compiles and compares one program; its golden output.
     fn one(&mut self, program: &Path) -> std::result::Result<PathBuf, Trouble> {
         let Loaded { session, dialect, settings, files } = load(program, &self.args.common)?;
-        let traits =
-            targets::find(&settings.output.target).ok_or_else(|| format!("no target `{}`", settings.output.target))?;
-        let golden = program.with_extension(format!("golden.{}", traits.extension));
+        let golden = program.with_extension(format!("golden.{}", settings.output.target.extension));
         let shown = golden.display().to_string();
         if let Some(other) = self.taken.insert(golden.clone(), program.to_path_buf()) {
             return Err(format!("{} and {} have the same golden output {shown}", other.display(), program.display()));

@@ -9,6 +9,7 @@ mod pending;
 mod plot;
 mod report;
 mod run;
+mod targets;
 
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -81,6 +82,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => report::explain(code, *format),
         Command::Rules { format } => report::rules(*format),
+        Command::Targets { format } => targets::list(*format),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut args::command(), "partc", &mut script);

@@ -9,7 +9,7 @@ use serde_json::json;
 
 use crate::dialect::{self, Dialect};
 use crate::driver::Session;
-use crate::emit::{LineMap, targets};
+use crate::emit::LineMap;
 use crate::ir::Origin;
 use crate::machine::Settings;
 use crate::text::decode::escaped_json;
@@ -99,8 +99,7 @@ fn different_outputs(args: &Compile) -> Result<(), Trouble> {
     for input in &args.inputs {
         // A configuration that cannot be read is reported with its program.
         let Ok(settings) = config::settings(input, &args.common) else { continue };
-        let Some(traits) = targets::find(&settings.output.target) else { continue };
-        let output = output_path(input, args, traits.extension);
+        let output = output_path(input, args, settings.output.target.extension);
         if let Some(first) = taken.insert(real(&output), input) {
             let (first, second) = (first.display(), input.display());
             return Err(format!("{first} and {second} would both be written to {}", output.display()));
@@ -133,9 +132,7 @@ fn may_write(path: &Path, made: Made, args: &Compile) -> Result<(), Trouble> {
 
 fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<(), Trouble> {
     let Loaded { session, dialect, settings, files } = load(input, &args.common)?;
-    let traits =
-        targets::find(&settings.output.target).ok_or_else(|| format!("no target `{}`", settings.output.target))?;
-    let target = output_path(input, args, traits.extension);
+    let target = output_path(input, args, settings.output.target.extension);
     let shown = target.display().to_string();
     let trouble = |error: io::Error| format!("{shown}: {error}");
     may_write(&target, Made::Program, args)?;

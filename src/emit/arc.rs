@@ -16,8 +16,11 @@ pub struct Request {
     pub sweep: f64,
     /// Largest difference of the radii at start and end, in units.
     pub tolerance: f64,
-    /// Smallest radius that the target takes for an arc, in units.
+    /// Smallest and largest radius that the target takes for an arc, in units.
     pub least_radius: f64,
+    pub most_radius: f64,
+    /// Shortest distance from start to end, in units, that is no full circle to the target.
+    pub least_chord: f64,
 }
 
 /// How the arc can be printed.
@@ -40,13 +43,18 @@ pub fn fit(request: &Request) -> Printed {
         }
         let offset = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
         let turns = libm::round(sweep.abs() / TAU).max(1.0);
-        return if offset == [0, 0] || is_tiny(offset, request) {
+        return if offset == [0, 0] || !takes_radius(offset, request) {
             Printed::Lines
         } else {
             Printed::Arc { offset, turns: turns as u32 }
         };
     }
-    let Some(offset) = best_offset(request).filter(|offset| !is_tiny(*offset, request)) else { return Printed::Lines };
+    if length([to[0] - from[0], to[1] - from[1]]) < request.least_chord {
+        return Printed::Lines;
+    }
+    let Some(offset) = best_offset(request).filter(|offset| takes_radius(*offset, request)) else {
+        return Printed::Lines;
+    };
     // Rounding may carry the end over the start: the printed sweep plus whole turns is the sweep meant.
     let at = |p: [i64; 2]| Point2::new(p[0] as f64, p[1] as f64);
     let printed_center = at([from[0] + offset[0], from[1] + offset[1]]);
@@ -58,9 +66,13 @@ pub fn fit(request: &Request) -> Printed {
     Printed::Arc { offset, turns: whole as u32 + 1 }
 }
 
-/// Is the printed radius below what the target takes?
-fn is_tiny(offset: [i64; 2], request: &Request) -> bool {
-    libm::hypot(offset[0] as f64, offset[1] as f64) < request.least_radius
+/// Does the target take the printed radius?
+fn takes_radius(offset: [i64; 2], request: &Request) -> bool {
+    (request.least_radius..=request.most_radius).contains(&length(offset))
+}
+
+fn length(v: [i64; 2]) -> f64 {
+    libm::hypot(v[0] as f64, v[1] as f64)
 }
 
 fn rounded(v: f64) -> i64 {
@@ -111,7 +123,16 @@ mod tests {
     fn request(r: f64, start: f64, sweep: f64, cx: f64, cy: f64) -> Request {
         let center = Point2::new(cx, cy);
         let point = |a: f64| [rounded(cx + r * libm::cos(a)), rounded(cy + r * libm::sin(a))];
-        Request { from: point(start), to: point(start + sweep), center, sweep, tolerance: 1.5, least_radius: 13.0 }
+        Request {
+            from: point(start),
+            to: point(start + sweep),
+            center,
+            sweep,
+            tolerance: 1.5,
+            least_radius: 13.0,
+            most_radius: f64::INFINITY,
+            least_chord: 0.0,
+        }
     }
 
     #[test]

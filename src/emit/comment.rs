@@ -17,8 +17,8 @@ const ACTIVE: &[&[u8]] = &[
     b"py",
 ];
 
-/// The text of `comment` as it may stand between brackets.
-pub fn harmless(comment: &[u8]) -> Vec<u8> {
+/// The text of `comment` as it may stand between brackets. `forbidden` characters become points.
+pub fn harmless(comment: &[u8], forbidden: &[u8]) -> Vec<u8> {
     let mut text = Vec::with_capacity(comment.len() + 2);
     to_ascii(comment, &mut text);
     for b in &mut text {
@@ -28,6 +28,7 @@ pub fn harmless(comment: &[u8]) -> Vec<u8> {
             b'%' => b'#',
             // A bare control character was turned into a blank before.
             b if !b.is_ascii_graphic() => b' ',
+            b if forbidden.contains(&b) => b'.',
             b => b,
         };
     }
@@ -61,11 +62,12 @@ mod tests {
 
     #[test]
     fn nothing_active_comes_through() {
-        assert_eq!(harmless(b"MSG,tool (4) 50 %"), b": MSG,tool [4] 50 #");
-        assert_eq!(harmless(b" debug,#1"), b":  debug,#1");
-        assert_eq!(harmless(b"print this"), b"print this");
-        assert_eq!(harmless(b"PROBEOPEN a.txt"), b"PROBEOPEN a.txt");
-        assert_eq!(harmless("fräsen".as_bytes()), b"fraesen");
+        assert_eq!(harmless(b"MSG,tool (4) 50 %", b""), b": MSG,tool [4] 50 #");
+        assert_eq!(harmless(b" debug,#1", b""), b":  debug,#1");
+        assert_eq!(harmless(b"print this", b""), b"print this");
+        assert_eq!(harmless(b"PROBEOPEN a.txt", b""), b"PROBEOPEN a.txt");
+        assert_eq!(harmless("fräsen".as_bytes(), b""), b"fraesen");
+        assert_eq!(harmless(b"what? stop! ~", b"!?~"), b"what. stop. .");
     }
 
     #[test]

@@ -161,6 +161,11 @@ impl Compensation {
         }
     }
 
+    /// The contour that begins is refused; true unless that was said.
+    pub fn refuse_contour(&mut self) -> bool {
+        !std::mem::replace(&mut self.refused, true)
+    }
+
     /// The compensation was switched to `side`.
     pub fn switched(&mut self, side: Side) {
         self.leaving = side == Side::None;

@@ -8,11 +8,24 @@ pub struct Text {
     bytes: Vec<u8>,
     /// Start of the line under construction.
     line: usize,
+    /// Units from which a number may have more digits than the target reads.
+    many: u64,
+    digits: u32,
+    /// A number of the line has more digits than that.
+    too_long: bool,
 }
 
 impl Text {
-    pub fn with_capacity(capacity: usize) -> Text {
-        Text { bytes: Vec::with_capacity(capacity), line: 0 }
+    /// An empty text for numbers of at most `digits` digits; 0 for any number of them.
+    pub fn new(capacity: usize, digits: u32) -> Text {
+        let many = if digits == 0 { u64::MAX } else { 10u64.saturating_pow(digits) };
+        Text { bytes: Vec::with_capacity(capacity), line: 0, many, digits, too_long: false }
+    }
+
+    /// Has a number of the line more digits than the target reads? Asking forgets it.
+    #[inline]
+    pub fn take_too_long(&mut self) -> bool {
+        std::mem::take(&mut self.too_long)
     }
 
     /// Everything, the unfinished line included.
@@ -45,17 +58,20 @@ impl Text {
 
     /// Appends text as it is, with a blank in front unless the line is empty.
     #[inline]
-    pub fn word(&mut self, word: &[u8]) -> &mut Text {
+    pub fn word(&mut self, word: &str) -> &mut Text {
         if self.bytes.len() > self.line {
             self.bytes.push(b' ');
         }
-        self.bytes.extend_from_slice(word);
+        self.bytes.extend_from_slice(word.as_bytes());
         self
     }
 
     /// Appends an address with a number in units of `places`.
     #[inline]
     pub fn number(&mut self, address: u8, units: i64, places: Places) -> &mut Text {
+        if units.unsigned_abs() >= self.many {
+            self.too_long |= places.digits(units) > self.digits;
+        }
         // A line that begins with a number word has no blank in front.
         let blank = self.bytes.len() > self.line;
         places.write(blank, address, units, &mut self.bytes);
@@ -64,7 +80,10 @@ impl Text {
 
     /// Appends an address with a whole number.
     pub fn whole(&mut self, address: u8, number: u64) -> &mut Text {
-        self.word(&[address]);
+        if self.bytes.len() > self.line {
+            self.bytes.push(b' ');
+        }
+        self.bytes.push(address);
         write_whole(number, &mut self.bytes);
         self
     }

@@ -1,4 +1,4 @@
-//! Text for a target: one printer core, one table of traits per target.
+//! Text for a target: one printer core; the words are those of a table in `target`.
 //!
 //! In: motion items. Out: bytes, and optionally the source of every line. Decides nothing about geometry:
 //! it rounds, checks what it rounded, and prints.
@@ -9,11 +9,12 @@ pub mod arc;
 pub mod comment;
 mod compensation;
 pub mod line;
+mod modal;
 pub mod number;
+mod page;
 pub mod plot;
 pub mod printer;
 pub mod reread;
-pub mod targets;
 pub mod trace;
 
 use std::io;
@@ -21,7 +22,6 @@ use std::io;
 use crate::ir::Origin;
 
 pub use printer::Printer;
-pub use targets::Traits;
 
 /// Where the program text goes. The head holds a hash that is known only at the end, hence `patch`.
 pub trait Output {

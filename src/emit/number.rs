@@ -36,6 +36,16 @@ impl Places {
         Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
     }
 
+    /// Digits of `units` as it is written.
+    #[cold]
+    pub fn digits(self, units: i64) -> u32 {
+        let (mut units, mut places) = (units.unsigned_abs(), self.0);
+        while places > 0 && units % 10 == 0 {
+            (units, places) = (units / 10, places - 1);
+        }
+        units.checked_ilog10().map_or(1, |log| log + 1).max(u32::from(places) + 1)
+    }
+
     /// Appends `address` and `units` as a decimal number, after a blank if `blank`.
     #[inline]
     pub fn write(self, blank: bool, address: u8, units: i64, out: &mut Vec<u8>) {
@@ -191,6 +201,13 @@ mod tests {
         assert_eq!(Places::new(4).units(f64::NAN), None);
         assert_eq!(Places::new(4).units(f64::INFINITY), None);
         assert_eq!(Places::new(4).units(1e10), None);
+    }
+
+    #[test]
+    fn digits_are_those_that_are_written() {
+        let digits = |value: f64| Places::new(4).digits(Places::new(4).units(value).unwrap());
+        assert_eq!([digits(0.0), digits(0.0001), digits(1234.5678), digits(-12345.6789)], [1, 5, 8, 9]);
+        assert_eq!([digits(120_000.0), digits(10_000.5), digits(99_999.0)], [6, 6, 5]);
     }
 
     #[test]

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use crate::target::{self, Target};
+
 use super::axis::{Axis, AxisSet};
 use super::options::klartext::{
     CcMissing, CpSign, Generation, KlartextChoices, KlartextReadings, Modulo, PolarMissing, RepeatCount, ShiftAxes,
@@ -185,10 +187,20 @@ pub enum Compensation {
     Control,
 }
 
+/// How a tool change is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ToolChange {
+    /// By the word of the target.
+    #[default]
+    Change,
+    /// Spindle stop, a comment and a program stop: somebody changes by hand.
+    Stop,
+}
+
 /// `[output]`
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputSettings {
-    pub target: String,
+    pub target: &'static Target,
     pub decimals: u8,
     pub compensation: Compensation,
     pub diameter: bool,
@@ -197,18 +209,20 @@ pub struct OutputSettings {
     pub pass_m: Vec<u32>,
     /// `G43 H` behind a tool change.
     pub tool_length: bool,
+    pub tool_change: ToolChange,
 }
 
 impl Default for OutputSettings {
     fn default() -> OutputSettings {
         OutputSettings {
-            target: "linuxcnc".to_owned(),
+            target: target::ALL[0],
             decimals: 4,
             compensation: Compensation::Resolve,
             diameter: false,
             comments: true,
             pass_m: Vec::new(),
             tool_length: false,
+            tool_change: ToolChange::Change,
         }
     }
 }

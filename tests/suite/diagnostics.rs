@@ -77,6 +77,46 @@ const BUILT: &[Built] = &[
     Built { code: "K8001", fires: || checked(&behind_m30("FL X+20 AN+30")), silent: || checked(&behind_m30("L X+20")) },
     Built { code: "S8040", fires: || siemens_idle("TRAORI"), silent: || siemens_idle("G1 X5") },
     Built { code: "S8009", fires: || siemens_tool(&[]), silent: || siemens_tool(&[5]) },
+    Built { code: "O9300", fires: || on_grbl("G33 Z-10 K1.5", ""), silent: || on_grbl("G1 Z-10 F100", "") },
+    Built { code: "O9301", fires: || on_grbl("G95 G1 X5 F0.2", ""), silent: || on_grbl("G94 G1 X5 F100", "") },
+    Built {
+        code: "O9302",
+        fires: || on_grbl("G96 S200 M4 LIMS=3000", LATHE),
+        silent: || on_grbl("G97 S200 M4", LATHE),
+    },
+    Built { code: "O9303", fires: || on_grbl("SPOS=90", ""), silent: || on_grbl("M5", "") },
+    Built { code: "O9304", fires: || on_grbl("S2=500 M2=3", ""), silent: || on_grbl("S500 M3", "") },
+    Built {
+        code: "O9305",
+        fires: || on_grbl("T1 M6", ""),
+        silent: || on_grbl("T1 M6", "[output]\ntool_change = \"stop\""),
+    },
+    Built { code: "O9306", fires: || on_grbl("T300", ""), silent: || on_grbl("T30", "") },
+    Built {
+        code: "O9307",
+        fires: || on_grbl("T1 M6", "[output]\ntool_change = \"stop\"\ntool_length = \"G43\""),
+        silent: || on_grbl("T1 M6", "[output]\ntool_change = \"stop\""),
+    },
+    Built {
+        code: "O9308",
+        fires: || on_grbl("T1 M6\nD1\nG41 G1 X5 F100", CONTROL),
+        silent: || on_grbl("T1 M6\nD1\nG40 G1 X5 F100", CONTROL),
+    },
+    Built { code: "O9309", fires: || on_grbl("G1 A90 F100", ""), silent: || on_grbl("G1 Y90 F100", "") },
+    Built { code: "O9310", fires: || on_grbl("G505", EIGHTH), silent: || on_grbl("G55", EIGHTH) },
+    Built { code: "O9311", fires: || on_grbl("M7", ""), silent: || on_grbl("M8", "") },
+    Built { code: "O9312", fires: || on_grbl("M1", ""), silent: || on_grbl("M0", "") },
+    Built {
+        code: "O9313",
+        fires: || on_grbl("M77", "[output]\npass_m = [77]"),
+        silent: || on_grbl("M8", "[output]\npass_m = [77]"),
+    },
+    Built { code: "O9314", fires: || on_grbl("G0 X12345.6789", ""), silent: || on_grbl("G0 X1234.5678", "") },
+    Built {
+        code: "O9315",
+        fires: || on_grbl("M8", "[machine]\nkind = \"lathe\"\n[output]\ndiameter = true"),
+        silent: || on_grbl("M8", LATHE),
+    },
 ];
 
 /// Codes that no program can bring about today. A case for one of them is to be added together with its removal here.
@@ -85,10 +125,22 @@ const NEVER: &[(&str, &str)] = &[
     ("G3066", "dialects take the side of an undercut from the contour"),
     ("G3020", "dialects look for three points on a line themselves"),
     ("G3021", "dialects look for a lead without a way themselves"),
-    ("O9001", "the only target has a word for everything that the dialects ask for"),
+    ("O9001", "what a target has no word for has a code of its own"),
     ("T2029", "retired: G86 is finished without an oversize, too"),
     ("G3043", "dialects ask for the position in front of a cycle themselves"),
 ];
+
+const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"";
+const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
+const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
+
+/// A SINUMERIK block on a target that says little.
+fn on_grbl(block: &str, configuration: &str) -> Compiled {
+    let mut settings = settings(configuration);
+    settings.output.target = partc::target::find("grbl").expect("a target");
+    let text = format!("G90 G0 X0 Y0 Z5\nS1000 M3\n{block}\nM30\n");
+    compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &NoFiles)
+}
 
 const PART: &str = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 R0 F300\n2 END PGM PART MM\n";
 const TOOL_CALL: &str = "0 BEGIN PGM PART MM\n1 TOOL CALL 5 Z S2000\n2 L X+10 Y+5 R0 F300\n3 END PGM PART MM\n";

@@ -39,6 +39,63 @@ machine coordinates, no change of plane or side, no arc outside the working plan
 work offset; and it compensates in some planes only. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
 or let partc compute the tool path with `compensation = \"resolve\"`."
 
+O9300 Error "thread-unknown-to-target" "the target cuts no threads"
+"A thread is cut in step with the spindle (G33, and the tapping and threading cycles that end in it), and the selected target moves its axes \
+without looking at the spindle. Cut the thread on another machine, mill it, or tap with a floating holder at a feed in mm/min that you compute yourself."
+
+O9301 Error "feed-unknown-to-target" "the target has no such kind of feed"
+"The program states its feed per revolution (G95) or by time (G93), and the selected target takes feeds in mm/min alone. A feed per revolution is not \
+converted: the speed of the spindle is only nominal, and under constant cutting speed it changes. Program the feed in mm/min."
+
+O9302 Error "cutting-speed-unknown-to-target" "the target keeps no constant cutting speed"
+"Under constant cutting speed (G96) the spindle turns faster on a smaller diameter. The selected target knows speeds in rev/min alone. Program a speed in rev/min."
+
+O9303 Error "spindle-angle-unknown-to-target" "the target does not stop its spindle at an angle"
+"M19 and SPOS stop the spindle at an angle, for a boring bar or a tool change. The selected target starts and stops its spindle and knows nothing of its angle. \
+Leave the function out if nothing depends on the angle; a boring bar that lifts off needs another machine."
+
+O9304 Error "spindle-unknown-to-target" "the target has one spindle"
+"The program speaks to a second spindle or a driven tool. The selected target has words for one spindle. Program the first one, or choose another target."
+
+O9305 Error "tool-change-unknown-to-target" "the target changes no tools"
+"The selected target refuses M6. With `[output] tool_change = \"stop\"` a change is printed as a spindle stop, a comment and a program stop, and you change by \
+hand; the next tool must then have the same length, or the target does not know where its tip is. Or write one program a tool and set each tool up."
+
+O9306 Error "tool-number-too-large" "the target does not count tools that far"
+"The number of the tool is larger than the selected target takes. Give the tool a smaller one: in the program, or as `number` of its entry in `[tools]`."
+
+O9307 Error "tool-length-unknown-to-target" "the target has no table of tool lengths"
+"With `[output] tool_length = \"G43\"` the target adds the length of the tool from its own table, and the selected target has none. Leave the key at \"off\" and set up the \
+length on the target, for instance by touching the part off with every tool."
+
+O9308 Error "compensation-unknown-to-target" "the target does not compensate the tool radius"
+"With `[output] compensation = \"control\"` the target offsets the contour by the radius of the tool (G41, G42), and the selected target cannot. Program the path of the \
+tool centre, or choose a target that compensates."
+
+O9309 Error "axis-unknown-to-target" "the target does not have this axis"
+"The selected target moves X, Y and Z. A rotary or a parallel axis has no letter there, and leaving it out would cut on the wrong side of the part. Split the program \
+where the axis turns and turn it by hand, or choose another target."
+
+O9310 Error "work-offset-unknown-to-target" "the target does not have this work offset"
+"Work offsets are selected by their number, and the selected target has fewer of them. Select another one in the program, or map the preset to another word in `[datums]`."
+
+O9311 Error "mist-unknown-to-target" "the target has no mist coolant"
+"The selected target refuses M7 as it is delivered. Cool with M8, or leave M7 out and switch the mist by hand."
+
+O9312 Warning "optional-stop-without-effect" "the target does not stop at an optional stop"
+"The selected target reads M1 and goes on, as a control does with its switch off. If the operator has to measure or to clamp anew at this place, program M0."
+
+O9313 Error "m-function-unknown-to-target" "the target does not have this M function"
+"`[output] pass_m` lets M functions through as they stand, and the selected target refuses all that it does not know. Take the function out of `pass_m` and leave it out \
+of the program, or choose a target that a machine builder can extend."
+
+O9314 Error "number-longer-than-read" "number has more digits than the target reads"
+"The selected target drops all digits of a number behind the eighth without a word, so the axis would stop elsewhere. Print fewer places with `[output] decimals`; a path of \
+more than ten metres needs a target that computes in double precision."
+
+O9315 Error "diameter-unknown-to-target" "the target does not take X as a diameter"
+"`[output] diameter = true` prints X of a lathe as a diameter, which needs a word that tells the target so (G7). The selected target has none and takes X as a radius. Leave the key away."
+
 O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
 "`[output] tool_length = \"G43\"` has the target add the length of the tool, and G43 adds it to Z with an ordinary tool table. Under G18 and G19, and with \
 another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Leave the key at \"off\" and set the \

@@ -1,133 +1,223 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
-use crate::machine::AxisSet;
+use crate::machine::settings::ToolChange;
 
 use super::super::comment;
 use super::Printer;
 
 impl Printer<'_> {
     pub(super) fn print_function(&mut self, function: &Function, origin: &Origin) {
-        if self.compensation.ends_before(function, self.plane, origin) {
+        if self.compensation.ends_before(function, self.modal.plane, origin) {
             self.end_compensation(origin);
         }
+        let flow = &self.target.flow;
         match function {
-            Function::ToolChange { number } => {
-                self.text.whole(b'T', u64::from(*number)).word(b"M6");
-                self.end_line(origin);
-                // The change may have moved any axis.
-                self.stale = AxisSet::MAIN;
-                if self.settings.tool_length && *number == 0 {
-                    self.words(b"G49", origin);
-                }
-                if self.settings.tool_length && *number != 0 {
-                    self.text.word(b"G43").whole(b'H', u64::from(*number));
-                    self.end_line(origin);
-                }
-            }
+            Function::ToolChange { number } => self.tool_change(*number, origin),
             Function::ToolPrepare { number } => {
-                self.text.whole(b'T', u64::from(*number));
-                self.end_line(origin);
+                self.tool_word(*number, origin);
+                self.page.end_line(origin);
             }
             Function::Cutter(cutter) => self.compensation.cutter = *cutter,
             Function::Spindle(spindle) => self.spindle(*spindle, None, origin),
             Function::SpindleOf { number, spindle } => self.spindle(*spindle, Some(*number), origin),
-            Function::Coolant(coolant) => {
-                let word = match coolant {
-                    Coolant::Mist => b"M7",
-                    Coolant::Flood => b"M8",
-                    Coolant::Off => b"M9",
-                };
-                self.words(word, origin);
-            }
-            Function::Dwell(seconds) => {
-                let Some(units) = self.places.units(*seconds) else { return self.unprintable(origin) };
-                self.text.word(b"G4").number(b'P', units, self.places);
-                self.end_line(origin);
-            }
+            Function::Coolant(coolant) => self.coolant(*coolant, origin),
+            Function::Dwell(seconds) => self.dwell(*seconds, origin),
             Function::Stop => {
-                self.words(b"M0", origin);
-                self.stale = AxisSet::MAIN;
+                self.page.words(flow.stop, origin);
+                self.modal.may_have_moved();
             }
             Function::OptionalStop => {
-                self.words(b"M1", origin);
-                self.stale = AxisSet::MAIN;
+                if flow.optional_stop_is_idle {
+                    self.optional_stop_is_idle(origin);
+                }
+                self.page.words(flow.optional_stop, origin);
+                self.modal.may_have_moved();
             }
-            Function::Aux(number) => {
-                self.says_own_m(*number, origin);
-                self.text.whole(b'M', u64::from(*number));
-                self.end_line(origin);
-            }
-            Function::WorkOffset(number) => {
-                const WORDS: [&[u8]; 9] =
-                    [b"G54", b"G55", b"G56", b"G57", b"G58", b"G59", b"G59.1", b"G59.2", b"G59.3"];
-                self.words(WORDS[usize::from(*number).clamp(1, 9) - 1], origin);
-                self.known = AxisSet::EMPTY;
-            }
+            Function::Aux(number) => self.m_function(*number, origin),
+            Function::WorkOffset(number) => self.work_offset(*number, origin),
             Function::Plane(plane) => self.select_plane(*plane, origin),
             Function::Comment(text) => self.comment(text, origin),
             Function::End { rewind } => {
                 if self.compensation.side != Side::None {
                     self.end_compensation(origin);
                 }
-                self.words(if *rewind { b"M30" } else { b"M2" }, origin);
+                self.page.words(if *rewind { flow.rewind } else { flow.end }, origin);
                 self.ended = true;
             }
         }
     }
 
-    /// Warns of an M function that is printed as listed and that the target takes for one of its own.
-    fn says_own_m(&self, number: u32, origin: &Origin) {
-        let Some((_, does)) = self.traits.own_m.iter().find(|(own, _)| *own == number) else { return };
-        self.report(
-            codes::O2001,
-            origin,
-            &format!("M{number} is printed as listed in `pass_m`; on the target it {does}"),
-        );
+    fn tool_word(&mut self, number: u32, origin: &Origin) {
+        let words = &self.target.tool;
+        if number > words.most {
+            let message = format!("tool {number}: the target {} counts tools to {}", self.target.name, words.most);
+            let help = "give the tool a smaller number in the program or with `number` in `[tools]`";
+            self.diags.push(Diagnostic::new(codes::O9306, origin.loc, message).help(help).called(origin.call));
+        }
+        self.page.text.whole(words.address, u64::from(number));
+    }
+
+    fn tool_change(&mut self, number: u32, origin: &Origin) {
+        // The change may have moved any axis.
+        self.modal.may_have_moved();
+        if self.settings.tool_change == ToolChange::Stop {
+            self.change_by_hand(number, origin);
+        } else if let Some(change) = self.target.tool.change {
+            self.tool_word(number, origin);
+            self.page.text.word(change);
+            self.page.end_line(origin);
+        } else {
+            let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
+            self.lacks(codes::O9305, origin, "a tool change", help);
+        }
+        if !self.settings.tool_length {
+            return;
+        }
+        match &self.target.tool.length {
+            None => {
+                let help = "leave `[output] tool_length` at \"off\", and set the length up on the target";
+                self.lacks(codes::O9307, origin, "the length of a tool in its table", help);
+            }
+            Some(length) if number == 0 => self.page.words(length.off, origin),
+            Some(length) => {
+                self.page.text.word(length.on).whole(length.number, u64::from(number));
+                self.page.end_line(origin);
+            }
+        }
+    }
+
+    /// The spindle stops, as under a change by the machine, and the program waits.
+    fn change_by_hand(&mut self, number: u32, origin: &Origin) {
+        self.page.words(self.target.spindle.stop, origin);
+        let text = if number == 0 { "take the tool out".to_owned() } else { format!("change to tool {number}") };
+        self.comment(text.as_bytes(), origin);
+        self.page.words(self.target.flow.stop, origin);
+    }
+
+    fn coolant(&mut self, coolant: Coolant, origin: &Origin) {
+        let words = &self.target.coolant;
+        let word = match coolant {
+            Coolant::Mist => words.mist,
+            Coolant::Flood => Some(words.flood),
+            Coolant::Off => Some(words.off),
+        };
+        match word {
+            Some(word) => self.page.words(word, origin),
+            None => {
+                let help = "cool with M8, or leave the mist out and switch it by hand";
+                self.lacks(codes::O9311, origin, "mist", help);
+            }
+        }
+    }
+
+    fn dwell(&mut self, seconds: f64, origin: &Origin) {
+        let words = &self.target.dwell;
+        let Some(mut units) = self.places.units(seconds) else { return self.unprintable(origin) };
+        let most = self.places.units(words.most).unwrap_or(i64::MAX);
+        while units > most {
+            self.page.text.word(words.word).number(words.seconds, most, self.places);
+            self.page.end_line(origin);
+            units -= most;
+        }
+        self.page.text.word(words.word).number(words.seconds, units, self.places);
+        self.page.end_line(origin);
+    }
+
+    #[cold]
+    fn optional_stop_is_idle(&self, origin: &Origin) {
+        let message = format!("the target {} reads the optional stop and does not stop", self.target.name);
+        let help = "program M0 where the operator has to act";
+        self.diags.push(Diagnostic::new(codes::O9312, origin.loc, message).help(help).called(origin.call));
+    }
+
+    fn m_function(&mut self, number: u32, origin: &Origin) {
+        let words = &self.target.m;
+        if !words.open {
+            let help = "take it out of `[output] pass_m`, and leave it out of the program";
+            return self.lacks(codes::O9313, origin, &format!("M{number}"), help);
+        }
+        if let Some((_, does)) = words.own.iter().find(|(own, _)| *own == number) {
+            self.report(
+                codes::O2001,
+                origin,
+                &format!("M{number} is printed as listed in `pass_m`; on the target it {does}"),
+            );
+        }
+        self.page.text.whole(words.address, u64::from(number));
+        self.page.end_line(origin);
+    }
+
+    fn work_offset(&mut self, number: u8, origin: &Origin) {
+        match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
+            Some(word) => self.page.words(word, origin),
+            None => {
+                let help = "set the part up in one of the first work offsets, G54 to G59";
+                self.lacks(codes::O9310, origin, &format!("work offset {number}"), help);
+            }
+        }
+        self.modal.forget_all();
     }
 
     /// `number` counts spindles from 1; targets count from 0.
     fn spindle(&mut self, spindle: Spindle, number: Option<u8>, origin: &Origin) {
+        let words = &self.target.spindle;
+        let text = &mut self.page.text;
         match spindle {
-            Spindle::Start(Turn::Clockwise) => self.text.word(b"M3"),
-            Spindle::Start(Turn::CounterClockwise) => self.text.word(b"M4"),
-            Spindle::Stop => self.text.word(b"M5"),
+            Spindle::Start(Turn::Clockwise) => text.word(words.clockwise),
+            Spindle::Start(Turn::CounterClockwise) => text.word(words.counter_clockwise),
+            Spindle::Stop => text.word(words.stop),
             Spindle::Speed(speed) => {
                 let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                if number.is_none() && std::mem::take(&mut self.constant_cut) {
-                    self.text.word(b"G97");
+                if let Some(cutting) = &words.cutting_speed
+                    && number.is_none()
+                    && std::mem::take(&mut self.modal.cutting_speed)
+                {
+                    text.word(cutting.off);
                 }
-                self.text.number(b'S', units, self.places)
+                text.number(words.speed, units, self.places)
             }
             Spindle::CuttingSpeed { speed, limit } => {
-                self.constant_cut = true;
-                self.text.word(b"G96");
+                let Some(cutting) = &words.cutting_speed else {
+                    let help = "program a constant speed with G97 in the source, or take another target";
+                    return self.lacks(codes::O9302, origin, "constant cutting speed", help);
+                };
+                self.modal.cutting_speed = true;
+                text.word(cutting.on);
                 if let Some(units) = limit.and_then(|limit| self.places.units(limit)) {
-                    self.text.number(b'D', units, self.places);
+                    text.number(cutting.limit, units, self.places);
                 }
                 let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                self.text.number(b'S', units, self.places)
+                text.number(words.speed, units, self.places)
             }
             Spindle::Orient(angle) => {
+                let Some((word, address)) = words.orient else {
+                    let help = "leave M19 out where nothing depends on the angle, or take another target";
+                    return self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
+                };
                 let Some(units) = self.places.units(angle) else { return self.unprintable(origin) };
-                self.text.word(b"M19").number(b'R', units, self.places)
+                text.word(word).number(address, units, self.places)
             }
         };
         if let Some(number) = number {
-            self.text.whole(b'$', u64::from(number.saturating_sub(1)));
+            let Some(address) = words.other else {
+                let help = "program the first spindle, or take another target";
+                return self.lacks(codes::O9304, origin, &format!("spindle {number}"), help);
+            };
+            self.page.text.whole(address, u64::from(number.saturating_sub(1)));
         }
-        self.end_line(origin);
+        self.page.end_line(origin);
     }
 
     fn comment(&mut self, text: &[u8], origin: &Origin) {
-        let (open, close) = self.traits.comment;
-        let text = comment::harmless(text);
-        let room = self.traits.line_length - open.len() - close.len();
+        let comments = &self.target.comments;
+        let text = comment::harmless(text, comments.forbidden);
+        let room = self.target.line.length - comments.open.len() - comments.close.len();
         for piece in comment::pieces(&text, room) {
-            self.text.raw(open.as_bytes()).raw(piece).raw(close.as_bytes());
-            self.end_line(origin);
+            self.page.text.raw(comments.open.as_bytes()).raw(piece).raw(comments.close.as_bytes());
+            self.page.end_line(origin);
         }
     }
 }

@@ -1,13 +1,14 @@
 //! `[output]`, `[limits]` and `[include]`: what is printed, how long a run may be, and what it may open.
 
 use crate::machine::keys::{Key, Kind, key};
-use crate::machine::settings::{Compensation, Settings};
+use crate::machine::settings::{Compensation, Settings, ToolChange};
 use crate::machine::tree::{ConfigError, Node, Value};
 use crate::machine::values::{flag, is, put, table_of, text, whole, wholes};
+use crate::target;
 
 pub const KEYS: &[Key] = &[
-    key("target", Kind::Choice(&["linuxcnc"]), "control that runs the output", |s, v| {
-        put(&mut s.output.target, text(v).to_owned())
+    key("target", Kind::Choice(&target::NAMES), "control that runs the output", |s, v| {
+        put(&mut s.output.target, target::find(text(v)).ok_or_else(|| v.fail("no such target"))?)
     })
     .or(r#""linuxcnc""#),
     key("decimals", Kind::Whole, "decimal places of lengths, 3 to 6", |s, v| {
@@ -30,6 +31,13 @@ pub const KEYS: &[Key] = &[
         put(&mut s.output.tool_length, is(v, "G43"))
     })
     .or(r#""off""#),
+    key(
+        "tool_change",
+        Kind::Choice(&["change", "stop"]),
+        "change by the target, or a stop to change by hand",
+        |s, v| put(&mut s.output.tool_change, if is(v, "stop") { ToolChange::Stop } else { ToolChange::Change }),
+    )
+    .or(r#""change""#),
 ];
 
 pub const LIMITS: &[Key] = &[

@@ -2,5 +2,8 @@
 //!
 //! A part knows no words and reports nothing: it says what it knows, and the dialect says it in its own words.
 
+pub mod compensation;
+pub mod corner;
+pub mod feed;
 pub mod position;
 pub mod start;

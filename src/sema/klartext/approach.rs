@@ -67,8 +67,8 @@ impl Run<'_> {
         let result = self.read_approach(&name, span, block, text);
         if result.is_err() {
             self.approach = None;
-            self.st.side = Side::None;
-            self.st.side_lost = true;
+            self.st.compensation.end();
+            self.st.compensation.lose();
             self.lose_all();
         }
         result
@@ -198,7 +198,7 @@ impl Run<'_> {
     fn approach_later(&mut self, name: &str, span: Span, shape: Shape, w: &Words) -> Outcome {
         let plane = self.st.plane();
         let side = match w.comp {
-            Some(Comp::Side(side @ (Side::Left | Side::Right))) if self.st.side == Side::None => side,
+            Some(Comp::Side(side @ (Side::Left | Side::Right))) if !self.st.compensation.is_on() => side,
             Some(Comp::Side(Side::Left | Side::Right)) => {
                 return self.fail(codes::K9003, span, format!("{name} while RL or RR is active is not supported"));
             }
@@ -223,13 +223,13 @@ impl Run<'_> {
         }
         let from = self.start_in(plane, name)?;
         // LT and CT go to PH as the block before went, LCT at the feed of its own block.
-        let before = if self.st.last_rapid { None } else { self.st.feed };
+        let before = if self.st.feed.last_rapid { None } else { self.st.feed.word() };
         let own = matches!(shape, Shape::LineArc { .. });
-        if before.is_none() && !self.st.last_rapid && !own {
+        if before.is_none() && !self.st.feed.last_rapid && !own {
             return self.feed_missing();
         }
         self.set_feed(w)?;
-        let Some(feed) = self.st.feed else { return self.feed_missing() };
+        let Some(feed) = self.st.feed.word() else { return self.feed_missing() };
         let lead = if own { Some(feed) } else { before };
         let end = self.absolute(w)?;
         let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
@@ -253,10 +253,10 @@ impl Run<'_> {
             feed,
             held: Vec::new(),
         }));
-        self.st.side = side;
-        self.st.side_lost = false;
+        self.st.compensation.select(side);
+        self.st.compensation.found();
         self.st.position.move_to(&after);
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.st.last = None;
         Ok(())
     }
@@ -363,11 +363,11 @@ impl Run<'_> {
 
     fn depart(&mut self, name: &str, shape: Shape, w: &Words) -> Outcome {
         let span = self.block_span();
-        let side = self.st.side;
+        let side = self.st.compensation.side();
         let plane = self.st.plane();
         let at = self.start_in(plane, name)?;
         // Where RL or RR was refused, that was said.
-        if side == Side::None && std::mem::take(&mut self.st.side_lost) {
+        if side == Side::None && self.st.compensation.take_lost() {
             return Err(Reported);
         }
         if self.approach.is_some() || side == Side::None || w.comp.is_some_and(|comp| comp != Comp::Side(Side::None)) {
@@ -390,7 +390,7 @@ impl Run<'_> {
             );
         };
         self.set_feed(w)?;
-        let Some(feed) = self.st.feed else { return self.feed_missing() };
+        let Some(feed) = self.st.feed.word() else { return self.feed_missing() };
         let beside = if side == Side::Left { left(heading) } else { -left(heading) };
         let edge = at + beside * radius;
         let third = Axis::ALL[plane.axes().2];
@@ -421,7 +421,7 @@ impl Run<'_> {
                 end
             }
         };
-        self.st.side = Side::None;
+        self.st.compensation.end();
         self.plane_move(end, Some(feed), Side::None);
         let mut after = Pos::UNKNOWN;
         after.set_in_plane(plane, end);
@@ -436,9 +436,9 @@ impl Run<'_> {
             after.set(third, depth);
         }
         self.st.position.move_to(&after);
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.st.last = None;
-        self.st.last_rapid = false;
+        self.st.feed.last_rapid = false;
         Ok(())
     }
 

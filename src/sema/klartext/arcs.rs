@@ -19,8 +19,8 @@ const CIRCLE_TOLERANCE: f64 = 0.016;
 impl Run<'_> {
     /// The pole in force.
     pub(super) fn pole(&mut self, function: &str) -> Outcome<PoleState> {
-        let Some(pole) = self.st.pole else {
-            if self.st.pole_lost {
+        let Some(pole) = self.st.polar.pole() else {
+            if self.st.polar.is_lost() {
                 return Err(Reported);
             }
             self.report(
@@ -33,7 +33,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         };
-        if pole.system != self.st.system {
+        if pole.system != self.st.frames.system() {
             self.report(
                 Diagnostic::new(
                     codes::K2108,
@@ -49,7 +49,7 @@ impl Run<'_> {
 
     /// Direction of an arc: as written, or that of the last one.
     pub(super) fn turn(&mut self, w: &Words, function: &str) -> Outcome<bool> {
-        let turn = match (w.turn, self.st.turn) {
+        let turn = match (w.turn, self.st.polar.turn()) {
             (Some(turn), _) => turn,
             (None, Some(turn)) => {
                 self.report(
@@ -77,7 +77,7 @@ impl Run<'_> {
                 return Err(Reported);
             }
         };
-        self.st.turn = Some(turn);
+        self.st.polar.set_turn(turn);
         Ok(turn)
     }
 
@@ -129,7 +129,7 @@ impl Run<'_> {
 
     /// Refuses M109 and M110 on an arc that is compensated.
     pub(super) fn check_edge_feed(&self, side: Side) -> Outcome {
-        if self.st.edge_feed && side != Side::None {
+        if self.st.feed.at_edge && side != Side::None {
             self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
             return Err(Reported);
         }
@@ -138,8 +138,9 @@ impl Run<'_> {
 
     pub(super) fn send_arc(&mut self, w: &Words, plane: Plane, shape: ArcShape, end: Pos) -> Outcome {
         let feed = self.arc_feed(w)?;
-        self.check_edge_feed(self.st.side)?;
-        let length = if self.st.plunge_share.is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
+        self.check_edge_feed(self.st.compensation.side())?;
+        let length =
+            if self.st.feed.plunge_share().is_some() { Some(self.arc_length(plane, shape, &end)?) } else { None };
         let feed = self.plunged(w, feed, &end, length);
         self.send(&end, Path::Arc(Arc { plane, shape, turns: 0 }, feed));
         Ok(())
@@ -171,7 +172,7 @@ impl Run<'_> {
         let ccw = self.turn(w, "C")?;
         let start = self.start_in(pole.plane, "C")?;
         let end = self.arc_end(w, pole.plane, start)?;
-        self.st.polar = None;
+        self.st.polar.forget_last();
         let shape = ArcShape::Center { center: pole.at, ccw, tol: CIRCLE_TOLERANCE };
         self.send_arc(w, pole.plane, shape, end)
     }
@@ -192,7 +193,7 @@ impl Run<'_> {
         if w.axes.known().common(plane_axes(plane)).is_empty() {
             return self.fail(codes::K2109, self.block_span(), "CR names no end point in the working plane");
         }
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Radius { radius, ccw, tol: CIRCLE_TOLERANCE }, end)
     }
 
@@ -204,7 +205,7 @@ impl Run<'_> {
         if w.axes.known().common(plane_axes(plane)).is_empty() {
             return self.fail(codes::K2109, self.block_span(), "CT names no end point in the working plane");
         }
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Tangent, end)
     }
 

@@ -1,7 +1,7 @@
 //! Program flow: labels, subprograms, section repeats, jumps, called programs, the program frame.
 
 use crate::diag::{CallPath, Diagnostic, codes};
-use crate::ir::{Function, Side};
+use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Generation, RepeatCount, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
@@ -435,12 +435,12 @@ impl Run<'_> {
 
     pub(super) fn call_program_named(&mut self, name: &str) -> Outcome {
         let site = self.here.origin.loc;
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, site, "a program call ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.side = Side::None;
+            self.st.compensation.end();
         }
         let opened = if name.to_ascii_uppercase().ends_with(".I") {
             self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));

@@ -55,7 +55,45 @@ impl State {
         let axis = self.axis();
         self.position.forget(AxisSet::of(axis));
         self.position.not_lost(AxisSet::of(axis));
-        self.polar = self.polar.filter(|last| !plane_axes(last.plane).contains(axis));
+        self.polar.forget_last_of(AxisSet::of(axis));
+    }
+}
+
+impl State {
+    /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
+    pub(super) fn call_again(&mut self) {
+        match self.tool.change {
+            Change::Called { .. } | Change::Missed => {}
+            Change::Announced => self.tool.change = Change::None,
+            Change::None | Change::InSpindle | Change::Printed { .. } => self.tool.change = Change::InSpindle,
+        }
+    }
+
+    /// The block under way ends with M6.
+    pub(super) fn m6_at_end(&mut self) {
+        if let Change::Called { at_end, .. } = &mut self.tool.change {
+            *at_end = true;
+        }
+    }
+
+    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
+    fn cuts(&self, mv: &Move) -> bool {
+        let (axis, plane) = (self.axis(), plane_axes(self.plane()));
+        if mv.path.is_rapid() || mv.coords == Coords::Machine {
+            return false;
+        }
+        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.position.at(), &mv.end, axis)) {
+            return true;
+        }
+        let height = match self.tool.change {
+            Change::Called { height, .. } => height,
+            _ => None,
+        };
+        match (mv.end.get(axis), self.position.get(axis), height) {
+            (Some(to), Some(from), _) => to < from,
+            (Some(to), None, Some(height)) => to <= height,
+            _ => false,
+        }
     }
 }
 
@@ -63,7 +101,7 @@ impl Run<'_> {
     /// TOOL CALL of another tool: changes it, or makes it ready for the M6.
     pub(super) fn call_for_change(&mut self, number: u32) {
         let height = self.st.position.get(self.st.axis());
-        let announced = self.st.change == Change::Announced;
+        let announced = self.st.tool.change == Change::Announced;
         let waits = match self.job.settings.control.siemens.tool_change_by_t {
             Some(at_call) => !at_call,
             None => !announced && self.writes_m6(),
@@ -73,34 +111,25 @@ impl Run<'_> {
         self.st.forget_tip();
         if waits {
             let from = self.here.origin.loc;
-            self.st.change = Change::Called { number, from, height, at_end: false, moved: false };
+            self.st.tool.change = Change::Called { number, from, height, at_end: false, moved: false };
             self.function(Function::ToolPrepare { number });
             return;
         }
         self.print_change(number);
-        self.st.change = if announced { Change::None } else { Change::Printed { moved: false } };
-    }
-
-    /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
-    pub(super) fn call_again(&mut self) {
-        match self.st.change {
-            Change::Called { .. } | Change::Missed => {}
-            Change::Announced => self.st.change = Change::None,
-            Change::None | Change::InSpindle | Change::Printed { .. } => self.st.change = Change::InSpindle,
-        }
+        self.st.tool.change = if announced { Change::None } else { Change::Printed { moved: false } };
     }
 
     fn print_change(&mut self, number: u32) {
         // The change stops the spindle.
-        self.st.spindle = None;
+        self.st.spindle.stop();
         self.st.forget_tip();
-        self.st.in_spindle = Some(number);
+        self.st.tool.in_spindle = Some(number);
         self.function(Function::ToolChange { number });
     }
 
     /// M6: changes to the tool that was called, or announces the next TOOL CALL.
     pub(super) fn m6(&mut self, span: Span) -> Outcome {
-        let text = match std::mem::take(&mut self.st.change) {
+        let text = match std::mem::take(&mut self.st.tool.change) {
             Change::Called { number, .. } => {
                 self.print_change(number);
                 return Ok(());
@@ -114,7 +143,7 @@ impl Run<'_> {
                 );
             }
             Change::Missed => {
-                if self.st.spindle.is_some() {
+                if self.st.spindle.turns() {
                     self.stop_spindle();
                 }
                 return Ok(());
@@ -122,36 +151,29 @@ impl Run<'_> {
             Change::InSpindle => "this M6 stops the spindle; the tool that was called is in it already",
             Change::Printed { .. } => "this M6 belongs to the tool change printed for the TOOL CALL",
             Change::None | Change::Announced => {
-                self.st.change = Change::Announced;
+                self.st.tool.change = Change::Announced;
                 "this M6 stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change"
             }
         };
-        if self.st.spindle.is_some() {
+        if self.st.spindle.turns() {
             self.stop_spindle();
         }
         self.report(Diagnostic::new(codes::K2702, self.loc(span), text));
         Ok(())
     }
 
-    /// The block under way ends with M6.
-    pub(super) fn m6_at_end(&mut self) {
-        if let Change::Called { at_end, .. } = &mut self.st.change {
-            *at_end = true;
-        }
-    }
-
     /// A move while a change is under way, before its end is taken over.
     #[cold]
     pub(super) fn watch_move(&mut self, mv: &Move) {
         let axis = self.st.axis();
-        let cuts = self.cuts(mv);
-        match &mut self.st.change {
+        let cuts = self.st.cuts(mv);
+        match &mut self.st.tool.change {
             Change::None | Change::InSpindle | Change::Missed => {}
             Change::Printed { moved } => *moved = true,
             Change::Announced => {
                 // Back towards the workpiece, the M6 was not meant for a change at the next TOOL CALL.
                 if mv.end.get(axis).is_some() {
-                    self.st.change = Change::None;
+                    self.st.tool.change = Change::None;
                 }
             }
             Change::Called { at_end: true, .. } => return,
@@ -164,17 +186,17 @@ impl Run<'_> {
 
     /// Something cuts: the tool that was called has to be in the spindle.
     pub(super) fn cuts_now(&mut self) -> Outcome {
-        let Change::Called { number, from, .. } = self.st.change else {
-            if self.st.change != Change::Missed {
-                self.st.change = Change::None;
+        let Change::Called { number, from, .. } = self.st.tool.change else {
+            if self.st.tool.change != Change::Missed {
+                self.st.tool.change = Change::None;
             }
             return Ok(());
         };
-        if self.st.in_spindle == Some(number) {
-            self.st.change = Change::None;
+        if self.st.tool.in_spindle == Some(number) {
+            self.st.tool.change = Change::None;
             return Ok(());
         }
-        self.st.change = Change::Missed;
+        self.st.tool.change = Change::Missed;
         self.report(
             Diagnostic::new(
                 codes::K2801,
@@ -190,30 +212,10 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
-    fn cuts(&self, mv: &Move) -> bool {
-        let (axis, plane) = (self.st.axis(), plane_axes(self.st.plane()));
-        if mv.path.is_rapid() || mv.coords == Coords::Machine {
-            return false;
-        }
-        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.st.position.at(), &mv.end, axis)) {
-            return true;
-        }
-        let height = match self.st.change {
-            Change::Called { height, .. } => height,
-            _ => None,
-        };
-        match (mv.end.get(axis), self.st.position.get(axis), height) {
-            (Some(to), Some(from), _) => to < from,
-            (Some(to), None, Some(height)) => to <= height,
-            _ => false,
-        }
-    }
-
     /// TOOL CALL of another tool while one waits for its M6: after a move it was not only the tool to make ready.
     fn replaced_change(&self, next: u32) {
-        if let Change::Called { number, from, moved: true, .. } = self.st.change
-            && self.st.in_spindle != Some(number)
+        if let Change::Called { number, from, moved: true, .. } = self.st.tool.change
+            && self.st.tool.in_spindle != Some(number)
         {
             self.report(
                 Diagnostic::new(
@@ -231,8 +233,8 @@ impl Run<'_> {
 
     /// The run is over: a tool that was called for its M6 stays ready.
     pub(super) fn forgotten_change(&self) {
-        if let Change::Called { number, from, .. } = self.st.change
-            && self.st.in_spindle != Some(number)
+        if let Change::Called { number, from, .. } = self.st.tool.change
+            && self.st.tool.in_spindle != Some(number)
         {
             self.report(
                 Diagnostic::new(

@@ -4,7 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
-use crate::ir::{Function, Side};
+use crate::ir::Function;
 use crate::lexer::klartext::Value;
 use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
@@ -14,18 +14,43 @@ use super::cycle_definition::{AxisValue, Open};
 use super::transform::Transformation;
 use super::{Outcome, Reported, Run};
 
+/// The transformation in force, and the input systems that it made.
+#[derive(Debug, Clone)]
+pub(super) struct FrameState {
+    transform: Transformation,
+    /// Counts changes of the input system.
+    system: u32,
+    /// Cycle 247 selected a preset.
+    preset_selected: bool,
+}
+
+impl FrameState {
+    pub fn new(transform: Transformation) -> FrameState {
+        FrameState { transform, system: 0, preset_selected: false }
+    }
+
+    pub fn transform(&self) -> &Transformation {
+        &self.transform
+    }
+
+    /// Number of the input system: another one after each change.
+    pub fn system(&self) -> u32 {
+        self.system
+    }
+}
+
 impl Run<'_> {
     /// Puts a new transformation in force; the tool stays where it is.
     pub(super) fn set_transformation(&mut self, transform: Transformation) -> Outcome {
         self.warn_of_order(&transform);
-        self.st.transform = transform;
+        self.st.frames.transform = transform;
         let span = self.block_span();
         self.update_frame(span)
     }
 
     /// Warns where `next` mixes transformations whose order no manual at hand gives.
     fn warn_of_order(&self, next: &Transformation) {
-        let now = &self.st.transform;
+        let now = &self.st.frames.transform;
         let here = self.here.origin.loc;
         let turned = now.angle != next.angle || now.plane != next.plane;
         if next.mirror_order_counts() && (turned || now.mirror != next.mirror) {
@@ -60,9 +85,9 @@ impl Run<'_> {
     /// Makes the frame follow the transformation and the length oversize.
     pub(super) fn update_frame(&mut self, span: Span) -> Outcome {
         use crate::ir::contour::Ctx;
-        let lift = self.st.tool.as_ref().map_or(0.0, |tool| tool.call_deltas[0]);
+        let lift = self.st.tool.active().map_or(0.0, |tool| tool.call_deltas[0]);
         let axis = self.st.axis();
-        let Some(frame) = self.st.transform.frame(axis, lift) else {
+        let Some(frame) = self.st.frames.transform.frame(axis, lift) else {
             return self.fail_help(
                 codes::K2403,
                 span,
@@ -85,8 +110,8 @@ impl Run<'_> {
             self.st.position.through_frame(&self.st.ctx.frame, &frame);
             // Where the nominal position of R+ and R- lies in the new system is not documented.
             self.st.position.forget_beside();
-            self.st.polar = None;
-            self.st.system += 1;
+            self.st.polar.forget_last();
+            self.st.frames.system += 1;
         }
         self.st.ctx = std::rc::Rc::new(Ctx { plane, frame });
         Ok(())
@@ -111,7 +136,7 @@ impl Run<'_> {
     /// Datum shift: axes that are not named keep theirs.
     pub(super) fn shift(&mut self, axes: &[AxisValue]) -> Outcome {
         let mm = self.level().frame.unit.mm();
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform.clone();
         let turned = self.job.settings.control.shift_axes == ShiftAxes::Transformed;
         for axis in axes {
             let Some(value) = axis.value else {
@@ -123,7 +148,7 @@ impl Run<'_> {
             next.shift_by(axis.axis, value, axis.incremental, turned);
         }
         self.check_shift_under_turn(&mut next)?;
-        let now = &self.st.transform;
+        let now = &self.st.frames.transform;
         let changes = AxisSet::MAIN.iter().any(|axis| now.shift[axis.index()] != next.shift[axis.index()]);
         let clears = AxisSet::MAIN.iter().all(|axis| next.shift[axis.index()] == 0.0);
         if changes && !clears && !now.is_shift_only() && !turned {
@@ -141,7 +166,7 @@ impl Run<'_> {
 
     /// A datum shift that came before the turn of the working plane is measured along other axes than one after it.
     fn check_shift_under_turn(&self, next: &mut Transformation) -> Outcome {
-        let now = &self.st.transform;
+        let now = &self.st.frames.transform;
         if now.turn.0 == 0.0 || now.shift[..2] == next.shift[..2] {
             return Ok(());
         }
@@ -172,20 +197,20 @@ impl Run<'_> {
                     .help("check that this is meant"),
             );
         }
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform.clone();
         next.mirror = axes;
         self.set_transformation(next)
     }
 
     pub(super) fn rotate(&mut self, angle: f64, incremental: bool) -> Outcome {
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the rotation ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.side = Side::None;
+            self.st.compensation.end();
         }
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform.clone();
         next.angle = Deg(if incremental { next.angle.0 + angle } else { angle });
         if next.angle.normal().0 == 0.0 {
             next.angle = Deg(0.0);
@@ -215,7 +240,7 @@ impl Run<'_> {
                     .help("if MP 7410 limits it to the plane, set `[control] scaling = \"plane\"`"),
             );
         }
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform.clone();
         next.scale = factor;
         next.unscaled = in_plane.then_some(self.st.axis());
         self.set_transformation(next)
@@ -224,7 +249,7 @@ impl Run<'_> {
     /// Cycle 26.
     pub(super) fn scale_axes(&mut self, open: &Open) -> Outcome {
         let mm = self.level().frame.unit.mm();
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform.clone();
         for axis in &open.axes {
             let (true, Some(factor)) = (axis.axis.is_main(), axis.value) else {
                 let what = format!("{} cannot be scaled", axis.axis.letter());
@@ -310,20 +335,20 @@ impl Run<'_> {
                 format!("preset {number} is printed as work offset {offset} ({})", offset_word(offset)),
             ));
         }
-        if self.st.transform.turn.0 != 0.0 {
+        if self.st.frames.transform.turn.0 != 0.0 {
             self.error(codes::K2852, "the datum is set while the working plane is turned");
             return Err(Reported);
         }
         self.function(Function::WorkOffset(offset));
-        let mirror_last = self.st.transform.mirror_last;
+        let mirror_last = self.st.frames.transform.mirror_last;
         self.set_transformation(Transformation::none(mirror_last))?;
         // In the new system no axis has a known position, but for those that never moved before the first preset.
-        if std::mem::replace(&mut self.st.preset_selected, true) {
+        if std::mem::replace(&mut self.st.frames.preset_selected, true) {
             self.st.position.end_start();
         }
         self.st.position.stand_at_start();
-        self.st.polar = None;
-        self.st.system += 1;
+        self.st.polar.forget_last();
+        self.st.frames.system += 1;
         Ok(())
     }
 
@@ -389,7 +414,7 @@ impl Run<'_> {
     }
 
     pub(super) fn reset_transform(&mut self, kind: Transform) -> Outcome {
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform.clone();
         let none = Transformation::default();
         match kind {
             Transform::Datum => {

@@ -214,7 +214,7 @@ impl Run<'_> {
                         "cycle 13 takes 0 to 360 degrees",
                     );
                 }
-                self.st.orientation = Some(angle);
+                self.st.spindle.orient(angle);
                 Ok(())
             }
             Nature::Tilt => self.tilt(open),

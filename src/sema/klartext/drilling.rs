@@ -4,10 +4,10 @@
 //! then. The values of the old dotted cycles are those of the definition.
 
 use crate::diag::{Diagnostic, codes};
+use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Degression, Levels, Method, Pecking, Removal, Tap, usual_ahead};
 use crate::ir::cycle::{Cycle, Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
-use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::cycle_table::Name;
 
@@ -85,7 +85,7 @@ impl Run<'_> {
 
     /// Drills where the tool stands. `shift` lifts the surface, in mm.
     pub(super) fn drill(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome {
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2407, self.here.origin.loc, "a cycle is called while RL or RR is active")
                     .help("program a straight block with R0 in front of the call"),
@@ -95,7 +95,7 @@ impl Run<'_> {
         // The control itself starts the spindle for rigid tapping.
         let drilling = cycle.row().nature.drilling();
         let by_pitch = drilling.is_some_and(|drilling| drilling.feed.is_none());
-        if self.st.spindle.is_none() && !by_pitch {
+        if !self.st.spindle.turns() && !by_pitch {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")
@@ -103,7 +103,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        if self.st.speed.is_none_or(|speed| speed <= 0.0) {
+        if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")
@@ -113,7 +113,7 @@ impl Run<'_> {
         }
         self.cuts_now()?;
         self.check_pitch(cycle)?;
-        if self.st.plunge_share.is_some() {
+        if self.st.feed.plunge_share().is_some() {
             self.report(
                 Diagnostic::new(codes::K2709, self.here.origin.loc, "M103 does not change the feeds of this cycle")
                     .help("program M103 without F in front of the cycle, or the feed of the cycle as it is meant"),
@@ -130,14 +130,14 @@ impl Run<'_> {
         self.st.position.cycle_leaves(&end, AxisSet::of(axis));
         self.st.moved = true;
         if matches!(cycle, Cycle::Drilling(Drilling { method: Method::Tap(Tap { after: Spindle::Stop, .. }), .. })) {
-            self.st.spindle = None;
+            self.st.spindle.stop();
         }
         Ok(())
     }
 
     /// A scaling changes the depth of a thread, but no tap has another pitch.
     fn check_pitch(&mut self, cycle: &DefinedCycle) -> Outcome {
-        let t = &self.st.transform;
+        let t = self.st.frames.transform();
         let scaled = t.scale != 1.0 || t.axis_scale != [1.0; 3];
         if scaled && cycle.row().nature.drilling().is_some_and(|drilling| drilling.taps) {
             return self.cycle_unbuilt(cycle, "tapping under a scaling, which would change the pitch of the thread,");
@@ -336,7 +336,7 @@ impl Run<'_> {
                 self.position_of(Axis::ALL[axis], self.block_span(), "cycle 202")?;
             }
         }
-        let turn = self.st.spindle.unwrap_or(Turn::Clockwise);
+        let turn = self.st.spindle.turn().unwrap_or(Turn::Clockwise);
         Ok(Method::Bore(Bore { dwell: cut.dwell, turn, orient, back, lift }))
     }
 
@@ -351,7 +351,7 @@ impl Run<'_> {
         let turn = match lead {
             Some(lead) if lead < 0.0 => Turn::CounterClockwise,
             Some(_) => Turn::Clockwise,
-            None => self.st.spindle.unwrap_or(Turn::Clockwise),
+            None => self.st.spindle.turn().unwrap_or(Turn::Clockwise),
         };
         Ok(Method::Tap(Tap {
             lead: lead.map(f64::abs),
@@ -467,8 +467,8 @@ impl Run<'_> {
 
     /// FAUTO: the F of the last TOOL CALL.
     fn tool_feed_of(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<Feed> {
-        match self.st.tool_feed {
-            Some((feed, _)) if matches!(feed, Feed::PerRevolution(_)) == self.st.per_revolution => Ok(feed),
+        match self.st.feed.of_tool() {
+            Some(feed) if matches!(feed, Feed::PerRevolution(_)) == self.st.feed.is_per_revolution() => Ok(feed),
             Some(_) => self.cycle_unbuilt(cycle, &format!("{q}=FAUTO with a TOOL CALL that counts F in another way")),
             None => {
                 self.report(

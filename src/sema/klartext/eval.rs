@@ -199,11 +199,11 @@ impl Run<'_> {
     fn control_value(&mut self, number: u32, span: Span) -> Outcome<Option<f64>> {
         let mm = self.level().frame.unit.mm();
         Ok(match number {
-            108 => match self.st.tool.as_ref().and_then(|tool| tool.effective_radius()) {
+            108 => match self.st.tool.active().and_then(|tool| tool.effective_radius()) {
                 Some(radius) => Some(radius / mm),
                 None => return self.tool_data_missing(codes::K2008, "radius", span).map(Some),
             },
-            109 => Some(match self.st.tool_axis {
+            109 => Some(match self.st.tool.axis() {
                 None => -1.0,
                 Some(Axis::X) => 0.0,
                 Some(Axis::Y) => 1.0,
@@ -212,7 +212,7 @@ impl Run<'_> {
                 Some(Axis::V) => 7.0,
                 _ => 8.0,
             }),
-            110 => Some(match (self.st.spindle, self.st.spindle_used) {
+            110 => Some(match (self.st.spindle.turn(), self.st.spindle.used()) {
                 (Some(Turn::Clockwise), _) => 0.0,
                 (Some(Turn::CounterClockwise), _) => 1.0,
                 (None, Some(Turn::Clockwise)) => 2.0,
@@ -224,7 +224,7 @@ impl Run<'_> {
                 Unit::Mm => 0.0,
                 Unit::Inch => 1.0,
             }),
-            114 => match self.st.tool.as_ref().and_then(|tool| tool.length) {
+            114 => match self.st.tool.active().and_then(|tool| tool.length) {
                 Some(length) => Some(length / mm),
                 None => return self.tool_data_missing(codes::K2012, "length", span).map(Some),
             },
@@ -238,7 +238,7 @@ impl Run<'_> {
         if let Some(Slot::Number(value)) = self.vars.get(self.locals(), q) {
             return Ok(*value);
         }
-        match &self.st.tool {
+        match self.st.tool.active() {
             Some(tool) => self.fail_help(
                 code,
                 span,

@@ -6,6 +6,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
+use crate::sema::common::feed::{FeedKind, ModalFeed};
 use crate::text::{Loc, Span};
 
 use super::words::{FeedWord, Words};
@@ -17,6 +18,84 @@ const INCH_FEED: f64 = 25.4 / 10.0;
 /// Feed per revolution in mm above which a feed per minute was meant.
 const MOST_PER_REVOLUTION: f64 = 10.0;
 
+/// What F and its M functions say.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FeedState {
+    modal: ModalFeed,
+    /// Number of the feed word in force, as written: what a move of rotary axes alone takes as degrees.
+    written: f64,
+    /// F of the last TOOL CALL, and the number as written.
+    of_tool: Option<(Feed, f64)>,
+    /// M103: highest share of the feed in the negative tool axis.
+    plunge_share: Option<f64>,
+    /// M116: feed of rotary axes at the surface.
+    pub at_surface: bool,
+    /// M109 or M110: feed at the cutting edge.
+    pub at_edge: bool,
+    /// The last positioning block went at rapid traverse.
+    pub last_rapid: bool,
+}
+
+impl FeedState {
+    pub fn new(feed: Option<f64>) -> FeedState {
+        FeedState {
+            modal: ModalFeed::new(feed, Some(FeedKind::PerMinute)),
+            written: feed.unwrap_or_default(),
+            of_tool: feed.map(|feed| (Feed::PerMinute(feed), feed)),
+            plunge_share: None,
+            at_surface: false,
+            at_edge: false,
+            last_rapid: false,
+        }
+    }
+
+    #[inline]
+    pub fn word(&self) -> Option<Feed> {
+        self.modal.word()
+    }
+
+    pub fn is_per_revolution(&self) -> bool {
+        self.modal.is_per_revolution()
+    }
+
+    #[inline]
+    pub fn plunge_share(&self) -> Option<f64> {
+        self.plunge_share
+    }
+
+    /// F of the last TOOL CALL.
+    pub fn of_tool(&self) -> Option<Feed> {
+        self.of_tool.map(|(feed, _)| feed)
+    }
+
+    /// F, with the number as written.
+    pub fn program(&mut self, feed: Feed, written: f64) {
+        self.modal.program(feed);
+        self.written = written;
+    }
+
+    /// F of a TOOL CALL: it holds until another one is programmed, in a block or a TOOL CALL.
+    pub fn program_of_tool(&mut self, feed: Feed, written: f64) {
+        self.of_tool = Some((feed, written));
+        self.program(feed, written);
+    }
+
+    /// A TOOL CALL without F.
+    pub fn reset_of_tool(&mut self, feed: Option<f64>) {
+        self.of_tool = feed.map(|feed| (Feed::PerMinute(feed), feed));
+    }
+
+    /// M136 and M137
+    pub fn switch(&mut self, per_revolution: bool) {
+        self.modal.switch(FeedKind::per_revolution(per_revolution));
+    }
+
+    /// M103
+    pub fn share_plunges(&mut self, share: Option<f64>) {
+        self.plunge_share = share;
+    }
+}
+
 impl Run<'_> {
     pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
         let (feed, written) = match w.feed {
@@ -26,8 +105,8 @@ impl Run<'_> {
                 (self.feed_of(f), f)
             }
             FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
-            FeedWord::Auto => match self.st.tool_feed {
-                Some((Feed::PerMinute(_), _)) if self.st.per_revolution => {
+            FeedWord::Auto => match self.st.feed.of_tool {
+                Some((Feed::PerMinute(_), _)) if self.st.feed.is_per_revolution() => {
                     return self.fail_help(
                         codes::K2003,
                         w.feed_span,
@@ -35,7 +114,7 @@ impl Run<'_> {
                         "program F in mm/rev, or M137 first",
                     );
                 }
-                Some((Feed::PerRevolution(_), _)) if !self.st.per_revolution => {
+                Some((Feed::PerRevolution(_), _)) if !self.st.feed.is_per_revolution() => {
                     return self.fail_help(
                         codes::K2003,
                         w.feed_span,
@@ -57,14 +136,13 @@ impl Run<'_> {
         if feed.value() <= 0.0 {
             return self.feed_not_positive(w.feed_span, written);
         }
-        self.st.feed = Some(feed);
-        self.st.written_feed = written;
+        self.st.feed.program(feed, written);
         Ok(())
     }
 
     /// M136 makes a feed that was meant per minute count per revolution.
     pub(super) fn large_per_revolution(&self, loc: Loc, feed: f64) {
-        if self.st.per_revolution && feed > MOST_PER_REVOLUTION {
+        if self.st.feed.is_per_revolution() && feed > MOST_PER_REVOLUTION {
             self.report(
                 Diagnostic::new(codes::K2013, loc, format!("under M136 this feed is {feed} mm per revolution"))
                     .help("write the feed in mm/rev, or M137 in front of a feed in mm/min"),
@@ -86,7 +164,7 @@ impl Run<'_> {
 
     /// A feed word in the unit and mode in force.
     pub(super) fn feed_of(&mut self, value: f64) -> Feed {
-        if self.st.per_revolution {
+        if self.st.feed.is_per_revolution() {
             return Feed::PerRevolution(value);
         }
         Feed::PerMinute(if self.level().frame.unit == Unit::Inch { value * INCH_FEED } else { value })
@@ -98,7 +176,7 @@ impl Run<'_> {
         if w.feed == FeedWord::Max {
             return Ok(None);
         }
-        match self.st.feed {
+        match self.st.feed.word() {
             Some(feed) => Ok(Some(feed)),
             None => self.feed_missing(),
         }
@@ -111,7 +189,7 @@ impl Run<'_> {
                 .help("program F in this block, in an earlier one, or in the TOOL CALL"),
         );
         // One report is enough.
-        self.st.feed = Some(Feed::PerMinute(1.0));
+        self.st.feed.modal.presume();
         Err(Reported)
     }
 
@@ -119,8 +197,8 @@ impl Run<'_> {
     #[cold]
     pub(super) fn lose_feed(&mut self, block: &Block) {
         let feeds = block.words.iter().any(|word| matches!(word.addr, Addr::Feed | Addr::FeedAuto | Addr::FeedPerRev));
-        if feeds && self.st.feed.is_none() {
-            self.st.feed = Some(Feed::PerMinute(1.0));
+        if feeds {
+            self.st.feed.modal.presume();
         }
     }
 
@@ -141,7 +219,7 @@ impl Run<'_> {
     /// The same for a move that cuts.
     #[inline]
     pub(super) fn plunged(&mut self, w: &Words, feed: Feed, end: &Pos, in_plane: Option<f64>) -> Feed {
-        match self.st.plunge_share {
+        match self.st.feed.plunge_share() {
             Some(share) => self.shared_feed(w, feed, share, end, in_plane),
             None => feed,
         }
@@ -201,6 +279,6 @@ impl Run<'_> {
             return Some(feed);
         }
         let linear = |axis: &Axis| !axis.is_rotary() && self.st.position.get(*axis) != end.get(*axis);
-        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.written_feed) })
+        Some(if end.known().iter().any(|axis| linear(&axis)) { feed } else { feed.with_value(self.st.feed.written) })
     }
 }

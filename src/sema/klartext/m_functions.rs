@@ -154,17 +154,65 @@ pub(super) fn conflict(a: u32, b: u32) -> bool {
     (group(a) != 0 && group(a) == group(b)) || (coolant(a) && b == 9) || (coolant(b) && a == 9)
 }
 
+/// What the program told the spindle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SpindleState {
+    turn: Option<Turn>,
+    /// The sense in which it turned last.
+    used: Option<Turn>,
+    speed: Option<f64>,
+    /// Angle of cycle 13.
+    orientation: Option<f64>,
+}
+
+impl SpindleState {
+    /// Sense of rotation, while it turns.
+    pub fn turn(&self) -> Option<Turn> {
+        self.turn
+    }
+
+    pub fn turns(&self) -> bool {
+        self.turn.is_some()
+    }
+
+    /// The sense in which it turned last.
+    pub fn used(&self) -> Option<Turn> {
+        self.used
+    }
+
+    pub fn speed(&self) -> Option<f64> {
+        self.speed
+    }
+
+    pub fn start(&mut self, turn: Turn) {
+        (self.turn, self.used) = (Some(turn), Some(turn));
+    }
+
+    pub fn stop(&mut self) {
+        self.turn = None;
+    }
+
+    pub fn set_speed(&mut self, speed: f64) {
+        self.speed = Some(speed);
+    }
+
+    /// Cycle 13: where M19 stops the spindle.
+    pub fn orient(&mut self, angle: f64) {
+        self.orientation = Some(angle);
+    }
+}
+
 impl Run<'_> {
     /// Refuses M functions that no path can be computed with, before anything of the block acts.
     pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
-        let compensated = self.st.side != Side::None || matches!(w.comp, Some(Comp::Side(Side::Left | Side::Right)));
+        let compensated = self.st.compensation.is_on() || matches!(w.comp, Some(Comp::Side(Side::Left | Side::Right)));
         for m in w.m() {
             match entry(m.number) {
                 Some((Act::Refused, _)) => {
                     let (what, help) = refusal(m.number);
                     return self.fail_help(codes::K9008, m.span, format!("M{} {what}", m.number), help);
                 }
-                Some(_) if m.number == 130 && self.st.transform.turn.0 != 0.0 => {
+                Some(_) if m.number == 130 && self.st.frames.transform().turn.0 != 0.0 => {
                     return self.fail_help(
                         codes::K9008,
                         m.span,
@@ -211,7 +259,7 @@ impl Run<'_> {
         for m in w.m() {
             match entry(m.number) {
                 Some((act, When::Start)) => self.act(act, m)?,
-                Some((Act::ToolChange, When::End)) => self.m6_at_end(),
+                Some((Act::ToolChange, When::End)) => self.st.m6_at_end(),
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
@@ -257,8 +305,8 @@ impl Run<'_> {
             Act::ProgramEnd { rewind } => return self.program_end(rewind),
             Act::ToolChange => return self.m6(m.span),
             Act::Orient => {
-                let angle = self.st.orientation.unwrap_or(0.0);
-                self.st.spindle = None;
+                let angle = self.st.spindle.orientation.unwrap_or(0.0);
+                self.st.spindle.stop();
                 self.function(Function::Spindle(Spindle::Orient(angle)));
             }
             Act::PlungeShare => {
@@ -267,19 +315,19 @@ impl Run<'_> {
                 {
                     return self.fail(codes::K2707, m.span, format!("M103 F{share} is no share of the feed in %"));
                 }
-                if m.args.feed.is_none() && self.st.plunge_share.is_none() {
+                if m.args.feed.is_none() && self.st.feed.plunge_share().is_none() {
                     self.note_m(m);
                 }
-                self.st.plunge_share = m.args.feed.map(|percent| percent / 100.0);
+                self.st.feed.share_plunges(m.args.feed.map(|percent| percent / 100.0));
             }
-            Act::EdgeFeed(false) if !self.st.edge_feed => self.note_m(m),
-            Act::RotaryFeed(false) if !self.st.rotary_feed => self.note_m(m),
-            Act::ShortWay(false) if !self.st.short_way => self.note_m(m),
-            Act::PerRevolution(false) if !self.st.per_revolution => self.note_m(m),
-            Act::FollowTip(false) if !self.st.follows_tip => self.note_m(m),
-            Act::EdgeFeed(on) => self.st.edge_feed = on,
-            Act::RotaryFeed(on) => self.st.rotary_feed = on,
-            Act::ShortWay(on) => self.st.short_way = on,
+            Act::EdgeFeed(false) if !self.st.feed.at_edge => self.note_m(m),
+            Act::RotaryFeed(false) if !self.st.feed.at_surface => self.note_m(m),
+            Act::ShortWay(false) if !self.st.rotary.short_way => self.note_m(m),
+            Act::PerRevolution(false) if !self.st.feed.is_per_revolution() => self.note_m(m),
+            Act::FollowTip(false) if !self.st.rotary.follows_tip => self.note_m(m),
+            Act::EdgeFeed(on) => self.st.feed.at_edge = on,
+            Act::RotaryFeed(on) => self.st.feed.at_surface = on,
+            Act::ShortWay(on) => self.st.rotary.short_way = on,
             Act::PerRevolution(on) => {
                 if on && self.level().frame.unit == Unit::Inch {
                     return self.fail(
@@ -288,14 +336,11 @@ impl Run<'_> {
                         "the unit of F under M136 in an INCH program is not documented",
                     );
                 }
-                if self.st.per_revolution != on {
-                    self.st.feed = None;
-                }
-                self.st.per_revolution = on;
+                self.st.feed.switch(on);
             }
             Act::FollowTip(on) => return self.follow_tip(on, m.span),
             Act::ModuloRotary => {
-                if !self.reduce_rotary(m.args.axes) {
+                if !self.st.reduce_rotary(m.args.axes) {
                     self.note_m(m);
                 }
             }
@@ -336,13 +381,12 @@ impl Run<'_> {
     }
 
     fn start_spindle(&mut self, turn: Turn) {
-        self.st.spindle = Some(turn);
-        self.st.spindle_used = Some(turn);
+        self.st.spindle.start(turn);
         self.function(Function::Spindle(Spindle::Start(turn)));
     }
 
     pub(super) fn stop_spindle(&mut self) {
-        self.st.spindle = None;
+        self.st.spindle.stop();
         self.function(Function::Spindle(Spindle::Stop));
     }
 
@@ -353,15 +397,15 @@ impl Run<'_> {
 
     /// M0: program stop, spindle stop, coolant off.
     fn stop_all(&mut self, span: Span) {
-        if self.st.spindle.is_some() || self.st.coolant {
-            let what = match (self.st.spindle.is_some(), self.st.coolant) {
+        if self.st.spindle.turns() || self.st.coolant {
+            let what = match (self.st.spindle.turns(), self.st.coolant) {
                 (true, true) => "the spindle and the coolant",
                 (true, false) => "the spindle",
                 _ => "the coolant",
             };
             self.report(Diagnostic::new(codes::K2708, self.loc(span), format!("M0 also stops {what}")));
         }
-        if self.st.spindle.is_some() {
+        if self.st.spindle.turns() {
             self.stop_spindle();
         }
         if self.st.coolant {

@@ -353,8 +353,7 @@ impl Run<'_> {
     /// Nothing is known behind this block; what only suffers from it is not worth another error.
     fn lose_all(&mut self) {
         self.st.lose(crate::machine::AxisSet::MAIN);
-        self.st.pole = None;
-        self.st.pole_lost = true;
+        self.st.polar.lose_pole();
         self.lost();
     }
 
@@ -398,7 +397,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if !matches!(self.st.change, change::Change::None) {
+        if !matches!(self.st.tool.change, change::Change::None) {
             self.watch_move(mv);
         }
         if let Some(corner) = self.st.corner.take() {
@@ -434,13 +433,13 @@ impl Run<'_> {
             self.finish_cycle();
         }
         self.forgotten_change();
-        if self.st.side != crate::ir::Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")
                     .help("program a block with R0 before the end"),
             );
         }
-        if !self.st.transform.is_none() {
+        if !self.st.frames.transform().is_none() {
             self.report(
                 Diagnostic::new(codes::K2502, self.here.origin.loc, "the program ends with a transformation in force")
                     .help("reset datum shift, mirror, rotation and scaling before the end"),

@@ -12,6 +12,7 @@ use crate::text::Loc;
 
 use super::approach::Last;
 use super::m_functions::Args;
+use super::state::State;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
 
@@ -24,6 +25,23 @@ pub(super) struct CornerMade {
     /// Of the element before.
     side: Side,
     loc: Loc,
+}
+
+impl State {
+    /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
+    fn keep_direction(&mut self, after: &Pos, path: Path) {
+        let plane = self.plane();
+        let mut end = *self.position.at();
+        end.update(after);
+        let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) else {
+            self.last = None;
+            return;
+        };
+        let arc = matches!(path, Path::Arc(..));
+        if arc || from != to {
+            self.last = Some(Last::new(from, to, path));
+        }
+    }
 }
 
 impl Run<'_> {
@@ -158,12 +176,17 @@ impl Run<'_> {
 
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
         let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
-        if side == self.st.side {
-            self.st.side_lost &= side != Side::None;
+        if side == self.st.compensation.side() {
+            if side == Side::None {
+                self.st.compensation.found();
+            }
             return Ok(());
         }
         let switched = self.switch_side_to(w, side, arc);
-        self.st.side_lost = switched.is_err();
+        match switched {
+            Ok(()) => self.st.compensation.found(),
+            Err(Reported) => self.st.compensation.lose(),
+        }
         switched
     }
 
@@ -177,7 +200,7 @@ impl Run<'_> {
             );
         }
         if side != Side::None {
-            if self.st.side != Side::None {
+            if self.st.compensation.is_on() {
                 return self.fail_help(
                     codes::K2602,
                     w.comp_span,
@@ -195,7 +218,7 @@ impl Run<'_> {
             }
             self.check_cutter(w.comp_span)?;
         }
-        self.st.side = side;
+        self.st.compensation.select(side);
         Ok(())
     }
 
@@ -205,28 +228,13 @@ impl Run<'_> {
         if self.approach.is_some() {
             self.send_approach(end, &path);
         }
-        self.movement(&Move { end: *end, path, side: self.st.side, coords: Coords::Frame });
-        if self.st.side != Side::None {
-            self.keep_direction(end, path);
+        self.movement(&Move { end: *end, path, side: self.st.compensation.side(), coords: Coords::Frame });
+        if self.st.compensation.is_on() {
+            self.st.keep_direction(end, path);
         }
-        self.st.last_rapid = path.is_rapid();
+        self.st.feed.last_rapid = path.is_rapid();
         self.st.position.move_to(end);
         self.st.moved = true;
-    }
-
-    /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
-    fn keep_direction(&mut self, after: &Pos, path: Path) {
-        let plane = self.st.plane();
-        let mut end = *self.st.position.at();
-        end.update(after);
-        let (Some(from), Some(to)) = (self.st.position.in_plane(plane), end.in_plane(plane)) else {
-            self.st.last = None;
-            return;
-        };
-        let arc = matches!(path, Path::Arc(..));
-        if arc || from != to {
-            self.st.last = Some(Last::new(from, to, path));
-        }
     }
 
     pub(super) fn line(&mut self, w: &Words) -> Outcome {
@@ -239,11 +247,7 @@ impl Run<'_> {
         let end = self.check_axes(w, end, feed.is_some())?;
         let feed = self.rotary_only_feed(feed, &end);
         let feed = self.plunge_feed(w, feed, &end, None);
-        if let Some(last) = self.st.polar
-            && !end.known().common(plane_axes(last.plane)).is_empty()
-        {
-            self.st.polar = None;
-        }
+        self.st.polar.forget_last_of(end.known());
         self.send(&end, Path::straight(feed));
         Ok(())
     }
@@ -264,12 +268,12 @@ impl Run<'_> {
         self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;
-            self.st.rotary_moved.insert(axis);
+            self.st.rotary.moves(axis);
         }
         let (path, coords) = (Path::straight(feed), Coords::Machine);
-        self.movement(&Move { end, path, side: self.st.side, coords });
+        self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
         self.st.moved_by_machine(end.known());
-        self.st.last_rapid = feed.is_none();
+        self.st.feed.last_rapid = feed.is_none();
         Ok(())
     }
 
@@ -299,7 +303,7 @@ impl Run<'_> {
             ));
             end.set(axis, top);
             let coords = Coords::Machine;
-            self.movement(&Move { end, path, side: self.st.side, coords });
+            self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
             self.st.moved_by_machine(end.known());
             return Ok(());
         }
@@ -347,7 +351,7 @@ impl Run<'_> {
             return self.fail_help(codes::K1006, block.span, what, help);
         };
         let feed = match w.feed {
-            FeedWord::None => match self.st.feed {
+            FeedWord::None => match self.st.feed.word() {
                 Some(feed) => feed,
                 None => return self.feed_missing(),
             },
@@ -368,12 +372,12 @@ impl Run<'_> {
             }
         };
         if rounding {
-            self.check_edge_feed(self.st.side)?;
+            self.check_edge_feed(self.st.compensation.side())?;
         }
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         // What stands behind a corner begins at its cut.
         self.st.last = None;
-        self.st.corner = Some(CornerMade { rounding, side: self.st.side, loc: self.here.origin.loc });
+        self.st.corner = Some(CornerMade { rounding, side: self.st.compensation.side(), loc: self.here.origin.loc });
         self.core.send_corner(
             &Corner {
                 shape,
@@ -443,7 +447,7 @@ impl Run<'_> {
     /// R+ makes the way longer by the tool radius, R- shorter.
     fn lengthened(&mut self, w: &Words, longer: bool) -> Outcome {
         let mut axes = w.axes.known().iter();
-        let axis = match (axes.next(), axes.next(), self.st.side) {
+        let axis = match (axes.next(), axes.next(), self.st.compensation.side()) {
             (Some(axis), None, Side::None) if axis.is_main() => axis,
             _ => {
                 return self.fail_help(

@@ -320,7 +320,7 @@ impl Run<'_> {
             }
             let mut end = Pos::UNKNOWN;
             end.set_in_plane(self.st.plane(), *place);
-            self.st.polar = None;
+            self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
             self.drill(&cycle, *surface, Retract::To(height))?;
         }

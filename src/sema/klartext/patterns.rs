@@ -72,7 +72,7 @@ impl Run<'_> {
     fn rapid_in_plane(&mut self, place: Point2) {
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(self.st.plane(), place);
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.send(&end, Path::Rapid);
     }
 
@@ -196,7 +196,7 @@ impl Run<'_> {
         for axis in plane.iter() {
             end.set(axis, w.axes.get(axis).unwrap_or(0.0));
         }
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.send(&end, Path::straight(feed));
         self.drill(cycle, shift, Retract::Far)?;
         self.m_at_end(&w)

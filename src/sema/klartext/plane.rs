@@ -7,13 +7,13 @@ use libm::atan2;
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
-use crate::ir::Side;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
 use super::cycle_definition::Open;
+use super::state::State;
 use super::vars::Slot;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
@@ -158,6 +158,17 @@ pub(super) fn tilts(code: &[u8]) -> bool {
     !matches!(plane.effect(), Effect::Turned(_) | Effect::TurnedBy(_))
 }
 
+impl State {
+    /// Does every rotary axis that the program moved stand at zero?
+    fn stands_upright(&self) -> bool {
+        let at = self.ctx.frame.apply(self.position.at());
+        [Axis::A, Axis::B, Axis::C]
+            .into_iter()
+            .filter(|axis| self.rotary.has_moved(*axis))
+            .all(|axis| at.get(axis).is_some_and(|angle| (angle - self.rotary.turns_of(axis)) % 360.0 == 0.0))
+    }
+}
+
 impl Run<'_> {
     /// A PLANE block. Nothing that tilts was active before.
     pub(super) fn plane_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
@@ -178,7 +189,7 @@ impl Run<'_> {
         let refuse = |run: &mut Self, what: &str| run.refuse_motion(codes::K9004, span, &format!("{name} {what}"));
         let angle = match plane.effect() {
             Effect::Turned(angle) => angle,
-            Effect::TurnedBy(angle) => self.st.transform.turn.0 + angle,
+            Effect::TurnedBy(angle) => self.st.frames.transform().turn.0 + angle,
             Effect::Table => {
                 return refuse(
                     self,
@@ -244,7 +255,7 @@ impl Run<'_> {
             );
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
-        let moves = turn != self.st.transform.turn.0;
+        let moves = turn != self.st.frames.transform().turn.0;
         self.turn_plane("cycle 19", turn, moves, moves)
     }
 
@@ -252,9 +263,9 @@ impl Run<'_> {
     /// with `leaves` the tool does not follow.
     fn turn_plane(&mut self, name: &str, angle: f64, moves: bool, leaves: bool) -> Outcome {
         let angle = if Deg(angle).normal().0 == 0.0 { 0.0 } else { angle };
-        let before = self.st.transform.turn.0;
+        let before = self.st.frames.transform().turn.0;
         if moves || angle != 0.0 {
-            if !self.stands_upright() {
+            if !self.st.stands_upright() {
                 let message = format!("{name} moves the rotary axes, and the program has turned them");
                 return self.refuse_motion(codes::K9004, self.block_span(), &message);
             }
@@ -281,17 +292,17 @@ impl Run<'_> {
         if angle == before {
             return Ok(());
         }
-        if self.st.transform.shifted_in_turn && self.st.transform.is_shifted_in_plane() {
+        if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
             self.error(codes::K2852, "the working plane turns while a datum shift along the turned axes is in force");
             self.lose_all();
             return Err(Reported);
         }
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, here, "the turn of the plane ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.side = Side::None;
+            self.st.compensation.end();
         }
         if angle != 0.0 {
             self.report(
@@ -300,21 +311,21 @@ impl Run<'_> {
                 ),
             );
         }
-        let mut next = self.st.transform.clone();
+        let mut next = self.st.frames.transform().clone();
         next.turn = Deg(angle);
         next.shifted_in_turn = false;
         self.set_transformation(next)?;
         if leaves {
             // The part turns away from under the tool, or not: both axes have to be named again.
             self.st.position.forget([Axis::X, Axis::Y].into_iter().collect());
-            self.st.polar = None;
+            self.st.polar.forget_last();
         }
         Ok(())
     }
 
     /// While the working plane is turned, the turn is in the coordinates: a rotary axis that moves would turn twice.
     pub(super) fn no_rotary_move_under_turn(&mut self, axes: AxisSet, span: Span) -> Outcome {
-        if self.st.transform.turn.0 == 0.0 {
+        if self.st.frames.transform().turn.0 == 0.0 {
             return Ok(());
         }
         let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
@@ -329,18 +340,9 @@ impl Run<'_> {
         )
     }
 
-    /// Does every rotary axis that the program moved stand at zero?
-    fn stands_upright(&self) -> bool {
-        let at = self.st.ctx.frame.apply(self.st.position.at());
-        [Axis::A, Axis::B, Axis::C].into_iter().filter(|axis| self.st.rotary_moved.contains(*axis)).all(|axis| {
-            at.get(axis)
-                .is_some_and(|angle| (angle - self.st.rotary_offset[axis.index() - Axis::A.index()]) % 360.0 == 0.0)
-        })
-    }
-
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
-        if on && !self.stands_upright() {
+        if on && !self.st.stands_upright() {
             return self.fail_help(
                 codes::K9008,
                 span,
@@ -348,13 +350,13 @@ impl Run<'_> {
                 "use 3-axis output of the CAM system",
             );
         }
-        self.st.follows_tip = on;
+        self.st.rotary.follows_tip = on;
         Ok(())
     }
 
     /// Under M128 a rotary axis that turns takes the other axes along.
     pub(super) fn check_tip(&mut self, w: &Words, axis: Axis, target: Option<f64>) -> Outcome {
-        if !self.st.follows_tip || (target.is_some() && target == self.st.position.get(axis)) {
+        if !self.st.rotary.follows_tip || (target.is_some() && target == self.st.position.get(axis)) {
             return Ok(());
         }
         if self.st.position.is_lost(axis) {

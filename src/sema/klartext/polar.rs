@@ -16,10 +16,72 @@ use super::state::{LastPolar, PoleState};
 use super::words::{Admits, Words};
 use super::{Outcome, Reported, Run};
 
+/// Poles, and what polar blocks and arcs leave to the next.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct PolarState {
+    pole: Option<PoleState>,
+    /// A pole block was refused: a missing pole is not worth another error.
+    lost: bool,
+    /// Radius and angle of the last polar block, while nothing else moved in the plane.
+    last: Option<LastPolar>,
+    /// Radius and angle last written in a polar block.
+    programmed: Option<(f64, Deg)>,
+    /// Counter-clockwise, of the last arc.
+    turn: Option<bool>,
+}
+
+impl PolarState {
+    pub fn pole(&self) -> Option<PoleState> {
+        self.pole
+    }
+
+    pub fn is_lost(&self) -> bool {
+        self.lost
+    }
+
+    /// Counter-clockwise, of the last arc.
+    pub fn turn(&self) -> Option<bool> {
+        self.turn
+    }
+
+    pub fn set_turn(&mut self, ccw: bool) {
+        self.turn = Some(ccw);
+    }
+
+    /// The pole is not known any more, which was reported.
+    pub fn lose_pole(&mut self) {
+        (self.pole, self.lost) = (None, true);
+    }
+
+    /// Something else moved: radius and angle of the last polar block do not count.
+    #[inline]
+    pub fn forget_last(&mut self) {
+        self.last = None;
+    }
+
+    /// The same where one of these axes moved.
+    #[inline]
+    pub fn forget_last_of(&mut self, axes: AxisSet) {
+        if let Some(last) = self.last
+            && !plane_axes(last.plane).common(axes).is_empty()
+        {
+            self.last = None;
+        }
+    }
+
+    fn keep(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
+        self.last = Some(LastPolar::new(radius, angle, pole));
+        self.programmed = Some((radius, angle));
+        if let Some(pole) = &mut self.pole {
+            pole.used = true;
+        }
+    }
+}
+
 impl Run<'_> {
     /// Radius and angle of the start, about the pole: as the last polar block left them, or from the position.
     pub(super) fn polar_start(&mut self, pole: &PoleState, what: &str) -> Outcome<(f64, Option<Deg>)> {
-        if let Some(last) = self.st.polar
+        if let Some(last) = self.st.polar.last
             && last.pole == pole.at
             && last.plane == pole.plane
         {
@@ -40,7 +102,7 @@ impl Run<'_> {
     ) -> Outcome<(f64, Option<Deg>)> {
         let plain = |word: Option<(f64, bool)>| matches!(word, Some((_, false)));
         let complete = plain(w.polar_radius) && plain(w.polar_angle);
-        let last = self.st.polar.filter(|last| last.pole == pole.at && last.plane == pole.plane);
+        let last = self.st.polar.last.filter(|last| last.pole == pole.at && last.plane == pole.plane);
         let missing = w.polar_radius.is_none() || w.polar_angle.is_none();
         match last {
             _ if complete => return Ok(start),
@@ -49,7 +111,7 @@ impl Run<'_> {
             _ => {}
         }
         if self.job.settings.control.polar_missing == PolarMissing::Programmed
-            && let Some((radius, angle)) = self.st.programmed_polar
+            && let Some((radius, angle)) = self.st.polar.programmed
         {
             return Ok((radius, Some(angle)));
         }
@@ -86,11 +148,7 @@ impl Run<'_> {
 
     /// What a polar block leaves to the next.
     fn keep_polar(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
-        self.st.polar = Some(LastPolar::new(radius, angle, pole));
-        self.st.programmed_polar = Some((radius, angle));
-        if let Some(pole) = &mut self.st.pole {
-            pole.used = true;
-        }
+        self.st.polar.keep(radius, angle, pole);
     }
 
     /// LP.
@@ -108,7 +166,7 @@ impl Run<'_> {
     /// CTP.
     pub(super) fn tangent_polar(&mut self, w: &Words) -> Outcome {
         let pole = self.pole("CTP")?;
-        self.check_edge_feed(self.st.side)?;
+        self.check_edge_feed(self.st.compensation.side())?;
         let (radius, angle) = self.polar_words(w, &pole, "CTP")?;
         let feed = self.arc_feed(w)?;
         let end = self.polar_end(w, &pole, (radius, angle), true)?;
@@ -230,7 +288,7 @@ impl Run<'_> {
             Some(turn) => turn,
             None => self.turn(w, "CP")?,
         };
-        self.st.turn = Some(ccw);
+        self.st.polar.turn = Some(ccw);
         if ccw == (angle > 0.0) {
             return Ok(angle);
         }
@@ -270,9 +328,9 @@ impl Run<'_> {
             self.put_back(w);
             result
         });
-        self.st.pole_lost = result.is_err();
+        self.st.polar.lost = false;
         if result.is_err() {
-            self.st.pole = None;
+            self.st.polar.lose_pole();
         }
         result
     }
@@ -301,7 +359,7 @@ impl Run<'_> {
         };
         let written = self.absolute(w)?;
         let (first, second, _) = plane.axes();
-        let previous = self.st.pole.filter(|pole| pole.plane == plane);
+        let previous = self.st.polar.pole.filter(|pole| pole.plane == plane);
         let keep = axes.len() == 1 && self.job.settings.control.cc_missing == CcMissing::Previous;
         let old = previous.filter(|_| keep).map(|pole| pole.at);
         if axes.len() == 1 {
@@ -322,8 +380,8 @@ impl Run<'_> {
         };
         let x = coordinate(Axis::ALL[first], old.map(|p| p.x))?;
         let y = coordinate(Axis::ALL[second], old.map(|p| p.y))?;
-        self.st.pole =
-            Some(PoleState { at: Point2::new(x, y), plane, set: self.loc(span), system: self.st.system, used: false });
+        let (at, set, system) = (Point2::new(x, y), self.loc(span), self.st.frames.system());
+        self.st.polar.pole = Some(PoleState { at, plane, set, system, used: false });
         Ok(())
     }
 

@@ -97,10 +97,7 @@ impl Run<'_> {
         }
         self.forget_positions(probe.turns());
         if probe.measures_tools() {
-            self.st.tools_measured = true;
-            if let Some(tool) = &mut self.st.tool {
-                (tool.length, tool.radius, tool.corner_radius) = (None, None, None);
-            }
+            self.st.tool.measure();
         }
         if probe.goes_on {
             return Ok(());
@@ -119,11 +116,10 @@ impl Run<'_> {
     fn forget_positions(&mut self, turns: bool) {
         let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
         self.st.position.clear();
-        self.st.polar = None;
+        self.st.polar.forget_last();
         self.st.last = None;
         if turns {
-            self.st.rotary_moved = self.st.rotary_moved.union(rotary);
-            self.st.rotary_offset = [0.0; 3];
+            self.st.rotary.turned_by_machine(rotary);
         }
         self.lost();
     }

@@ -4,16 +4,20 @@ use std::rc::Rc;
 
 use crate::geo::{Deg, Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::function::Turn;
-use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet, Settings};
+use crate::sema::common::compensation::Compensation;
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::approach::Last;
-use super::change::Change;
+use super::coordinates::FrameState;
+use super::feed::FeedState;
+use super::m_functions::SpindleState;
 use super::path::CornerMade;
+use super::polar::PolarState;
+use super::rotary::RotaryState;
+use super::tool::ToolState;
 use super::transform::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
@@ -21,65 +25,18 @@ use super::transform::Transformation;
 pub(super) struct State {
     /// R+ and R- leave an axis beside its nominal position.
     pub position: Position,
-    pub pole: Option<PoleState>,
-    /// A pole block was refused: a missing pole is not worth another error.
-    pub pole_lost: bool,
-    /// Radius and angle of the last polar block, while nothing else moved in the plane.
-    pub polar: Option<LastPolar>,
-    /// Radius and angle last written in a polar block.
-    pub programmed_polar: Option<(f64, Deg)>,
-    /// Counter-clockwise, of the last arc.
-    pub turn: Option<bool>,
-    pub feed: Option<Feed>,
-    /// Number of the feed word in force, as written: what a move of rotary axes alone takes as degrees.
-    pub written_feed: f64,
-    /// F of the last TOOL CALL, and the number as written.
-    pub tool_feed: Option<(Feed, f64)>,
-    /// M136: F counts per revolution.
-    pub per_revolution: bool,
-    /// M103: highest share of the feed in the negative tool axis.
-    pub plunge_share: Option<f64>,
-    pub side: Side,
-    /// RL or RR was refused: a contour that lacks it is not worth another error.
-    pub side_lost: bool,
-    /// RND or CHF that waits for its second element.
-    pub corner: Option<CornerMade>,
-    pub tool: Option<ActiveTool>,
-    pub tool_axis: Option<Axis>,
-    pub transform: Transformation,
-    /// Counts changes of the input system.
-    pub system: u32,
-    /// Cycle 247 selected a preset.
-    pub preset_selected: bool,
-    pub spindle: Option<Turn>,
-    /// The spindle was started once.
-    pub spindle_used: Option<Turn>,
-    pub speed: Option<f64>,
-    pub coolant: bool,
-    /// M126: rotary axes take the short way.
-    pub short_way: bool,
-    /// M116: feed of rotary axes at the surface.
-    pub rotary_feed: bool,
-    /// M109 or M110: feed at the cutting edge.
-    pub edge_feed: bool,
-    /// Whole turns between the printed and the programmed position of A, B, C, in degrees.
-    pub rotary_offset: [f64; 3],
+    pub polar: PolarState,
+    pub feed: FeedState,
+    pub compensation: Compensation,
     /// The last compensated move in the plane, for its direction.
     pub last: Option<Last>,
-    /// The last positioning block went at rapid traverse.
-    pub last_rapid: bool,
-    /// Rotary axes that the program moved.
-    pub rotary_moved: AxisSet,
-    /// M128: the tool tip stays where it is when rotary axes turn.
-    pub follows_tip: bool,
-    /// Angle of cycle 13.
-    pub orientation: Option<f64>,
-    /// The tool change under way.
-    pub change: Change,
-    /// Number of the tool that the last change printed.
-    pub in_spindle: Option<u32>,
-    /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
-    pub tools_measured: bool,
+    /// RND or CHF that waits for its second element.
+    pub corner: Option<CornerMade>,
+    pub tool: ToolState,
+    pub frames: FrameState,
+    pub spindle: SpindleState,
+    pub coolant: bool,
+    pub rotary: RotaryState,
     /// Something moved already.
     pub moved: bool,
     pub blank: Blank,
@@ -149,43 +106,18 @@ pub(super) struct Blank {
 
 impl State {
     pub fn new(settings: &Settings) -> State {
-        let feed = settings.control.feed;
         State {
             position: Position::new(Start::new(settings, false)),
-            pole: None,
-            pole_lost: false,
-            polar: None,
-            programmed_polar: None,
-            turn: None,
-            feed: feed.map(Feed::PerMinute),
-            written_feed: feed.unwrap_or_default(),
-            tool_feed: feed.map(|feed| (Feed::PerMinute(feed), feed)),
-            per_revolution: false,
-            plunge_share: None,
-            side: Side::None,
-            side_lost: false,
-            tool: None,
-            tool_axis: None,
-            transform: Transformation::none(settings.control.klartext_readings.mirror_last),
-            preset_selected: false,
-            system: 0,
-            spindle: None,
-            spindle_used: None,
-            speed: None,
-            coolant: false,
-            short_way: false,
-            rotary_feed: false,
-            edge_feed: false,
-            rotary_offset: [0.0; 3],
+            polar: PolarState::default(),
+            feed: FeedState::new(settings.control.feed),
+            compensation: Compensation::default(),
             last: None,
-            last_rapid: false,
-            rotary_moved: AxisSet::EMPTY,
-            follows_tip: false,
-            orientation: None,
-            change: Change::None,
             corner: None,
-            in_spindle: None,
-            tools_measured: false,
+            tool: ToolState::default(),
+            frames: FrameState::new(Transformation::none(settings.control.klartext_readings.mirror_last)),
+            spindle: SpindleState::default(),
+            coolant: false,
+            rotary: RotaryState::default(),
             moved: false,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),
@@ -194,7 +126,7 @@ impl State {
 
     /// Tool axis in force: called, or that of the blank, or Z.
     pub fn axis(&self) -> Axis {
-        self.tool_axis.or(self.blank.axis).unwrap_or(Axis::Z)
+        self.tool.axis().or(self.blank.axis).unwrap_or(Axis::Z)
     }
 
     /// Working plane that belongs to the tool axis.
@@ -205,21 +137,19 @@ impl State {
     /// Forgets where these axes are.
     pub fn lose(&mut self, axes: AxisSet) {
         self.position.lose(axes);
-        self.polar = None;
+        self.polar.forget_last();
     }
 
     /// These axes were moved in machine coordinates: forgets every programmed coordinate that depends on them.
     pub fn moved_by_machine(&mut self, axes: AxisSet) {
         self.position.moved_by_machine(axes, &self.ctx.frame);
-        for axis in axes.iter().filter(|axis| axis.is_rotary()) {
-            self.rotary_offset[axis.index() - Axis::A.index()] = 0.0;
-        }
-        self.polar = None;
+        self.rotary.forget_turns(axes);
+        self.polar.forget_last();
     }
 
     /// What is shown for a rotary axis: the position without the whole turns that only the output counts.
     pub fn shown(&self, axis: Axis, at: f64) -> f64 {
-        if axis.is_rotary() { at - self.rotary_offset[axis.index() - Axis::A.index()] } else { at }
+        at - self.rotary.turns_of(axis)
     }
 }
 

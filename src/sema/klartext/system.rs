@@ -60,20 +60,20 @@ impl Run<'_> {
         let mm = self.level().frame.unit.mm();
         let index = r.idx.filter(|n| n.fract() == 0.0 && (1.0..=9.0).contains(n)).map(|n| n as usize);
         let axis = index.map(|n| Axis::ALL[n - 1]);
-        let t = &self.st.transform;
+        let t = self.st.frames.transform();
         let known = match (r.id, r.nr) {
             // State of the machine as the program set it.
-            (20, 1) => self.st.tool.as_ref().map(|tool| f64::from(tool.number)),
-            (20, 3) => self.st.tool_axis.map(|axis| match axis {
+            (20, 1) => self.st.tool.active().map(|tool| f64::from(tool.number)),
+            (20, 3) => self.st.tool.axis().map(|axis| match axis {
                 Axis::U => 6.0,
                 Axis::V => 7.0,
                 Axis::W => 8.0,
                 main => main.index() as f64,
             }),
-            (20, 4) => self.st.speed,
+            (20, 4) => self.st.spindle.speed(),
             (50, 1..=6) => return self.table_value(r, block),
             // Active tool: radius, length, corner radius; IDX 1 without, 2 with table, 3 with all oversizes.
-            (200, 1..=3) => self.st.tool.as_ref().and_then(|tool| {
+            (200, 1..=3) => self.st.tool.active().and_then(|tool| {
                 let (value, i) = match r.nr {
                     1 => (tool.radius?, 1),
                     2 => (tool.length?, 0),
@@ -148,7 +148,7 @@ impl Run<'_> {
             tool.length = length.or(tool.length);
             tool.radius = radius.or(tool.radius);
         }
-        if self.st.tools_measured {
+        if self.st.tool.is_measured() {
             data = None;
         }
         let value = data.as_ref().and_then(|tool| match r.nr {

@@ -2,11 +2,12 @@
 //!
 //! Source: reference section 1.5.
 
+use super::change::Change;
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
+use crate::ir::Function;
 use crate::ir::function::{CutterData, Spindle};
-use crate::ir::{Feed, Function, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
@@ -56,6 +57,44 @@ struct Call {
 /// Are these two radii, or one that was computed and rounded?
 fn differs(a: f64, b: f64) -> bool {
     (a - b).abs() > SAME_RADIUS
+}
+
+/// The tool that was called, and the one in the spindle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ToolState {
+    active: Option<ActiveTool>,
+    axis: Option<Axis>,
+    /// The tool change under way.
+    pub change: Change,
+    /// Number of the tool that the last change printed.
+    pub in_spindle: Option<u32>,
+    /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
+    measured: bool,
+}
+
+impl ToolState {
+    /// The tool that was called last.
+    pub fn active(&self) -> Option<&ActiveTool> {
+        self.active.as_ref()
+    }
+
+    /// Tool axis of the last TOOL CALL that named one.
+    #[inline]
+    pub fn axis(&self) -> Option<Axis> {
+        self.axis
+    }
+
+    pub fn is_measured(&self) -> bool {
+        self.measured
+    }
+
+    /// A cycle that measures tools was left out: their sizes are the machine's.
+    pub fn measure(&mut self) {
+        self.measured = true;
+        if let Some(tool) = &mut self.active {
+            (tool.length, tool.radius, tool.corner_radius) = (None, None, None);
+        }
+    }
 }
 
 impl Run<'_> {
@@ -111,14 +150,14 @@ impl Run<'_> {
         };
         let call = self.call_words(rest, block)?;
         // The side stays: a contour that goes on compensated behind a tool change is refused.
-        if self.st.side != Side::None && tool.is_some() {
+        if self.st.compensation.is_on() && tool.is_some() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "TOOL CALL ends the radius compensation")
                     .help("program a block with R0 first"),
             );
         }
         if call.axis.is_none()
-            && self.st.tool_axis.is_none()
+            && self.st.tool.axis.is_none()
             && tool.as_ref().is_some_and(|t| *t != Named::Number(0, 0))
         {
             return self.fail_help(
@@ -128,7 +167,7 @@ impl Run<'_> {
                 "write it behind the tool number: `TOOL CALL 5 Z S2500`",
             );
         }
-        let turned = call.axis.is_some_and(|axis| self.st.tool_axis != Some(axis));
+        let turned = call.axis.is_some_and(|axis| self.st.tool.axis != Some(axis));
         if let Some(axis) = call.axis {
             self.set_tool_axis(axis);
         }
@@ -148,11 +187,9 @@ impl Run<'_> {
             // The feed of a TOOL CALL holds until another one is programmed, in a block or a TOOL CALL.
             let written = feed;
             let feed = self.feed_of(written);
-            self.st.tool_feed = Some((feed, written));
-            self.st.feed = Some(feed);
-            self.st.written_feed = written;
+            self.st.feed.program_of_tool(feed, written);
         } else if tool.is_some() {
-            self.st.tool_feed = self.job.settings.control.feed.map(|feed| (Feed::PerMinute(feed), feed));
+            self.st.feed.reset_of_tool(self.job.settings.control.feed);
         }
         Ok(())
     }
@@ -176,11 +213,11 @@ impl Run<'_> {
     }
 
     fn set_tool_axis(&mut self, axis: Axis) {
-        let changed = self.st.tool_axis != Some(axis);
-        self.st.tool_axis = Some(axis);
+        let changed = self.st.tool.axis != Some(axis);
+        self.st.tool.axis = Some(axis);
         if changed {
             self.function(Function::Plane(self.st.plane()));
-            if self.st.transform.angle.0 != 0.0 && self.st.transform.plane != self.st.plane() {
+            if self.st.frames.transform().angle.0 != 0.0 && self.st.frames.transform().plane != self.st.plane() {
                 self.report(
                     Diagnostic::new(
                         codes::K2511,
@@ -244,24 +281,24 @@ impl Run<'_> {
             }
         }
         let mut other_radius = data.radius.filter(|table| radius.is_some_and(|own| differs(own, *table)));
-        if self.st.tools_measured {
+        if self.st.tool.measured {
             other_radius = None;
             (length, radius, corner_radius) = (None, None, None);
         }
         // The tool that is in the spindle stays there, and its tip where it is. What a call does to a contour under way
         // is open even then.
-        let stays = self.st.tool.as_ref().is_some_and(|active| {
+        let stays = self.st.tool.active.as_ref().is_some_and(|active| {
             !turned
-                && self.st.side == Side::None
+                && !self.st.compensation.is_on()
                 && (active.number, &active.called) == (number, &tool.to_string())
                 && (active.length, active.radius) == (length, radius)
         });
         if stays {
-            self.call_again();
+            self.st.call_again();
             self.change_deltas(call);
             return Ok(());
         }
-        self.st.tool = Some(ActiveTool {
+        self.st.tool.active = Some(ActiveTool {
             number,
             called: tool.to_string(),
             radius,
@@ -279,7 +316,7 @@ impl Run<'_> {
     /// TOOL CALL without a tool: the oversizes are set anew.
     fn change_deltas(&mut self, call: &Call) {
         let here = self.here.origin.loc;
-        let Some(tool) = &mut self.st.tool else { return };
+        let Some(tool) = &mut self.st.tool.active else { return };
         let new = call.deltas.map(Option::unwrap_or_default);
         let dropped = tool.call_deltas.iter().zip(&call.deltas).any(|(old, new)| *old != 0.0 && new.is_none());
         tool.call_deltas = new;
@@ -298,7 +335,7 @@ impl Run<'_> {
 
     /// Tells what compensation has to know of the tool.
     fn send_cutter(&mut self) {
-        let Some(tool) = &self.st.tool else { return };
+        let Some(tool) = &self.st.tool.active else { return };
         let changed = tool.call_deltas[1] != 0.0;
         let known = tool.effective_radius();
         let radius = if changed { known } else { None };
@@ -308,7 +345,7 @@ impl Run<'_> {
 
     /// Before RL or RR: is there a tool, and is its radius what the target believes?
     pub(super) fn check_cutter(&mut self, span: Span) -> Outcome {
-        match &self.st.tool {
+        match &self.st.tool.active {
             None => self.fail_help(
                 codes::K2008,
                 span,
@@ -330,7 +367,7 @@ impl Run<'_> {
 
     /// TOOL DEF and the tool table give the tool the same radius: the target may compensate by the table.
     fn one_radius(&self, span: Span) -> Outcome {
-        let Some(tool) = &self.st.tool else { return Ok(()) };
+        let Some(tool) = &self.st.tool.active else { return Ok(()) };
         let (Some(own), Some(table)) = (tool.radius, tool.other_radius) else { return Ok(()) };
         let called = &tool.called;
         self.fail_help(
@@ -344,7 +381,7 @@ impl Run<'_> {
     /// Radius of the active tool with its oversizes.
     pub(super) fn tool_radius(&mut self, span: Span) -> Outcome<f64> {
         self.one_radius(span)?;
-        match &self.st.tool {
+        match &self.st.tool.active {
             Some(tool) => match tool.effective_radius() {
                 Some(radius) => Ok(radius),
                 None => {
@@ -365,7 +402,7 @@ impl Run<'_> {
         if speed < 0.0 {
             return self.fail(codes::O9002, span, format!("the spindle speed is {speed}"));
         }
-        self.st.speed = Some(speed);
+        self.st.spindle.set_speed(speed);
         self.function(Function::Spindle(Spindle::Speed(speed)));
         Ok(())
     }

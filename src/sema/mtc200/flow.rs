@@ -5,7 +5,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::{Function, Side};
+use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::mtc200::{SPLIT, label_of};
 use crate::parser::symbols::{Symbol, Symbols};
@@ -220,12 +220,11 @@ impl Run<'_> {
         // The end of a program cancels the programmed offset: positions count from the work offset again.
         self.st.position = old.position;
         self.st.position.through_frame(&old.ctx.frame, &self.st.ctx.frame);
-        self.st.written = AxisSet::EMPTY;
-        self.st.selected = old.selected;
+        self.st.offsets.forget_written();
         self.st.tool = old.tool;
-        if old.offset != Offset::Start {
+        if old.offsets.offset() != Offset::Start {
             // Which offset is in force now depends on the machine, and the output still has the old one.
-            self.st.offset = Offset::Reset;
+            self.st.offsets.reset();
             self.st.forget(self.st.position.at().known());
         }
     }
@@ -258,7 +257,7 @@ impl Run<'_> {
     }
 
     fn warn_open(&mut self) {
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             let text = "the program ends with path compensation on";
             self.report(
                 Diagnostic::new(codes::M2601, self.here.origin.loc, text)

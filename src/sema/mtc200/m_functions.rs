@@ -49,6 +49,47 @@ pub(super) fn conflict(a: u32, b: u32) -> bool {
     groups(a).iter().any(|group| *group != 0 && groups(b).contains(group))
 }
 
+/// What the program told the spindle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SpindleState {
+    /// It does not turn, as far as the program says.
+    stands: bool,
+    /// G96: S counts as cutting speed.
+    cutting: bool,
+    /// Cutting speed in m/min.
+    cutting_speed: Option<f64>,
+    /// G92: highest speed under G96, rev/min.
+    limit: Option<f64>,
+}
+
+impl Default for SpindleState {
+    fn default() -> SpindleState {
+        SpindleState { stands: true, cutting: false, cutting_speed: None, limit: None }
+    }
+}
+
+impl SpindleState {
+    pub fn stands(&self) -> bool {
+        self.stands
+    }
+}
+
+/// The tool that is chosen, and the one in use.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ToolInUse {
+    /// Tool of the last T word.
+    selected: Option<u32>,
+    /// Tool of the last change.
+    active: Option<u32>,
+}
+
+impl ToolInUse {
+    /// Tool of the last change.
+    pub fn active(&self) -> Option<u32> {
+        self.active
+    }
+}
+
 impl Run<'_> {
     /// M functions that are not known are refused before anything of the block acts.
     #[inline]
@@ -90,7 +131,7 @@ impl Run<'_> {
         }
         self.function(Function::Aux(number));
         // It may be the one that starts a spindle of this machine.
-        self.st.spindle_stands = false;
+        self.st.spindle.stands = false;
     }
 
     #[inline]
@@ -119,8 +160,8 @@ impl Run<'_> {
             _ => return self.end_of_program(number == 30, span),
         };
         match number {
-            3 | 4 | 13 | 14 => self.st.spindle_stands = false,
-            5 | 19 => self.st.spindle_stands = true,
+            3 | 4 | 13 | 14 => self.st.spindle.stands = false,
+            5 | 19 => self.st.spindle.stands = true,
             _ => {}
         }
         self.function(function);
@@ -135,7 +176,7 @@ impl Run<'_> {
     /// T, and the change where M6 stands in the same block or T alone changes.
     pub(super) fn tool_word(&mut self, at: At, changes: bool) -> Outcome {
         let number = self.whole(at, "T")?;
-        self.st.selected = Some(number);
+        self.st.tool.selected = Some(number);
         if self.job.settings.control.mtc200.t_changes {
             return self.change(at.span);
         }
@@ -154,10 +195,10 @@ impl Run<'_> {
     }
 
     fn change(&mut self, span: Span) -> Outcome {
-        let Some(number) = self.st.selected else {
+        let Some(number) = self.st.tool.selected else {
             return self.fail_help(codes::M2012, span, "M6 without a selected tool", "program T before M6");
         };
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             return self.fail_help(
                 codes::M1006,
                 span,
@@ -165,7 +206,7 @@ impl Run<'_> {
                 "program G40 before",
             );
         }
-        self.st.tool = Some(number);
+        self.st.tool.active = Some(number);
         self.length_acts_along_z(self.st.plane, span)?;
         self.function(Function::ToolChange { number });
         self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
@@ -180,16 +221,16 @@ impl Run<'_> {
                 let help = "set `[output] compensation = \"control\"` to print G41 and G42";
                 return self.fail_help(codes::M9004, span, "path compensation cannot be computed yet", help);
             }
-            if self.st.tool.is_none() {
+            if self.st.tool.active.is_none() {
                 let help = "program T and M6 before";
                 return self.fail_help(codes::M2012, span, "path compensation without a tool", help);
             }
-            if self.st.side_sent != Side::None && self.st.side_sent != side {
+            if self.st.compensation.sent() != Side::None && self.st.compensation.sent() != side {
                 let help = "program G40 with a straight move between them";
                 return self.fail_help(codes::M1006, span, "G41 and G42 follow each other without G40", help);
             }
         }
-        self.st.side = side;
+        self.st.compensation.select(side);
         Ok(())
     }
 
@@ -197,8 +238,8 @@ impl Run<'_> {
 
     /// G96 and G97.
     pub(super) fn spindle_mode(&mut self, on: bool, span: Span, w: &Words) -> Outcome {
-        let changes = self.st.constant_speed != on;
-        self.st.constant_speed = on;
+        let changes = self.st.spindle.cutting != on;
+        self.st.spindle.cutting = on;
         let limit_only = w.g[Group::Once as usize].is_some_and(|(g, _)| g == G::SpeedLimit);
         if changes && (w.speed.is_none() || limit_only) {
             let (name, form) = if on { ("G96", "G96 S180") } else { ("G97", "G97 S1200") };
@@ -212,13 +253,13 @@ impl Run<'_> {
             return self.fail(codes::M2705, at.span, format!("the spindle speed is {}", at.value));
         }
         if limit {
-            self.st.speed_limit = Some(at.value);
-            if self.st.constant_speed {
+            self.st.spindle.limit = Some(at.value);
+            if self.st.spindle.cutting {
                 self.send_cutting_speed();
             }
             return Ok(());
         }
-        if !self.st.constant_speed {
+        if !self.st.spindle.cutting {
             self.function(Function::Spindle(Spindle::Speed(at.value)));
             return Ok(());
         }
@@ -235,14 +276,14 @@ impl Run<'_> {
                 );
             }
         };
-        self.st.cutting_speed = Some(metres);
+        self.st.spindle.cutting_speed = Some(metres);
         self.send_cutting_speed();
         Ok(())
     }
 
     fn send_cutting_speed(&mut self) {
-        if let Some(speed) = self.st.cutting_speed {
-            let limit = self.st.speed_limit;
+        if let Some(speed) = self.st.spindle.cutting_speed {
+            let limit = self.st.spindle.limit;
             self.function(Function::Spindle(Spindle::CuttingSpeed { speed, limit }));
         }
     }

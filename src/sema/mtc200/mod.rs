@@ -17,6 +17,7 @@ mod readings;
 mod state;
 mod words;
 
+use crate::sema::common::feed::FeedKind;
 use std::ops::{Deref, DerefMut};
 use std::rc::Rc;
 
@@ -196,7 +197,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn unread_block(&mut self) {
-        self.st.motion_lost = true;
+        self.st.motion.lose();
         self.lose_all();
     }
 }
@@ -238,7 +239,7 @@ impl Run<'_> {
         } else if once == Some(G::SpeedLimit) {
             return self.missing(w.g_spans[Group::Once as usize], "G92 needs its S: `G92 S2000`");
         }
-        let arcs = self.st.motion.is_some_and(Motion::is_arc);
+        let arcs = self.st.motion.code().is_some_and(Motion::is_arc);
         let moves = once.is_none() && (!w.axes.known().is_empty() || w.has_centre() || (arcs && w.radius.is_some()));
         self.m_at_start(w, moves)?;
         let span = w.g_spans[Group::Once as usize];
@@ -295,7 +296,7 @@ impl Run<'_> {
             let help = "rotation of the zero offset is not supported: leave P out";
             return self.fail_help(codes::M9002, at.span, "the angle P of an offset is not documented", help);
         }
-        if self.st.motion == Some(Motion::Thread) && !w.axes.known().is_empty() {
+        if self.st.motion.code() == Some(Motion::Thread) && !w.axes.known().is_empty() {
             if at.value == 0.0 {
                 return Ok(());
             }
@@ -349,7 +350,7 @@ impl Run<'_> {
     #[inline]
     fn modal(&mut self, g: G, span: Span, w: &Words) -> Outcome {
         match g {
-            G::Motion(motion) => self.st.motion = Some(motion),
+            G::Motion(motion) => self.st.motion.program(motion),
             G::Plane(plane) => return self.set_plane(plane, span),
             G::Incremental(on) => {
                 self.st.incremental = on;
@@ -376,10 +377,7 @@ impl Run<'_> {
             G::Length(on) => return self.set_length(on, span),
             G::Offset(offset) => return self.set_offset(offset, span),
             G::PerRevolution(on) => {
-                if self.st.per_revolution != on {
-                    self.st.feed = None;
-                }
-                self.st.per_revolution = on;
+                self.st.feed.switch(FeedKind::per_revolution(on));
                 self.st.feed_said = true;
             }
             G::ConstantSpeed(on) => return self.spindle_mode(on, span, w),
@@ -401,19 +399,19 @@ impl Run<'_> {
     /// refused as well.
     #[cold]
     fn keep_modal(&mut self, block: &Block) {
-        self.st.motion_lost = true;
+        self.st.motion.lose();
         for word in &block.words {
             let (Target::Letter(b'G'), Value::Literal(number)) = (word.target, word.value) else { continue };
             if !(0.0..=999.0).contains(&number) || number.fract() != 0.0 {
                 continue;
             }
             match g_functions::entry(number as u32) {
-                Some((_, G::Motion(motion))) => self.st.motion = Some(motion),
+                Some((_, G::Motion(motion))) => self.st.motion.program(motion),
                 Some((_, G::Incremental(on))) => self.st.incremental = on,
                 Some((_, G::Diameter(on))) => self.st.diameter = on,
                 Some((_, G::Inch(on))) => self.st.inch = on,
                 Some((_, G::ExactStop(on))) => self.st.exact_stop = on,
-                Some((_, G::PerRevolution(on))) => self.st.per_revolution = on,
+                Some((_, G::PerRevolution(on))) => self.st.feed.assume(FeedKind::per_revolution(on)),
                 _ => {}
             }
         }
@@ -422,7 +420,7 @@ impl Run<'_> {
     /// G43 of the target adds the length of the tool to Z, whatever the plane.
     fn length_acts_along_z(&self, plane: Plane, span: Span) -> Outcome {
         let settings = &self.job.settings;
-        let none = self.st.tool.is_none_or(|number| number == 0);
+        let none = self.st.tool.active().is_none_or(|number| number == 0);
         if plane == Plane::Xy
             || none
             || !settings.output.tool_length
@@ -442,13 +440,13 @@ impl Run<'_> {
         if plane == self.st.plane {
             return Ok(());
         }
-        if self.st.side != crate::ir::Side::None || self.st.corner.is_some() {
+        if self.st.compensation.is_on() || self.st.corners.is_open() {
             let text = "the working plane changes inside a compensated contour or a corner";
             return self.fail_help(codes::M1006, span, text, "program G40 before");
         }
         self.length_acts_along_z(plane, span)?;
         self.st.plane = plane;
-        self.st.cornerable = false;
+        self.st.corners.cannot_follow();
         self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
         Ok(())
     }

@@ -8,7 +8,7 @@ use nalgebra::Matrix3;
 
 use crate::diag::codes;
 use crate::ir::contour::Ctx;
-use crate::ir::{Frame, Function, Pos, Side};
+use crate::ir::{Frame, Function, Pos};
 use crate::machine::axis::AXES;
 use crate::machine::options::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
@@ -19,13 +19,67 @@ use super::state::Offset;
 use super::words::Words;
 use super::{Outcome, Run};
 
+/// Work offset and programmed offsets.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OffsetState {
+    offset: Offset,
+    /// G50, G51 and G52 together, radius values.
+    shift: [f64; AXES],
+    /// A part of `shift` comes from G51 or G52.
+    added: bool,
+    /// Axes whose offset changed since they moved.
+    shifted: AxisSet,
+    /// Axes of which the program, or the start, has said a number.
+    written: AxisSet,
+}
+
+impl OffsetState {
+    /// Of axes in `written` the start has said a number.
+    pub fn new(written: AxisSet) -> OffsetState {
+        OffsetState { offset: Offset::Start, shift: [0.0; AXES], added: false, shifted: AxisSet::EMPTY, written }
+    }
+
+    #[inline]
+    pub fn offset(&self) -> Offset {
+        self.offset
+    }
+
+    /// The offset of this axis changed since it moved.
+    #[inline]
+    pub fn is_shifted(&self, axis: Axis) -> bool {
+        self.shifted.contains(axis)
+    }
+
+    /// The program has said a number of this axis.
+    pub fn is_written(&self, axis: Axis) -> bool {
+        self.written.contains(axis)
+    }
+
+    /// These axes move.
+    #[inline]
+    pub fn arrive(&mut self, axes: AxisSet) {
+        self.written = self.written.union(axes);
+        self.shifted = self.shifted.without(axes);
+    }
+
+    /// Another program begins, which has said no number yet.
+    pub fn forget_written(&mut self) {
+        self.written = AxisSet::EMPTY;
+    }
+
+    /// Which offset is in force depends on the machine.
+    pub fn reset(&mut self) {
+        self.offset = Offset::Reset;
+    }
+}
+
 impl Run<'_> {
     /// G53 to G59.
     pub(super) fn set_offset(&mut self, offset: Offset, span: Span) -> Outcome {
-        if self.st.offset == offset {
+        if self.st.offsets.offset == offset {
             return Ok(());
         }
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             return self.fail_help(
                 codes::M1006,
                 span,
@@ -33,31 +87,31 @@ impl Run<'_> {
                 "program G40 before",
             );
         }
-        if offset == Offset::Machine && self.st.shift != [0.0; AXES] {
+        if offset == Offset::Machine && self.st.offsets.shift != [0.0; AXES] {
             let help = "set the programmed offset to 0 before: `G50 X0 Y0 Z0`";
             return self.fail_help(codes::M2101, span, "G53 while an offset of G50 or G51 is in force", help);
         }
-        if self.st.offset != Offset::Start {
+        if self.st.offsets.offset != Offset::Start {
             self.st.position.end_start();
         }
-        self.st.offset = offset;
+        self.st.offsets.offset = offset;
         if let Offset::Work(number) = offset {
             self.function(Function::WorkOffset(number));
         }
         self.st.forget(self.st.position.at().known());
         if offset != Offset::Machine {
             if self.job.settings.control.mtc200.g91_after_offset == ShiftedIncrement::WithOffset {
-                self.st.shifted = self.st.shifted.union(self.st.written);
+                self.st.offsets.shifted = self.st.offsets.shifted.union(self.st.offsets.written);
             }
             self.st.position.take_start(&self.st.ctx.frame);
         }
-        self.st.cornerable = false;
+        self.st.corners.cannot_follow();
         Ok(())
     }
 
     #[cold]
     pub(super) fn offset_is_certain(&mut self, span: Span) -> Outcome {
-        if self.st.offset != Offset::Reset {
+        if self.st.offsets.offset != Offset::Reset {
             return Ok(());
         }
         let help = "program G54 to G59 at the top of this program";
@@ -69,7 +123,7 @@ impl Run<'_> {
         if w.axes.known().is_empty() {
             return self.missing(span, "the offset names no axis");
         }
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             return self.fail_help(
                 codes::M1006,
                 span,
@@ -77,7 +131,7 @@ impl Run<'_> {
                 "program G40 before",
             );
         }
-        if self.st.offset == Offset::Machine {
+        if self.st.offsets.offset == Offset::Machine {
             return self.fail_help(
                 codes::M2101,
                 span,
@@ -90,10 +144,10 @@ impl Run<'_> {
             values[axis.index()] = self.radius_length(axis, value, w.axes_span)?;
         }
         let named = w.axes.known();
-        let mut shift = self.st.shift;
+        let mut shift = self.st.offsets.shift;
         match g {
             G::ShiftTo => {
-                if self.st.added {
+                if self.st.offsets.added {
                     self.reading(Reading::G50, span, "G50 replaces everything that G51 and G52 added before");
                 }
                 if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
@@ -119,7 +173,7 @@ impl Run<'_> {
                 }
             },
         }
-        self.st.added = g != G::ShiftTo;
+        self.st.offsets.added = g != G::ShiftTo;
         self.put_in_force(shift, span)
     }
 
@@ -137,13 +191,13 @@ impl Run<'_> {
         self.st.position.keep_programmed();
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
         for axis in Axis::ALL {
-            if shift[axis.index()] != self.st.shift[axis.index()] {
-                self.st.shifted.insert(axis);
+            if shift[axis.index()] != self.st.offsets.shift[axis.index()] {
+                self.st.offsets.shifted.insert(axis);
             }
         }
-        self.st.shift = shift;
+        self.st.offsets.shift = shift;
         self.st.ctx = Rc::new(Ctx { plane: self.st.plane, frame });
-        self.st.cornerable = false;
+        self.st.corners.cannot_follow();
         Ok(())
     }
 
@@ -152,7 +206,7 @@ impl Run<'_> {
         if w.axes.known().is_empty() {
             return self.missing(span, "G74 names no axis: `G74 X0 Z0`");
         }
-        if self.st.side != Side::None || self.st.corner.is_some() {
+        if self.st.compensation.is_on() || self.st.corners.is_open() {
             return self.fail_help(
                 codes::M1006,
                 span,

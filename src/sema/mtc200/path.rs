@@ -10,6 +10,7 @@ use crate::ir::contour::{
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::options::mtc200::{Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::corner::OpenCorner;
 use crate::sema::common::position::Missing;
 use crate::text::Span;
 
@@ -22,12 +23,33 @@ const MOST_BETWEEN: u32 = 20;
 /// Half turns closer than this to 180° have no certain direction.
 const HALF_TURN: f64 = 1e-9;
 
+/// Chamfers and roundings.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Corners {
+    /// The last block with words moved at feed: a corner may follow.
+    may_follow: bool,
+    /// A corner that waits for its second neighbour.
+    open: OpenCorner,
+}
+
+impl Corners {
+    pub fn is_open(&self) -> bool {
+        self.open.is_open()
+    }
+
+    /// The block before is no first neighbour of a corner.
+    #[inline]
+    pub fn cannot_follow(&mut self) {
+        self.may_follow = false;
+    }
+}
+
 impl Run<'_> {
     /// Moves as the block says.
     #[inline]
     pub(super) fn motion(&mut self, w: &Words) -> Outcome {
-        let Some(motion) = self.st.motion else {
-            if self.st.motion_lost {
+        let Some(motion) = self.st.motion.code() else {
+            if self.st.motion.is_lost() {
                 return Err(Reported);
             }
             return self.fail_help(
@@ -37,7 +59,7 @@ impl Run<'_> {
                 "program the kind of motion in this block or in one before it",
             );
         };
-        if self.st.offset != Offset::Start && self.st.offset != Offset::Machine {
+        if self.st.offsets.offset() != Offset::Start && self.st.offsets.offset() != Offset::Machine {
             self.offset_is_certain(w.axes_span)?;
         }
         self.check_corner(motion, w.axes_span)?;
@@ -107,12 +129,12 @@ impl Run<'_> {
     /// What an increment is added to: where the axis stands, or behind a changed offset what the option says.
     #[inline]
     fn counts_from(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.shifted.contains(axis) {
+        if self.st.offsets.is_shifted(axis) {
             match self.job.settings.control.mtc200.g91_after_offset {
                 ShiftedIncrement::Increment => {}
                 ShiftedIncrement::WithOffset => {
                     if let Some(programmed) =
-                        self.st.position.programmed(axis).filter(|_| self.st.written.contains(axis))
+                        self.st.position.programmed(axis).filter(|_| self.st.offsets.is_written(axis))
                     {
                         return Ok(programmed);
                     }
@@ -177,7 +199,7 @@ impl Run<'_> {
 
     #[inline]
     fn cutting_feed(&mut self, span: Span) -> Outcome<Feed> {
-        match self.st.feed {
+        match self.st.feed.word() {
             Some(feed) => Ok(feed),
             None => self.feed_missing(span),
         }
@@ -186,7 +208,7 @@ impl Run<'_> {
     #[cold]
     fn feed_missing(&mut self, span: Span) -> Outcome<Feed> {
         // One report is enough.
-        self.st.feed = Some(Feed::PerMinute(1.0));
+        self.st.feed.presume();
         self.fail_help(codes::M2002, span, "no feed is programmed for this move", "program F in this block")
     }
 
@@ -202,7 +224,9 @@ impl Run<'_> {
         if value < 0.0 {
             return self.fail(codes::O1001, at.span, format!("the feed is {}", at.value));
         }
-        self.st.feed = Some(if self.st.per_revolution { Feed::PerRevolution(value) } else { Feed::PerMinute(value) });
+        if let Some(feed) = self.st.feed.of(value) {
+            self.st.feed.program(feed);
+        }
         Ok(())
     }
 
@@ -211,24 +235,23 @@ impl Run<'_> {
     /// Sends a move and takes over its end.
     #[inline]
     fn send(&mut self, end: Pos, path: Path) {
-        self.movement(&Move { end, path, side: self.st.side, coords: Coords::Frame });
+        self.movement(&Move { end, path, side: self.st.compensation.side(), coords: Coords::Frame });
         self.arrive(&end);
     }
 
     #[inline]
     fn arrive(&mut self, end: &Pos) {
         self.st.position.move_to(end);
-        self.st.written = self.st.written.union(end.known());
-        self.st.shifted = self.st.shifted.without(end.known());
-        self.st.corner = None;
+        self.st.offsets.arrive(end.known());
+        self.st.corners.open.close();
     }
 
     fn straight(&mut self, motion: Motion, w: &Words) -> Outcome {
         let feed = if motion == Motion::Line { Some(self.cutting_feed(w.axes_span)?) } else { None };
-        if self.st.offset == Offset::Machine {
+        if self.st.offsets.offset() == Offset::Machine {
             return self.machine_move(w, feed);
         }
-        if self.st.side != Side::None && self.st.chamfers {
+        if self.st.compensation.is_on() && self.st.chamfers {
             self.no_chamfers(w.axes_span)?;
         }
         let end = self.target(w)?;
@@ -236,11 +259,11 @@ impl Run<'_> {
             let help = "program the feed under G71";
             return self.fail_help(codes::M9008, w.axes_span, "the unit of the feed of these axes is not known", help);
         }
-        self.st.cornerable = feed.is_some();
-        let switches = self.st.side != self.st.side_sent && self.moves_in_plane(&end, w.axes_span)?;
+        self.st.corners.may_follow = feed.is_some();
+        let switches = self.st.compensation.changes() && self.moves_in_plane(&end, w.axes_span)?;
         self.send(end, Path::straight(feed));
         if switches {
-            self.st.side_sent = self.st.side;
+            self.st.compensation.moves();
         }
         Ok(())
     }
@@ -263,7 +286,7 @@ impl Run<'_> {
             let help = "set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates";
             return self.fail_help(codes::M9005, span, "the block moves while G53 is active", help);
         }
-        if self.st.incremental || self.st.side != Side::None {
+        if self.st.incremental || self.st.compensation.is_on() {
             let message = "a move under G53 is absolute and has no path compensation";
             return self.fail_help(codes::M9005, span, message, "program G90 and G40 before it");
         }
@@ -278,21 +301,21 @@ impl Run<'_> {
         self.movement(&Move { end, path, side: Side::None, coords });
         self.st.position.leave_start(end.known());
         self.st.forget(end.known());
-        self.st.cornerable = false;
+        self.st.corners.cannot_follow();
     }
 
     fn arc(&mut self, motion: Motion, w: &Words) -> Outcome {
         let plane = self.st.plane;
         let span = if w.axes_span.is_empty() { w.centre_span } else { w.axes_span };
-        if self.st.offset == Offset::Machine {
+        if self.st.offsets.offset() == Offset::Machine {
             let help = "program G54 to G59 before the arc";
             return self.fail_help(codes::M9005, span, "an arc under G53 has no counterpart in the output", help);
         }
-        if self.st.side != self.st.side_sent {
+        if self.st.compensation.changes() {
             let help = "program a straight move between G40, G41 or G42 and the arc";
             return self.fail_help(codes::M2011, span, "G41/G42 activated with circular interpolation", help);
         }
-        if self.st.side != Side::None && self.st.chamfers {
+        if self.st.compensation.is_on() && self.st.chamfers {
             self.no_chamfers(span)?;
         }
         if !w.has_centre() && w.radius.is_none() {
@@ -323,14 +346,14 @@ impl Run<'_> {
             Some(at) => ArcShape::Radius { radius: self.arc_radius(at, w)?, ccw, tol },
             None => ArcShape::Center { center: self.centre(w, plane, start, to)?, ccw, tol },
         };
-        self.st.cornerable = true;
+        self.st.corners.may_follow = true;
         self.send(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed));
         Ok(())
     }
 
     /// An arc under G91 behind a changed offset starts where the tool stands only in one of the two readings.
     fn shifted_arc(&mut self, axes: [Axis; 2], span: Span) -> Outcome {
-        match axes.into_iter().find(|axis| self.st.shifted.contains(*axis)) {
+        match axes.into_iter().find(|axis| self.st.offsets.is_shifted(*axis)) {
             Some(axis) if self.job.settings.control.mtc200.g91_after_offset != ShiftedIncrement::Increment => {
                 self.refuse_shifted(axis, span)
             }
@@ -361,7 +384,7 @@ impl Run<'_> {
     /// G33: the lead counts along the axis of its letter, in radius also for X.
     fn thread(&mut self, w: &Words) -> Outcome {
         let span = w.axes_span;
-        if self.st.offset == Offset::Machine || self.st.side != Side::None {
+        if self.st.offsets.offset() == Offset::Machine || self.st.compensation.is_on() {
             return self.fail_help(
                 codes::M1006,
                 span,
@@ -369,7 +392,7 @@ impl Run<'_> {
                 "program G54 and G40 before",
             );
         }
-        if self.st.spindle_stands {
+        if self.st.spindle.stands() {
             let help = "program S and M3 or M4 before";
             return self.fail_help(codes::M2019, span, "the spindle does not turn when G33 begins", help);
         }
@@ -408,7 +431,7 @@ impl Run<'_> {
                 "the lead of a taper counts along the axis of the longer travel",
             );
         }
-        self.st.cornerable = false;
+        self.st.corners.cannot_follow();
         self.send(end, Path::Thread(Thread { lead, along: Some(along) }));
         Ok(())
     }
@@ -426,7 +449,7 @@ impl Run<'_> {
         if size <= 0.0 {
             return self.fail(codes::M1007, at.span, format!("{name} needs a length above zero"));
         }
-        if !self.st.cornerable || self.st.corner.is_some() {
+        if !self.st.corners.may_follow || self.st.corners.is_open() {
             let help = "write it at the end of the first of the two blocks, or between them";
             let message = format!("no block that moves at feed stands before this {name}");
             return self.fail_help(codes::M2016, at.span, message, help);
@@ -447,16 +470,17 @@ impl Run<'_> {
             },
             blocks: Blocks::PassedOver,
         });
-        self.st.corner = Some((self.loc(at.span), 0));
+        let site = self.loc(at.span);
+        self.st.corners.open.open(site);
         Ok(())
     }
 
     /// Before a motion: may it be the second neighbour of the corner that waits?
     #[inline]
     fn check_corner(&mut self, motion: Motion, span: Span) -> Outcome {
-        let Some((loc, _)) = self.st.corner else { return Ok(()) };
-        if matches!(motion, Motion::Rapid | Motion::Thread) || self.st.offset == Offset::Machine {
-            self.st.corner = None;
+        let Some(loc) = self.st.corners.open.site() else { return Ok(()) };
+        if matches!(motion, Motion::Rapid | Motion::Thread) || self.st.offsets.offset() == Offset::Machine {
+            self.st.corners.open.close();
             let text = "the block behind a chamfer or rounding is no line or circle at feed";
             self.report(Diagnostic::new(codes::M2016, self.loc(span), text).also(loc, "the corner is programmed here"));
             return Err(Reported);
@@ -466,26 +490,20 @@ impl Run<'_> {
 
     /// After a block without motion: has the corner waited too long?
     pub(super) fn count_between(&mut self) -> Outcome {
-        self.st.cornerable = false;
-        let Some((loc, count)) = &mut self.st.corner else { return Ok(()) };
-        *count += 1;
-        let (loc, count) = (*loc, *count);
-        if count > MOST_BETWEEN {
-            self.st.corner = None;
-            let text = format!("more than {MOST_BETWEEN} blocks without motion stand behind this corner");
-            self.report(Diagnostic::new(codes::M2016, loc, text));
-            return Err(Reported);
-        }
-        Ok(())
+        self.st.corners.cannot_follow();
+        let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
+        let text = format!("more than {MOST_BETWEEN} blocks without motion stand behind this corner");
+        self.report(Diagnostic::new(codes::M2016, loc, text));
+        Err(Reported)
     }
 
     /// A motion block failed: the axes it would have moved are unknown now.
     #[cold]
     pub(super) fn lose_all(&mut self) {
         self.st.position.lose(AxisSet::MAIN);
-        self.st.corner = None;
+        self.st.corners.open.close();
         // The block may have held the feed that the next ones need.
-        self.st.feed.get_or_insert(Feed::PerMinute(1.0));
+        self.st.feed.presume();
         self.lost();
     }
 }

@@ -4,14 +4,16 @@ use std::rc::Rc;
 
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::{Feed, Side};
-use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
+use crate::sema::common::compensation::Compensation;
+use crate::sema::common::feed::{FeedKind, ModalFeed};
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
-use crate::text::Loc;
 
 use super::length::Length;
+use super::m_functions::{SpindleState, ToolInUse};
+use super::offsets::OffsetState;
+use super::path::Corners;
 
 /// Kind of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +28,33 @@ pub(super) enum Motion {
 impl Motion {
     pub fn is_arc(self) -> bool {
         matches!(self, Motion::Clockwise | Motion::CounterClockwise)
+    }
+}
+
+/// The kind of motion in force.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct MotionCode {
+    code: Option<Motion>,
+    /// A block was refused that may have named it.
+    lost: bool,
+}
+
+impl MotionCode {
+    #[inline]
+    pub fn code(&self) -> Option<Motion> {
+        self.code
+    }
+
+    pub fn is_lost(&self) -> bool {
+        self.lost
+    }
+
+    pub fn program(&mut self, motion: Motion) {
+        self.code = Some(motion);
+    }
+
+    pub fn lose(&mut self) {
+        self.lost = true;
     }
 }
 
@@ -48,14 +77,10 @@ pub(super) enum Offset {
 pub(super) struct State {
     /// The number that the program wrote last is left alone by a changed offset.
     pub position: Position,
-    pub motion: Option<Motion>,
-    /// A block was refused that may have named the kind of motion.
-    pub motion_lost: bool,
+    pub motion: MotionCode,
     /// G90 or G91, G94 or G95 was programmed.
     pub dimension_said: bool,
     pub feed_said: bool,
-    /// Axes of which the program, or the start, has said a number.
-    pub written: AxisSet,
     pub length: Length,
     pub plane: Plane,
     /// G70.
@@ -66,37 +91,14 @@ pub(super) struct State {
     pub incremental: bool,
     /// G61.
     pub exact_stop: bool,
-    pub feed: Option<Feed>,
-    /// G95.
-    pub per_revolution: bool,
-    pub side: Side,
-    /// Side of the last move that was sent.
-    pub side_sent: Side,
+    pub feed: ModalFeed,
+    pub compensation: Compensation,
     /// G44.
     pub chamfers: bool,
-    pub offset: Offset,
-    /// G50, G51 and G52 together, radius values.
-    pub shift: [f64; AXES],
-    /// Axes whose `shift` changed since they moved.
-    pub shifted: AxisSet,
-    /// The spindle does not turn, as far as the program says.
-    pub spindle_stands: bool,
-    /// A part of `shift` comes from G51 or G52.
-    pub added: bool,
-    /// G96.
-    pub constant_speed: bool,
-    /// Cutting speed in m/min.
-    pub cutting_speed: Option<f64>,
-    /// G92: highest speed under G96, rev/min.
-    pub speed_limit: Option<f64>,
-    /// Tool of the last T word.
-    pub selected: Option<u32>,
-    /// Tool of the last change.
-    pub tool: Option<u32>,
-    /// The last block with words moved at feed: a corner may follow.
-    pub cornerable: bool,
-    /// A corner waits for its second neighbour: where it stands, and the blocks since.
-    pub corner: Option<(Loc, u32)>,
+    pub offsets: OffsetState,
+    pub spindle: SpindleState,
+    pub tool: ToolInUse,
+    pub corners: Corners,
     pub ctx: CtxRef,
 }
 
@@ -109,11 +111,10 @@ impl State {
         for (axis, value) in &settings.control.mtc200.start {
             start.complete(*axis, *value);
         }
+        let written = start.position().known();
         State {
-            written: start.position().known(),
             position: Position::new(start),
-            motion: None,
-            motion_lost: false,
+            motion: MotionCode::default(),
             dimension_said: false,
             feed_said: false,
             length: Length::default(),
@@ -122,23 +123,13 @@ impl State {
             diameter,
             incremental: false,
             exact_stop: false,
-            feed: settings.control.feed.map(Feed::PerMinute),
-            per_revolution: false,
-            side: Side::None,
-            side_sent: Side::None,
+            feed: ModalFeed::new(settings.control.feed, Some(FeedKind::PerMinute)),
+            compensation: Compensation::default(),
             chamfers: false,
-            offset: Offset::Start,
-            shift: [0.0; AXES],
-            shifted: AxisSet::EMPTY,
-            spindle_stands: true,
-            added: false,
-            constant_speed: false,
-            cutting_speed: None,
-            speed_limit: None,
-            selected: None,
-            tool: None,
-            cornerable: false,
-            corner: None,
+            offsets: OffsetState::new(written),
+            spindle: SpindleState::default(),
+            tool: ToolInUse::default(),
+            corners: Corners::default(),
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
         }
     }

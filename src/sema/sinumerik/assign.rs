@@ -393,7 +393,7 @@ impl Run<'_> {
             return self.fail(codes::S2028, span, "the frame of an axis that is left out is not known");
         };
         match frame.component(axis, component) {
-            Some(value) => Ok(Val::Real(value / self.component_unit(axis, component))),
+            Some(value) => Ok(Val::Real(value / self.st.component_unit(axis, component))),
             None => self.fail(codes::S2034, span, "this chain of rotations and scales has no such components"),
         }
     }
@@ -409,7 +409,7 @@ impl Run<'_> {
         let value = self.as_number(value, span)?;
         // The frame of an axis that is left out moves nothing.
         let Some(axis) = axis else { return Ok(()) };
-        let value = value * self.component_unit(axis, component);
+        let value = value * self.st.component_unit(axis, component);
         if frame.set_component(axis, component, value) {
             return Ok(());
         }

@@ -151,12 +151,12 @@ impl Run<'_> {
     pub(super) fn axis_word(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
         match self.printed_axis(named, given.span)? {
             Some(axis) => self.set_axis(words, axis, given),
-            None if words.left_out.iter().any(|(known, _)| *known == named) => {
+            None if words.beside.left_out.iter().any(|(known, _)| *known == named) => {
                 let message = format!("the axis {} stands twice in the block", named.text());
                 self.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words")
             }
             None => {
-                words.left_out.push((named, given.span));
+                words.beside.left_out.push((named, given.span));
                 Ok(())
             }
         }
@@ -164,8 +164,8 @@ impl Run<'_> {
 
     /// A cycle or program that runs behind each position, and a position of an axis that is left out.
     pub(super) fn left_out_under_modal_call(&self, w: &Words) -> Outcome {
-        let Some((named, span)) = w.left_out.first() else { return Ok(()) };
-        if self.modal.is_none() && self.modal_cycle.is_none() {
+        let Some((named, span)) = w.beside.left_out.first() else { return Ok(()) };
+        if !self.st.modal_call.is_on() {
             return Ok(());
         }
         let message = format!("{} takes the modal call to another place, and is left out", named.text());

@@ -10,6 +10,7 @@ use crate::sema::run::{Level, Where, open_program};
 use crate::text::blocks::Place;
 use crate::text::{FileError, Loc, Request, Span};
 
+use super::cycles::ModalCycle;
 use super::programs::{UnitKind, bare_name, without_extension};
 use super::state::Saved;
 use super::value::Val;
@@ -76,7 +77,7 @@ pub(super) struct Argument {
 
 /// A program that runs behind every positioning block.
 #[derive(Debug, Clone)]
-pub(super) struct Modal {
+struct Modal {
     pub unit: usize,
     pub arguments: Vec<Argument>,
 }
@@ -93,6 +94,54 @@ impl Frame {
             declares: false,
             further_pass: false,
         }
+    }
+}
+
+/// What runs after every block that moves: MCALL.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ModalCall {
+    program: Option<Modal>,
+    cycle: Option<Box<ModalCycle>>,
+    /// Where the call stands.
+    site: Loc,
+    /// The last call was refused.
+    lost: bool,
+}
+
+impl ModalCall {
+    #[inline]
+    pub fn is_on(&self) -> bool {
+        self.cycle.is_some() || self.program.is_some()
+    }
+
+    pub fn is_lost(&self) -> bool {
+        self.lost
+    }
+
+    #[inline]
+    pub fn cycle(&self) -> Option<&ModalCycle> {
+        self.cycle.as_deref()
+    }
+
+    /// The cycle cannot be drilled, which was reported.
+    pub fn refuse_cycle(&mut self) {
+        if let Some(cycle) = &mut self.cycle {
+            cycle.refuse();
+        }
+    }
+
+    /// A cycle takes the place of what ran.
+    pub fn set_cycle(&mut self, cycle: Box<ModalCycle>) {
+        (self.program, self.cycle) = (None, Some(cycle));
+    }
+
+    fn set_program(&mut self, program: Modal) {
+        (self.program, self.cycle) = (Some(program), None);
+    }
+
+    /// Nothing runs any more.
+    pub fn end(&mut self) {
+        (self.program, self.cycle) = (None, None);
     }
 }
 
@@ -351,9 +400,7 @@ impl Run<'_> {
             }
             CallForm::Modal { name, args } => self.modal_call(name, args, block, text),
             CallForm::ModalOff => {
-                self.modal = None;
-                self.modal_cycle = None;
-                self.modal_lost = false;
+                self.st.modal_call = ModalCall::default();
                 Ok(())
             }
             CallForm::Iso => self.fail_help(
@@ -404,14 +451,14 @@ impl Run<'_> {
 
     /// Where the modal call stands that is still on.
     pub(super) fn open_modal_call(&self) -> Option<Loc> {
-        (self.modal.is_some() || self.modal_cycle.is_some()).then_some(self.modal_site)
+        self.st.modal_call.is_on().then_some(self.st.modal_call.site)
     }
 
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
-        self.modal_site = self.loc(block.span);
-        self.modal_lost = true;
+        self.st.modal_call.site = self.loc(block.span);
+        self.st.modal_call.lost = true;
         self.start_modal_call(name, args, block, text)?;
-        self.modal_lost = false;
+        self.st.modal_call.lost = false;
         Ok(())
     }
 
@@ -422,24 +469,23 @@ impl Run<'_> {
         }
         let arguments = self.arguments(args, block, text)?;
         let unit = self.find_program(&word, block.span)?;
-        self.modal = Some(Modal { unit, arguments });
-        self.modal_cycle = None;
+        self.st.modal_call.set_program(Modal { unit, arguments });
         Ok(())
     }
 
     /// Behind a block that moved: the modal program, unless it is the one that moved.
     pub(super) fn call_modal(&mut self) -> Outcome {
         let inside = self.levels.iter().any(|level| matches!(level.frame.kind, FrameKind::Program { modal: true, .. }));
-        if !inside && (self.modal_cycle.is_some() || self.modal.is_some()) {
+        if !inside && self.st.modal_call.is_on() {
             self.no_pair_under_a_modal_call()?;
         }
-        if self.modal_cycle.is_some() {
+        if self.st.modal_call.cycle.is_some() {
             self.tapping_ends();
         }
-        if self.modal_cycle.is_some() && !inside {
+        if self.st.modal_call.cycle.is_some() && !inside {
             return self.drill_modal();
         }
-        match &self.modal {
+        match &self.st.modal_call.program {
             Some(modal) if !inside => {
                 let (unit, arguments) = (modal.unit, modal.arguments.clone());
                 self.call_unit(unit, arguments, 1, true)

@@ -3,19 +3,15 @@
 //! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
 //! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
 
-use std::collections::BTreeMap;
-
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
-use crate::machine::{Axis, AxisSet};
 use crate::sema::run::{Where, step};
 use crate::text::blocks::Place;
 use crate::text::{Loc, Span};
 
 use super::calls::FrameKind;
 use super::state::State;
-use super::value::Val;
 use super::vars::Vars;
 use super::{Outcome, Reported, Run};
 
@@ -61,7 +57,7 @@ impl Run<'_> {
         let capture = self.capture.take();
         let made = self.core.out.contour_ends(&here.origin);
         self.here = here;
-        self.leave_capture(before);
+        (self.st, self.vars) = before;
         entered?;
         pending?;
         let Some(capture) = capture else { return Err(Reported) };
@@ -76,36 +72,13 @@ impl Run<'_> {
     }
 
     /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
-    fn enter_capture(&mut self, call: &ContourCall) -> Before {
-        let before = Before {
-            st: self.st.clone(),
-            vars: self.vars.clone(),
-            system: self.system.clone(),
-            modal: self.modal.take(),
-            modal_cycle: self.modal_cycle.take(),
-            stored: self.stored.take(),
-            lead: self.lead.take(),
-            corner_open: self.corner_open.take(),
-            cut_speed_open: self.cut_speed_open.take(),
-        };
-        self.st.position.forget(AxisSet::ALL);
-        self.st.position.not_lost(AxisSet::ALL);
+    fn enter_capture(&mut self, call: &ContourCall) -> (State, Vars) {
+        let before = (self.st.clone(), self.vars.clone());
+        self.st.begin_contour();
         let below = self.levels.len();
         self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
         self.core.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.core.here.origin);
         before
-    }
-
-    fn leave_capture(&mut self, before: Before) {
-        self.st = before.st;
-        self.vars = before.vars;
-        self.system = before.system;
-        self.modal = before.modal;
-        self.modal_cycle = before.modal_cycle;
-        self.stored = before.stored;
-        self.lead = before.lead;
-        self.corner_open = before.corner_open;
-        self.cut_speed_open = before.cut_speed_open;
     }
 
     fn enter_contour(&mut self, call: &ContourCall) -> Outcome {
@@ -229,17 +202,4 @@ impl Run<'_> {
         let message = format!("contour `{}`: {what}", call.name);
         self.fail(codes::S2091.alarm(alarm), place, message)
     }
-}
-
-/// What a capture leaves as it was.
-struct Before {
-    st: State,
-    vars: Vars,
-    system: BTreeMap<String, Val>,
-    modal: Option<super::calls::Modal>,
-    modal_cycle: Option<Box<super::cycles::ModalCycle>>,
-    stored: Option<Box<super::editor_contour::Stored>>,
-    lead: Option<(Axis, f64)>,
-    corner_open: Option<(Loc, u32)>,
-    cut_speed_open: Option<Span>,
 }

@@ -32,7 +32,7 @@ const VIA: [Address; 3] = [Address::I1, Address::J1, Address::K1];
 impl Run<'_> {
     /// Interpolation parameters with the geometry axes they belong to (MD 20050).
     fn parameters(&self, names: [Address; 3]) -> [(Address, Axis); 3] {
-        let axes = self.st.geometry_axes;
+        let axes = self.st.channel.geometry_axes;
         [(names[0], axes[0]), (names[1], axes[1]), (names[2], axes[2])]
     }
 
@@ -121,7 +121,7 @@ impl Run<'_> {
             }
             (None, None, Some(center)) => {
                 end.set_in_plane(plane, to);
-                self.note_stored_centre(center);
+                self.st.note_stored_centre(center);
                 let center = self.checked_center(start, to, center, ccw, span)?;
                 let radius = crate::geo::distance(start, center);
                 ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }
@@ -348,8 +348,8 @@ impl Run<'_> {
         self.start_in(plane, w)?;
         let span = w.get(Address::Ap).or(w.get(Address::Rp)).map(|given| given.span).unwrap_or_default();
         let end = self.polar_end(w)?;
-        let center = self.st.pole;
-        let radius = self.st.rp.unwrap_or(0.0);
+        let center = self.st.polar.pole();
+        let radius = self.st.polar.radius().unwrap_or(0.0);
         let shape = ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) };
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
     }

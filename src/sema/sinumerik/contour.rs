@@ -9,6 +9,7 @@ use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeC
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::chain::Angles;
+use crate::sema::common::corner::OpenCorner;
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -46,17 +47,72 @@ fn ended(at: Point2, data: &Data, next: Option<&Data>) -> Result<Point2, Fault> 
 }
 
 /// First line of a pair: its end comes with the next block.
-#[derive(Debug)]
-pub(super) struct Pending {
+#[derive(Debug, Clone)]
+struct Pending {
     angle: Deg,
     plane: Plane,
     rest: Pos,
     path: Path,
     side: Side,
     corner: Option<Corner>,
-    pub(super) origin: Origin,
+    origin: Origin,
     /// What the program did since; it comes behind the line.
     functions: Vec<(Function, Origin)>,
+}
+
+/// The two lines of a contour definition, of which the first waits for the second.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pair {
+    first: Option<Box<Pending>>,
+    /// The first line was refused.
+    lost: bool,
+}
+
+impl Pair {
+    #[inline]
+    pub fn is_open(&self) -> bool {
+        self.first.is_some()
+    }
+
+    /// The first line does not count, for a reason that was reported.
+    pub fn drop_first(&mut self) {
+        self.first = None;
+    }
+
+    /// A line with an angle was refused.
+    pub fn lose(&mut self) {
+        self.lost = true;
+    }
+
+    /// The first line is refused: where it stands.
+    pub fn refuse_first(&mut self) -> Option<Origin> {
+        let first = self.first.take()?;
+        self.lost = true;
+        Some(first.origin)
+    }
+}
+
+/// Chamfers and roundings.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Corners {
+    /// RNDM in mm, 0 for none.
+    rounding: f64,
+    /// FRCM
+    feed: Option<Feed>,
+    /// A corner that waits for its second line.
+    pub open: OpenCorner,
+}
+
+impl Corners {
+    /// Radius of the rounding that holds on, in mm; 0 for none.
+    pub fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
+    /// Feed of corners that holds on.
+    pub fn feed(&self) -> Option<Feed> {
+        self.feed
+    }
 }
 
 impl Run<'_> {
@@ -66,9 +122,9 @@ impl Run<'_> {
         let [first, second, _] = self.st.roles();
         let named = [first, second].map(|axis| w.axes.contains(axis));
         let angle = w.take(Address::Ang);
-        let lost = std::mem::take(&mut self.pair_lost);
+        let lost = std::mem::take(&mut self.st.pair.lost);
         let Some(given) = angle else {
-            let origin = self.pending.take().map(|pending| pending.origin);
+            let origin = self.st.pair.first.take().map(|pending| pending.origin);
             let found = Diagnostic::new(
                 codes::S2070.alarm(10794),
                 self.here.origin.loc,
@@ -83,12 +139,12 @@ impl Run<'_> {
             );
             return Err(Reported);
         };
-        if self.pending.is_some() {
+        if self.st.pair.first.is_some() {
             self.pair_without_increments(w, [first, second])?;
         }
         let end = self.targets(w)?;
         let angle = Deg(given.value);
-        match (named, self.pending.take()) {
+        match (named, self.st.pair.first.take()) {
             ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
             (_, Some(pending)) => {
                 let found = Diagnostic::new(
@@ -108,12 +164,12 @@ impl Run<'_> {
                 "leave ANG out; only the second line of a pair has all three",
             ),
             ([false, false], None) => {
-                self.pair_lost = true;
+                self.st.pair.lost = true;
                 if self.st.position.in_plane(plane).is_none() {
                     let axis = if self.st.position.get(first).is_none() { first } else { second };
                     return self.unknown_axis(axis, given.span);
                 }
-                match self.st.outer {
+                match self.st.offsets.outer() {
                     Outer::Machine => {
                         let message = "a contour definition cannot be printed in machine coordinates";
                         return self.in_machine_only_lines(given.span, message);
@@ -121,8 +177,8 @@ impl Run<'_> {
                     Outer::Unrelated => return self.unrelated(given.span, "G500 stands beside"),
                     Outer::Basic | Outer::Printed(_) => {}
                 }
-                self.pair_lost = false;
-                self.pending = Some(Box::new(Pending {
+                self.st.pair.lost = false;
+                self.st.pair.first = Some(Box::new(Pending {
                     angle,
                     plane,
                     rest: end,
@@ -150,7 +206,7 @@ impl Run<'_> {
                 mode => matches!(mode, Mode::Ic | Mode::Dic | Mode::Ric),
             };
             if incremental {
-                self.pending = None;
+                self.st.pair.first = None;
                 return self.fail_help(
                     codes::S2070,
                     given.span,
@@ -164,7 +220,7 @@ impl Run<'_> {
 
     /// An interpolation that is no line behind the first line of a pair.
     pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
-        let Some(pending) = self.pending.take() else { return Ok(()) };
+        let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.position.lose(AxisSet::MAIN);
         let message = "the second line of the pair is no straight line";
         let found = Diagnostic::new(codes::S2070.alarm(10792), self.loc(span), message);
@@ -247,8 +303,8 @@ impl Run<'_> {
     /// Something that cannot stand between the two lines of a pair.
     pub(super) fn pending_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
         self.stored_must_be_done()?;
-        let Some(pending) = self.pending.take() else { return Ok(()) };
-        self.pair_lost = true;
+        let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
+        self.st.pair.lost = true;
         let found =
             Diagnostic::new(codes::S2070.alarm(10793), pending.origin.loc, "the second line of the pair is missing");
         self.report(
@@ -262,8 +318,8 @@ impl Run<'_> {
 
     /// The modal call belongs behind the first line of a pair, whose end is not known before the second.
     pub(super) fn no_pair_under_a_modal_call(&mut self) -> Outcome {
-        let Some(pending) = self.pending.take() else { return Ok(()) };
-        self.pair_lost = true;
+        let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
+        self.st.pair.lost = true;
         self.st.position.lose(AxisSet::MAIN);
         let message = "the first line of a pair stands under MCALL, and the call would come before its end is known";
         let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
@@ -274,7 +330,7 @@ impl Run<'_> {
     /// Holds a function back while the first line of a pair waits for its end.
     pub(super) fn held_back(&mut self, function: &Function) -> bool {
         let origin = self.here.origin;
-        match &mut self.pending {
+        match &mut self.st.pair.first {
             Some(pending) => {
                 pending.functions.push((function.clone(), origin));
                 true
@@ -304,13 +360,13 @@ impl Run<'_> {
             if rndm.value < 0.0 {
                 return self.negative(rndm.span);
             }
-            self.st.rndm = rndm.value * self.st.length_unit();
+            self.st.corners.rounding = rndm.value * self.st.length_unit();
         }
         if let Some(frcm) = w.take(Address::Frcm) {
             if frcm.value < 0.0 {
                 return self.fail(codes::S2041.alarm(14800), frcm.span, "the feed FRCM= is negative");
             }
-            self.st.frcm = (frcm.value > 0.0).then(|| self.feed_of(frcm.value));
+            self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
         }
         Ok(())
     }
@@ -321,7 +377,7 @@ impl Run<'_> {
 
     /// The corner that the block asks for at its end.
     pub(super) fn corner_words(&mut self, w: &mut Words) -> Outcome<Option<Corner>> {
-        if !self.has_corner_words(w) && self.st.rndm == 0.0 {
+        if !self.has_corner_words(w) && self.st.corners.rounding == 0.0 {
             return Ok(None);
         }
         if self.st.is(Code::G93) {
@@ -354,14 +410,14 @@ impl Run<'_> {
             (Some(rnd), _, _) => CornerShape::Rounding { radius: rnd.value * unit },
             (None, Some(chr), _) => CornerShape::Chamfer { side: chr.value * unit },
             (None, None, Some(chf)) => CornerShape::ChamferLength { length: chf.value * unit },
-            (None, None, None) => CornerShape::Rounding { radius: self.st.rndm },
+            (None, None, None) => CornerShape::Rounding { radius: self.st.corners.rounding },
         };
         let feed = match frc {
-            Some(frc) if frc.value > 0.0 => Some(self.feed_of(frc.value)),
+            Some(frc) if frc.value > 0.0 => Some(self.st.feed_of(frc.value)),
             Some(frc) => return self.fail(codes::S2041.alarm(14800), frc.span, "the feed FRC= is not above 0"),
             None => self.modal_corner_feed()?,
         };
-        if !explicit && self.st.rndm == 0.0 {
+        if !explicit && self.st.corners.rounding == 0.0 {
             return self.fail_help(
                 codes::S2071,
                 frc.map(|given| given.span).unwrap_or_default(),
@@ -381,9 +437,9 @@ impl Run<'_> {
 
     /// FRCM, which counts as the feeds did where it was programmed.
     pub(super) fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
-        let fits = self.st.frcm.is_none_or(|feed| self.st.counts_as(feed));
+        let fits = self.st.corners.feed.is_none_or(|feed| self.st.counts_as(feed));
         if fits {
-            return Ok(self.st.frcm);
+            return Ok(self.st.corners.feed);
         }
         let message = "the kind of feed has changed since FRCM=, whose value counts in the other one";
         let help = "program FRCM= again behind G94, G95 and G96, or FRCM=0";
@@ -405,25 +461,23 @@ impl Run<'_> {
         if corner.modal && self.st.is(Code::G0) {
             return;
         }
-        if self.stored.is_some() {
-            self.note_stored_corner(&corner);
+        if self.st.stored.is_some() {
+            self.st.note_stored_corner(&corner);
         }
         self.core.send_corner(&corner, &self.st.ctx);
         if !corner.modal {
-            self.corner_open = Some((self.here.origin.loc, 0));
+            self.st.corners.open.open(self.here.origin.loc);
         }
     }
 
     /// A block without a move behind a corner: the control looks ahead over a few of them only (MD 20200).
     pub(super) fn block_behind_corner(&mut self, moved: bool) -> Outcome {
-        let Some((loc, count)) = self.corner_open.as_mut().filter(|_| !moved) else { return Ok(()) };
-        *count += 1;
-        if *count <= MOST_BETWEEN {
+        if moved {
             return Ok(());
         }
+        let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
         let message = format!("more than {MOST_BETWEEN} blocks without a move stand behind the chamfer or rounding");
-        let found = Diagnostic::new(codes::S2071.alarm(10880), *loc, message);
-        self.corner_open = None;
+        let found = Diagnostic::new(codes::S2071.alarm(10880), loc, message);
         self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
         Err(Reported)
     }

@@ -96,7 +96,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let taken = match self.meaning(name) {
-            Meaning::Axis(named) if named.axis.is_some_and(|axis| self.st.geometry_axes.contains(&axis)) => {
+            Meaning::Axis(named) if named.axis.is_some_and(|axis| self.st.channel.geometry_axes.contains(&axis)) => {
                 Some("a geometry axis")
             }
             Meaning::Axis(named) if self.axis_names.is_given(named) => Some("an axis"),

@@ -204,7 +204,7 @@ impl Run<'_> {
             return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
-        if !set && self.warned_r.insert(n) {
+        if !set && self.warned.r.insert(n) {
             let message = format!("R{n} is read before the program sets it; it counts as 0");
             let found = Diagnostic::new(codes::S2025, self.loc(span), message);
             self.report(found.help(format!("set it in the program, or as `R{n} = …` under [variables]")));
@@ -284,7 +284,7 @@ impl Run<'_> {
     /// A global variable keeps its value from run to run, so its start value is a guess.
     fn warn_of_global(&mut self, slot: Slot, span: Span) {
         let Slot::Global(name) = slot else { return };
-        if self.vars.get(slot).is_some_and(|var| !var.written) && self.warned_global.insert(name) {
+        if self.vars.get(slot).is_some_and(|var| !var.written) && self.warned.globals.insert(name) {
             let word = self.symbols.name(name);
             let message = format!("`{word}` is read before the program sets it; it counts as its start value");
             let found = Diagnostic::new(codes::S2025, self.loc(span), message);

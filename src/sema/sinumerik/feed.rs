@@ -2,30 +2,110 @@
 //!
 //! Source: reference sections 2.1 and 2.15.
 
+use std::collections::BTreeMap;
+
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
-use crate::machine::Axis;
+use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
 use super::{Outcome, Reported, Run};
 
-impl Run<'_> {
-    /// A programmed feed with the kind that is in force.
-    pub(super) fn feed_of(&self, value: f64) -> Feed {
-        if self.st.is(Code::G93) {
-            return Feed::InverseTime(value);
+/// What F says.
+#[derive(Debug, Clone)]
+pub(super) struct FeedState {
+    /// F word in mm, with the kind of feed under which it was written.
+    word: Option<Feed>,
+    /// A feed is missing, which was reported.
+    lost: bool,
+    /// No block has said what F counts, and lathes differ in what it does at the start.
+    kind_open: bool,
+    /// FA of positioning axes, as written.
+    axes: BTreeMap<Axis, f64>,
+}
+
+impl FeedState {
+    pub fn at_start(settings: &Settings) -> FeedState {
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        FeedState {
+            word: settings.control.feed.map(Feed::PerMinute),
+            lost: false,
+            kind_open: lathe && settings.control.siemens.feed_per_revolution.is_none(),
+            axes: BTreeMap::new(),
         }
-        let value = value * self.st.feed_unit();
-        if self.st.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
     }
 
+    #[inline]
+    pub fn word(&self) -> Option<Feed> {
+        self.word
+    }
+
+    #[inline]
+    pub fn is_lost(&self) -> bool {
+        self.lost
+    }
+
+    pub fn of_axis(&self, axis: Axis) -> Option<f64> {
+        self.axes.get(&axis).copied()
+    }
+
+    pub fn program(&mut self, feed: Feed) {
+        (self.word, self.lost) = (Some(feed), false);
+    }
+
+    /// Feeds of positioning axes hold on.
+    pub fn program_axes(&mut self, feeds: &[(Axis, f64)]) {
+        self.axes.extend(feeds.iter().copied());
+    }
+
+    /// Once is enough.
+    pub fn lose(&mut self) {
+        self.lost = true;
+    }
+
+    /// F counts as something else from here on.
+    pub fn end(&mut self) {
+        self.word = None;
+    }
+
+    pub fn kind_is_said(&mut self) {
+        self.kind_open = false;
+    }
+
+    /// True once, where no block has said what F counts.
+    pub fn take_kind_open(&mut self) -> bool {
+        std::mem::take(&mut self.kind_open)
+    }
+}
+
+impl State {
+    /// A programmed feed with the kind that is in force.
+    pub(super) fn feed_of(&self, value: f64) -> Feed {
+        if self.is(Code::G93) {
+            return Feed::InverseTime(value);
+        }
+        let value = value * self.feed_unit();
+        if self.codes.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
+    }
+
+    /// F means something else now.
+    pub(super) fn feed_mode_changed(&mut self) {
+        let fits = self.feed.word().is_none_or(|feed| self.counts_as(feed));
+        if !fits {
+            self.feed.end();
+        }
+    }
+}
+
+impl Run<'_> {
     /// Says once that F counts per minute because no block says otherwise.
     pub(super) fn feed_kind_is_said(&mut self) {
-        if !std::mem::take(&mut self.st.feed_kind_open) {
+        if !self.st.feed.take_kind_open() {
             return;
         }
         let message = "no block says what F counts: it is taken in mm per minute (G94)";
@@ -35,7 +115,7 @@ impl Run<'_> {
 
     /// Says once that nothing turns the spindle that a feed per revolution waits for.
     fn spindle_feeds(&self) {
-        if self.st.turn.is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047) {
+        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047) {
             let message = "no block in front of this feed per revolution starts the spindle";
             let found = Diagnostic::new(codes::S8047, self.loc(Where::Block), message);
             self.report(found.help("program M3 or M4 with a speed in front of it"));
@@ -67,18 +147,18 @@ impl Run<'_> {
             self.time_of_block(w)?;
         }
         if let Some(fb) = self.block_feed(w)? {
-            if self.st.per_revolution() {
+            if self.st.codes.per_revolution() {
                 self.master_is_main(fb.span, "a feed per revolution")?;
             }
-            return Ok(self.feed_of(fb.value));
+            return Ok(self.st.feed_of(fb.value));
         }
         if !self.is_capturing() {
             self.speed_is_known()?;
         }
-        if self.st.feed_lost && !self.is_capturing() {
+        if self.st.feed.is_lost() && !self.is_capturing() {
             return Err(Reported);
         }
-        if self.cut_speed_open.take().is_some() {
+        if self.st.spindles.close_cut_speed() {
             return self.fail_help(
                 codes::S2045.alarm(10900),
                 Where::Block,
@@ -86,10 +166,10 @@ impl Run<'_> {
                 "program S in m/min with G96; the S of before is a speed in turns",
             );
         }
-        if self.st.constant_cut {
+        if self.st.spindles.is_cutting() {
             self.says_shifted_diameter();
         }
-        match self.st.feed {
+        match self.st.feed.word() {
             Some(feed) => {
                 self.feed_kind_is_said();
                 if matches!(feed, Feed::PerRevolution(_)) {
@@ -107,7 +187,7 @@ impl Run<'_> {
             None if self.is_capturing() => Ok(Feed::PerRevolution(1.0)),
             None => {
                 // Once is enough.
-                self.st.feed_lost = true;
+                self.st.feed.lose();
                 self.fail_help(
                     codes::S2040.alarm(10860),
                     Where::Block,
@@ -122,7 +202,7 @@ impl Run<'_> {
     fn says_shifted_diameter(&self) {
         let axis = self.job.settings.machine.diameter_axis;
         let shift = axis.map_or(0.0, |axis| self.st.ctx.frame.shift_of(axis));
-        if shift == 0.0 || self.st.speed_kept || !self.job.diags.first_time(codes::S8191) {
+        if shift == 0.0 || self.st.spindles.keeps_speed() || !self.job.diags.first_time(codes::S8191) {
             return;
         }
         let message = format!(
@@ -169,18 +249,10 @@ impl Run<'_> {
             return self.fail_help(codes::S2060.alarm(10870), span, message, "set `[machine] diameter_axis = \"X\"`");
         }
         self.st.codes.activate(code);
-        self.st.feed_kind_open = false;
+        self.st.feed.kind_is_said();
         if old != code {
-            self.feed_mode_changed();
+            self.st.feed_mode_changed();
         }
         Ok(())
-    }
-
-    /// F means something else now.
-    pub(super) fn feed_mode_changed(&mut self) {
-        let fits = self.st.feed.is_none_or(|feed| self.st.counts_as(feed));
-        if !fits {
-            self.st.feed = None;
-        }
     }
 }

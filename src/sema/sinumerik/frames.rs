@@ -2,6 +2,8 @@
 //!
 //! `v = R · S · M · v' + shift + fine`; `A : B` applies B first. Source: reference section 4.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::geo::Deg;
@@ -237,6 +239,77 @@ fn linear(parts: &Parts) -> Matrix3<f64> {
         }
     }
     matrix
+}
+
+/// The frames of the program: what is chained to the workpiece system of the blocks.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Frames {
+    programmable: FrameValue,
+    /// Work offsets that the program wrote, by number (0 is G500).
+    written: BTreeMap<u8, FrameValue>,
+    /// The work offset in force, where the program wrote it.
+    settable: Option<FrameValue>,
+    /// Number of the work offset in force.
+    offset: u8,
+}
+
+/// What SAVE keeps of them.
+#[derive(Debug, Clone)]
+pub(super) struct SavedFrames {
+    pub programmable: FrameValue,
+    pub settable: Option<FrameValue>,
+}
+
+impl Frames {
+    pub fn programmable(&self) -> &FrameValue {
+        &self.programmable
+    }
+
+    pub fn programmable_mut(&mut self) -> &mut FrameValue {
+        &mut self.programmable
+    }
+
+    pub fn set_programmable(&mut self, frame: FrameValue) {
+        self.programmable = frame;
+    }
+
+    pub fn settable(&self) -> Option<&FrameValue> {
+        self.settable.as_ref()
+    }
+
+    pub fn set_settable(&mut self, frame: Option<FrameValue>) {
+        self.settable = frame;
+    }
+
+    /// Number of the work offset in force: 0 is G500, 1 is G54.
+    pub fn offset(&self) -> u8 {
+        self.offset
+    }
+
+    pub fn select_offset(&mut self, number: u8) {
+        self.offset = number;
+    }
+
+    /// The values that the program gave a work offset.
+    pub fn written(&self, number: u8) -> Option<&FrameValue> {
+        self.written.get(&number)
+    }
+
+    pub fn write(&mut self, number: u8, frame: FrameValue) {
+        self.written.insert(number, frame);
+    }
+
+    /// All of them together.
+    pub fn total(&self) -> FrameValue {
+        match &self.settable {
+            Some(outer) => outer.chain(&self.programmable),
+            None => self.programmable.clone(),
+        }
+    }
+
+    pub fn saved(&self) -> SavedFrames {
+        SavedFrames { programmable: self.programmable.clone(), settable: self.settable.clone() }
+    }
 }
 
 #[cfg(test)]

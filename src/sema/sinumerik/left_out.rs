@@ -125,7 +125,7 @@ impl Run<'_> {
                 named.insert(axis);
             }
         }
-        let geometry: AxisSet = self.st.geometry_axes.into_iter().collect();
+        let geometry: AxisSet = self.st.channel.geometry_axes.into_iter().collect();
         if named.is_empty() || named == geometry {
             self.dynamics_are_left_out(span);
         } else {

@@ -8,6 +8,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::state::State;
 use super::system::system_number;
 use super::words::Words;
 use super::{Outcome, Run};
@@ -21,32 +22,34 @@ enum ToolLength {
     Unknown,
 }
 
-impl Run<'_> {
+impl State {
     /// Axes in which the length of a tool counts.
     fn tool_axes(&self) -> AxisSet {
-        let [_, _, third] = self.st.roles();
+        let [_, _, third] = self.roles();
         let mut axes = AxisSet::of(third);
-        if self.st.lathe {
+        if self.channel.lathe {
             axes.insert(Axis::X);
             axes.insert(Axis::Z);
         }
         axes
     }
+}
 
+impl Run<'_> {
     /// The tool in use as the control counts it: length, wear and base length of the edge.
     fn active_length(&self) -> ToolLength {
         let tool = &self.st.tool;
-        if tool.edge == Some(0) || tool.active == Some(0) {
+        if tool.edge() == Some(0) || tool.active() == Some(0) {
             return ToolLength::Off;
         }
-        let Some(number) = tool.active else {
-            return if tool.edge.is_some() { ToolLength::Unknown } else { ToolLength::Off };
+        let Some(number) = tool.active() else {
+            return if tool.edge().is_some() { ToolLength::Unknown } else { ToolLength::Off };
         };
-        if tool.edge_in_doubt || self.st.lathe {
+        if tool.edge_in_doubt() || self.st.channel.lathe {
             return ToolLength::Unknown;
         }
-        let edge = tool.edge.unwrap_or(1);
-        let written = |parameter: u8| system_number(&self.system, &format!("$TC_DP{parameter}[{number},{edge}]"));
+        let edge = tool.edge_or_first();
+        let written = |parameter: u8| system_number(&self.vars.system, &format!("$TC_DP{parameter}[{number},{edge}]"));
         let listed = || {
             let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
             tool.length.map(|length| length + tool.deltas[0])
@@ -60,7 +63,7 @@ impl Run<'_> {
     /// Where the spindle stands when the control has an axis at the machine coordinate `value`.
     pub(super) fn machine_place(&mut self, axis: Axis, value: f64, place: impl Into<Where>) -> Outcome<f64> {
         let place = place.into();
-        if !self.tool_axes().contains(axis) {
+        if !self.st.tool_axes().contains(axis) {
             return Ok(value);
         }
         let length = self.active_length();
@@ -85,12 +88,12 @@ impl Run<'_> {
     pub(super) fn length_acts_along_z(&self) {
         let [_, _, third] = self.st.roles();
         let output = &self.job.settings.output;
-        if third == Axis::Z || !output.tool_length || self.st.lathe || self.is_capturing() {
+        if third == Axis::Z || !output.tool_length || self.st.channel.lathe || self.is_capturing() {
             return;
         }
         let tool = &self.st.tool;
-        if tool.edge == Some(0)
-            || tool.active.is_none_or(|number| number == 0)
+        if tool.edge() == Some(0)
+            || tool.active().is_none_or(|number| number == 0)
             || !self.job.diags.first_time(codes::O9190)
         {
             return;
@@ -112,8 +115,8 @@ impl Run<'_> {
             axis.letter()
         );
         let ways = "write D0 in the block, or set `[control] md10760 = true`";
-        let help = match self.st.tool.active {
-            Some(number) if !self.st.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
+        let help = match self.st.tool.active() {
+            Some(number) if !self.st.channel.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
             _ => ways.to_owned(),
         };
         self.fail_help(codes::S9102, place, message, &help)
@@ -132,7 +135,7 @@ impl Run<'_> {
     /// SUPD: the tool offsets do not count in this block.
     pub(super) fn suppressed_tool(&mut self, w: &Words, span: Span) -> Outcome {
         // On a lathe each end point, also a polar one, lies in the axes of the lengths.
-        let moves = self.st.lathe || w.axes.iter().any(|axis| self.tool_axes().contains(axis));
+        let moves = self.st.channel.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
         let radius = self.st.side() != crate::ir::Side::None;
         if radius || moves && self.active_length() != ToolLength::Off {
             return self.fail_help(

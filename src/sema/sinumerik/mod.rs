@@ -39,6 +39,7 @@ mod report;
 mod rotary;
 mod special;
 mod spindle;
+mod spindles;
 mod stand_in;
 mod state;
 mod system;
@@ -53,34 +54,29 @@ mod vars;
 mod vocabulary;
 mod words;
 
-use std::collections::BTreeMap;
 use std::ops::{Deref, DerefMut};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::codes;
-use crate::ir::Side;
 use crate::ir::contour::Sink;
-use crate::ir::function::Turn;
-use crate::machine::{Axis, AxisSet, Proposed};
+use crate::machine::{AxisSet, Proposed};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
 use crate::parser::sinumerik::{SPLIT, parse_block};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::run::Where;
-use crate::text::{Loc, Span, SplitRules};
+use crate::text::{Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
 use super::run::{self, Core, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
-use calls::{Frame, Modal};
-use contour::Pending;
+use calls::Frame;
 use g_groups::GCodes;
 use macros::Sinumerik;
 use programs::{Listed, UnitKind, Units};
 use state::State;
-use value::Val;
 use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
@@ -92,7 +88,7 @@ pub use vocabulary::all_words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    run.set_plane(run.st.codes.of(g_groups::Group::Plane));
+    run.st.set_plane(run.st.codes.of(g_groups::Group::Plane));
     if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 
@@ -142,6 +138,13 @@ impl Language for Sinumerik {
     }
 }
 
+/// Variables that were read before the program gave them a value, which was said.
+#[derive(Debug, Default)]
+struct Warned {
+    r: FxHashSet<u32>,
+    globals: FxHashSet<Symbol>,
+}
+
 /// A run of a program.
 struct Run<'a> {
     core: Core<'a, Sinumerik>,
@@ -154,47 +157,15 @@ struct Run<'a> {
     units: Units,
     /// Numbers proposed for tools without one.
     proposed: Proposed,
-    /// System variables that the program wrote.
-    system: BTreeMap<String, Val>,
     definitions_read: bool,
     /// Programs by the name they were called by.
     found: FxHashMap<String, usize>,
-    warned_r: FxHashSet<u32>,
-    warned_global: FxHashSet<Symbol>,
+    warned: Warned,
     externs: Vec<externs::Extern>,
-    modal: Option<Modal>,
-    /// Where the modal call stands.
-    modal_site: Loc,
-    /// The last modal call was refused.
-    modal_lost: bool,
-    modal_cycle: Option<Box<cycles::ModalCycle>>,
-    pending: Option<Box<Pending>>,
-    /// The first line of a pair was refused.
-    pair_lost: bool,
     /// Contours that CYCLE62 called.
     contours: cycles::Contours,
     /// The contour that is described now.
     capture: Option<Box<capture::Capture>>,
-    /// The contour of the contour editor that runs.
-    stored: Option<Box<editor_contour::Stored>>,
-    /// Lead of the last thread and the axis along which it counts.
-    lead: Option<(Axis, f64)>,
-    /// The same of the last tap, with its sign.
-    tap_lead: Option<(Axis, f64)>,
-    /// The spindle turns for a tap, in this sense.
-    tapping: Option<Turn>,
-    thread_chain: Option<threads::ThreadChain>,
-    axis_feed: BTreeMap<Axis, f64>,
-    compensation_starts: bool,
-    /// The side that G40 ended, and whether its offset still waits for a move in the plane.
-    leaving: Side,
-    leaving_open: bool,
-    /// G41 or G42 of the block, until its D is known.
-    cutter_open: Option<Span>,
-    /// A corner that waits for its second line, and the blocks since.
-    corner_open: Option<(Loc, u32)>,
-    /// G96 waits for its S.
-    cut_speed_open: Option<Span>,
     /// Nesting of texts that are executed.
     depth: u32,
     machine: eval::Machine,
@@ -222,32 +193,12 @@ impl<'a> Run<'a> {
             gcodes: GCodes::new(),
             units: Units::default(),
             proposed: Proposed::default(),
-            system: BTreeMap::new(),
             definitions_read: false,
             found: FxHashMap::default(),
-            warned_r: FxHashSet::default(),
-            warned_global: FxHashSet::default(),
+            warned: Warned::default(),
             externs: Vec::new(),
-            modal: None,
-            modal_site: Loc::default(),
-            modal_lost: false,
-            modal_cycle: None,
-            pending: None,
-            pair_lost: false,
             contours: cycles::Contours::default(),
             capture: None,
-            stored: None,
-            lead: None,
-            tap_lead: None,
-            tapping: None,
-            thread_chain: None,
-            axis_feed: BTreeMap::new(),
-            compensation_starts: false,
-            leaving: Side::None,
-            leaving_open: false,
-            cutter_open: None,
-            corner_open: None,
-            cut_speed_open: None,
             depth: 0,
             machine: eval::Machine::new(eval::RULES),
             words: None,
@@ -335,7 +286,7 @@ impl Run<'_> {
         if let Some(span) = block.comment {
             let comment = span.of(text);
             self.comment(comment);
-            if block.stmt == Stmt::Empty && (self.stored.is_some() || comment.starts_with(b"#")) {
+            if block.stmt == Stmt::Empty && (self.st.stored.is_some() || comment.starts_with(b"#")) {
                 self.here.origin.loc.span = span.shifted(self.here.at);
                 let _ = self.stored_record(comment);
             }
@@ -343,7 +294,7 @@ impl Run<'_> {
         if block.stmt == Stmt::Empty || self.iso && !self.iso_ends(block) {
             return;
         }
-        if self.stored.is_some() {
+        if self.st.stored.is_some() {
             self.note_stored_block();
         }
         // What went wrong was reported; the next block may show more.
@@ -381,7 +332,7 @@ impl Run<'_> {
     /// Nothing is known behind this block; what only suffers from it is not worth another error.
     fn lose_all(&mut self) {
         self.st.position.lose(AxisSet::ALL);
-        self.pending = None;
+        self.st.pair.drop_first();
         self.lost();
     }
 
@@ -410,7 +361,7 @@ impl Run<'_> {
                     self.stop_run();
                 }
                 self.st.position.lose(AxisSet::ALL);
-                self.pending = None;
+                self.st.pair.drop_first();
                 self.lost();
                 return Err(Reported);
             }

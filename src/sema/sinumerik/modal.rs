@@ -54,7 +54,7 @@ impl Run<'_> {
                     self.control_words_are_left_out(span);
                 } else {
                     self.st.codes.activate(code);
-                    if let Some(stored) = self.stored.as_mut() {
+                    if let Some(stored) = self.st.stored.as_mut() {
                         stored.diameter_said = true;
                     }
                     self.st.diameter = None;
@@ -78,15 +78,14 @@ impl Run<'_> {
                 "program G40 in a block in front of it",
             );
         }
-        if let Some(pending) = self.pending.take() {
-            self.pair_lost = true;
+        if let Some(origin) = self.st.pair.refuse_first() {
             let message = "the plane changes between the two lines of a pair";
-            let found = Diagnostic::new(codes::S2070.alarm(10790), pending.origin.loc, message);
+            let found = Diagnostic::new(codes::S2070.alarm(10790), origin.loc, message);
             self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
         }
-        self.set_plane(code);
+        self.st.set_plane(code);
         let plane = self.st.plane();
         self.function(crate::ir::Function::Plane(plane));
         Ok(())

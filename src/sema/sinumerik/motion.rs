@@ -38,7 +38,7 @@ impl Run<'_> {
             if words.is_empty() {
                 return Ok(());
             }
-            if words.call.is_some() || words.l.is_some() {
+            if words.calls.word.is_some() || words.calls.number.is_some() {
                 return self.call_block(&mut words, block, text);
             }
             self.begins_executing();
@@ -75,22 +75,24 @@ impl Run<'_> {
             axes = axes.union(AxisSet::MAIN);
         }
         if words.get(Address::F).is_some() {
-            self.st.feed_lost = true;
+            self.st.feed.lose();
         }
-        self.pair_lost |= words.get(Address::Ang).is_some();
+        if words.get(Address::Ang).is_some() {
+            self.st.pair.lose();
+        }
         if !axes.is_empty() {
             self.st.position.lose(axes);
-            self.pending = None;
+            self.st.pair.drop_first();
             self.lost();
         }
     }
 
     /// The words of a block that holds no call.
     pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.tapping.is_some() || self.thread_chain.is_some() {
+        if self.st.threads.are_open() {
             self.beside_threads(w);
         }
-        let triggers = self.modal_cycle.is_some()
+        let triggers = self.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
         if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() {
             self.check_codes(w)?;
@@ -112,10 +114,10 @@ impl Run<'_> {
         }
         self.technology(w)?;
         self.early_functions(w)?;
-        let corner_before = self.corner_open.map(|(loc, _)| loc);
+        let corner_before = self.st.corners.open.site();
         let moved = self.motion(w, block)?;
-        if moved && self.corner_open.map(|(loc, _)| loc) == corner_before {
-            self.corner_open = None;
+        if moved && self.st.corners.open.site() == corner_before {
+            self.st.corners.open.close();
         }
         self.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
@@ -123,10 +125,10 @@ impl Run<'_> {
             let alarm = if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 };
             return self.does_not_fit_code(left.span, alarm);
         }
-        if let Some(axis) = w.machine_axes.first() {
+        if let Some(axis) = w.beside.machine.first() {
             return self.unnamed_axis(*axis);
         }
-        if let Some(passes) = w.passes {
+        if let Some(passes) = w.calls.passes {
             return self.does_not_fit(passes.span);
         }
         self.left_out_under_modal_call(w)?;
@@ -173,15 +175,15 @@ impl Run<'_> {
         let round = matches!(interpolation, Code::G2 | Code::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
         let moves = !w.axes.is_empty() || polar || arc || w.get(Address::Ang).is_some();
-        if !w.positioning.is_empty() {
-            self.thread_chain = None;
+        if !w.beside.positioning.is_empty() {
+            self.st.threads.end_chain();
             self.positioning(w)?;
         }
         if let Some(angle) = w.get(Address::Ang)
             && !matches!(interpolation, Code::G0 | Code::G1)
         {
             let help = "program G1 or G0 in front of it";
-            self.pending = None;
+            self.st.pair.drop_first();
             return self.fail_help(codes::S2070.alarm(10792), angle.span, "ANG= is for straight lines only", help);
         }
         if !moves && matches!(interpolation, Code::G33 | Code::G331 | Code::G332) {
@@ -195,13 +197,13 @@ impl Run<'_> {
             if self.has_corner_words(w) {
                 return self.no_corner(block.span);
             }
-            if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.positioning.is_empty()) {
+            if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
                 self.control_words_are_left_out(span);
             }
             return Ok(false);
         }
         if interpolation != Code::G33 {
-            self.thread_chain = None;
+            self.st.threads.end_chain();
         }
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
@@ -235,7 +237,7 @@ impl Run<'_> {
             _ => return self.check_interpolation(interpolation, block.span).and(Err(Reported)),
         }
         // The first line of a pair sends its corner when its end is known.
-        if self.pending.is_none() {
+        if !self.st.pair.is_open() {
             self.send_corner(corner);
         }
         Ok(true)
@@ -244,14 +246,12 @@ impl Run<'_> {
     /// Under D0 the control counts from the spindle nose, which the target cannot say.
     fn check_offsets(&self, w: &Words) -> Outcome {
         // A contour is a shape: no tool follows it.
-        let off = !self.is_capturing()
-            && self.st.tool.edge == Some(0)
-            && self.st.tool.active.is_some_and(|number| number != 0);
-        if !off || self.st.in_machine() {
+        let off = !self.is_capturing() && self.st.tool.is_without_offset();
+        if !off || self.st.offsets.in_machine() {
             return Ok(());
         }
         let [_, _, third] = self.st.roles();
-        let lengths = if self.st.lathe { [Axis::X, Axis::Z] } else { [third, third] };
+        let lengths = if self.st.channel.lathe { [Axis::X, Axis::Z] } else { [third, third] };
         match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
             Some(given) => self.fail_help(
                 codes::S9016,
@@ -285,7 +285,7 @@ impl Run<'_> {
         corner: Option<&crate::ir::contour::Corner>,
     ) -> Outcome {
         let path = Path::straight(self.path_feed(w, code == Code::G0)?);
-        if w.get(Address::Ang).is_some() || self.pending.is_some() {
+        if w.get(Address::Ang).is_some() || self.st.pair.is_open() {
             return self.angle_block(w, path, corner);
         }
         let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
@@ -386,7 +386,7 @@ impl Run<'_> {
         if (programmed - at).abs() <= 1e-9 {
             return Ok(at);
         }
-        let with_offset = match self.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
+        let with_offset = match self.vars.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
             Some(set) => set,
             None => self.job.settings.control.siemens.frame_offset_incremental.unwrap_or(true),
         };

@@ -20,25 +20,25 @@ impl Run<'_> {
     /// Sends a move to the named axes of `end`.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
-        if self.st.in_machine() {
+        if self.st.offsets.in_machine() {
             return self.send_in_machine(end, path);
         }
         self.note_outer();
         if self.st.plane() != Plane::Xy {
             self.length_acts_along_z();
         }
-        if self.stored.is_some() {
+        if self.st.stored.is_some() {
             self.note_stored(end, &path);
         }
         self.note_heading(end, &path);
-        let mv = Move { end: *end, path, side: self.side_of_move(), coords: Coords::Frame };
+        let mv = Move { end: *end, path, side: self.st.side_of_move(), coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);
     }
 
     /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
     pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path) {
-        if self.st.outer == Outer::Unrelated {
+        if self.st.offsets.outer() == Outer::Unrelated {
             let _: Outcome = self.unrelated(Where::Block, "G500 stands beside");
             self.st.position.lose(end.known());
             return;
@@ -57,7 +57,7 @@ impl Run<'_> {
             return;
         }
         // What is printed with G53 and what the program writes itself count from different places.
-        self.st.offsets_printed = true;
+        self.st.offsets.prints_offset();
         let mut machine = self.st.ctx.frame.apply(end);
         for axis in machine.known().iter() {
             let Ok(place) = self.machine_place(axis, machine.get(axis).unwrap_or(0.0), Where::Block) else { return };
@@ -120,7 +120,7 @@ impl Run<'_> {
             }
             end.set(axis, value);
         }
-        self.st.machine_moved = true;
+        self.st.offsets.moves_in_machine();
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
@@ -131,7 +131,7 @@ impl Run<'_> {
     /// `POS[X]=10 FA[X]=500`
     pub(super) fn positioning(&mut self, w: &mut Words) -> Outcome {
         if !w.axes.is_empty() || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
-            let span = w.positioning[0].given.span;
+            let span = w.beside.positioning[0].given.span;
             return self.fail_help(
                 codes::S9008,
                 span,
@@ -139,7 +139,7 @@ impl Run<'_> {
                 "give POS a block of its own",
             );
         }
-        if let Some(first) = w.positioning.first() {
+        if let Some(first) = w.beside.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
@@ -150,8 +150,8 @@ impl Run<'_> {
                 "program the axis by G0 or G1 in this block",
             );
         }
-        for at in 0..w.positioning.len() {
-            let positioning = w.positioning[at];
+        for at in 0..w.beside.positioning.len() {
+            let positioning = w.beside.positioning[at];
             let axis = positioning.axis;
             if axis.is_main() && !self.st.ctx.frame.is_shift() {
                 return self.fail_help(
@@ -162,7 +162,7 @@ impl Run<'_> {
                 );
             }
             let value = self.target(axis, positioning.given)?;
-            let Some(feed) = self.axis_feed.get(&axis).copied() else {
+            let Some(feed) = self.st.feed.of_axis(axis) else {
                 return self.fail_help(
                     codes::S2040.alarm(10860),
                     positioning.given.span,

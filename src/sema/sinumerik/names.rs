@@ -15,7 +15,7 @@ use super::{Outcome, Run};
 
 /// Does the block set an interrupt? The program it names is not called here.
 fn interrupts(words: &Words) -> bool {
-    words.call.is_some_and(|call| call.meaning == Meaning::Procedure(Procedure::Interrupt))
+    words.calls.word.is_some_and(|call| call.meaning == Meaning::Procedure(Procedure::Interrupt))
 }
 
 impl Run<'_> {
@@ -84,7 +84,7 @@ impl Run<'_> {
         let meaning = self.meaning(name);
         match (meaning, args) {
             (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
-            (Meaning::Procedure(Procedure::NoEffect), _) if words.call.is_none() => {
+            (Meaning::Procedure(Procedure::NoEffect), _) if words.calls.word.is_none() => {
                 let own = self.symbols.name(name);
                 if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
                     let (what, help) = if own == "SAVE" {
@@ -96,15 +96,15 @@ impl Run<'_> {
                 }
                 self.control_words_are_left_out(word.span);
                 // It ends the look-ahead.
-                if self.pending.is_some() && self.symbols.name(name) == "STOPRE" {
+                if self.st.pair.is_open() && self.symbols.name(name) == "STOPRE" {
                     self.pending_must_be_done(word.span)?;
                 }
             }
             // `SETINT(1) PRIO=1 NAME`
-            (Meaning::Unknown, _) if interrupts(words) && words.interrupt.is_none() => {
-                words.interrupt = Some(word.span);
+            (Meaning::Unknown, _) if interrupts(words) && words.calls.interrupt.is_none() => {
+                words.calls.interrupt = Some(word.span);
             }
-            _ if words.call.is_some() => {
+            _ if words.calls.word.is_some() => {
                 return self.fail_help(
                     codes::S2013.alarm(12080),
                     word.span,
@@ -112,7 +112,7 @@ impl Run<'_> {
                     "give each call a block of its own",
                 );
             }
-            _ => words.call = Some(CallWord { name, meaning, args, span: word.span }),
+            _ => words.calls.word = Some(CallWord { name, meaning, args, span: word.span }),
         }
         Ok(false)
     }
@@ -146,7 +146,7 @@ impl Run<'_> {
             Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
             Meaning::Address(Address::Lims | Address::Spos | Address::Sposa) => {
                 let spindle = self.spindle_index(args, block, text)?;
-                if spindle == self.st.master
+                if spindle == self.st.spindles.master()
                     && let Meaning::Address(address) = self.meaning(name)
                 {
                     let given = self.given(word, block, text)?;
@@ -288,8 +288,8 @@ impl Run<'_> {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 match self.printed_axis(named, given.span)? {
-                    Some(axis) => words.positioning.push(Positioning { axis, given }),
-                    None => words.left_out.push((named, given.span)),
+                    Some(axis) => words.beside.positioning.push(Positioning { axis, given }),
+                    None => words.beside.left_out.push((named, given.span)),
                 }
                 Ok(())
             }
@@ -301,7 +301,7 @@ impl Run<'_> {
                     return self.fail(codes::S2041.alarm(14810), given.span, message);
                 }
                 if let Some(axis) = named.axis {
-                    words.axis_feeds.push((axis, given.value));
+                    words.beside.feeds.push((axis, given.value));
                 }
                 Ok(())
             }
@@ -330,7 +330,7 @@ impl Run<'_> {
             Indexed::Posa => {
                 let named = self.axis_index(args, block, text)?;
                 if self.printed_axis(named, word.span)?.is_none() {
-                    words.left_out.push((named, word.span));
+                    words.beside.left_out.push((named, word.span));
                     return Ok(());
                 }
                 self.fail_help(
@@ -415,7 +415,7 @@ impl Run<'_> {
             }
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 self.given(word, block, text)?;
-                words.machine_axes.push(MachineAxis { letter, number, span: word.span });
+                words.beside.machine.push(MachineAxis { letter, number, span: word.span });
             }
             _ => return self.undefined_word(name, word.span),
         }

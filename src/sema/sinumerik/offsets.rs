@@ -35,6 +35,44 @@ pub(super) enum FromBasic {
     UnderG500,
 }
 
+/// How work offsets were used so far, and what printed positions count from.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct OffsetUse {
+    outer: Outer,
+    /// The program selected offsets of the machine.
+    printed: bool,
+    /// The program selected offsets that it wrote.
+    resolved: bool,
+    /// G500 was programmed while nothing else was.
+    under_g500: bool,
+    moved_from_basic: FromBasic,
+    /// A move in machine coordinates was printed.
+    machine_moved: bool,
+}
+
+impl OffsetUse {
+    #[inline]
+    pub fn outer(&self) -> Outer {
+        self.outer
+    }
+
+    /// Under G500 beside offsets of the machine.
+    #[inline]
+    pub fn in_machine(&self) -> bool {
+        matches!(self.outer, Outer::Machine | Outer::Unrelated)
+    }
+
+    /// A move in machine coordinates is printed.
+    pub fn moves_in_machine(&mut self) {
+        self.machine_moved = true;
+    }
+
+    /// Positions count from an offset of the machine.
+    pub fn prints_offset(&mut self) {
+        self.printed = true;
+    }
+}
+
 impl Run<'_> {
     /// A code of group 8: number 0 is G500, 1 is G54.
     pub(super) fn work_offset(&mut self, index: u8, place: impl Into<Where>) -> Outcome {
@@ -42,11 +80,11 @@ impl Run<'_> {
         self.pending_must_be_done(place)?;
         let number = index - 1;
         self.st.codes.activate(Code::new(Group::WorkOffset, index));
-        self.st.offset = number;
+        self.st.frames.select_offset(number);
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, place, "the work offset changes while radius compensation is on");
         }
-        if let Some(frame) = self.st.written.get(&number).cloned() {
+        if let Some(frame) = self.st.frames.written(number).cloned() {
             self.resolved_offset_note(place);
             self.resolves_offsets(place)?;
             self.counts_from(Outer::Basic, Some(frame));
@@ -70,16 +108,16 @@ impl Run<'_> {
                 );
             }
         };
-        let selected = self.st.offsets_printed || self.st.under_g500;
-        if selected && self.st.outer != Outer::Printed(number) {
+        let selected = self.st.offsets.printed || self.st.offsets.under_g500;
+        if selected && self.st.offsets.outer() != Outer::Printed(number) {
             self.st.position.end_start();
         }
         self.counts_from(Outer::Printed(number), None);
-        self.st.offsets_printed = true;
-        if self.st.offsets_resolved {
+        self.st.offsets.printed = true;
+        if self.st.offsets.resolved {
             return self.mixed_offsets(place);
         }
-        let moved = std::mem::take(&mut self.st.moved_from_basic);
+        let moved = std::mem::take(&mut self.st.offsets.moved_from_basic);
         if moved == FromBasic::UnderG500 {
             self.st.position.clear();
             return self.offset_behind_g500(place, &offset_word(number));
@@ -103,9 +141,9 @@ impl Run<'_> {
     fn basic_system(&mut self, place: impl Into<Where>) {
         let place = place.into();
         let datums = &self.job.settings.datums;
-        if self.st.offsets_resolved || !self.st.offsets_printed && datums.basic.is_none() {
+        if self.st.offsets.resolved || !self.st.offsets.printed && datums.basic.is_none() {
             // Everything that is printed counts from there.
-            self.st.under_g500 = true;
+            self.st.offsets.under_g500 = true;
             return self.counts_from(Outer::Basic, Some(FrameValue::default()));
         }
         if let Some(basic) = &datums.basic {
@@ -118,7 +156,7 @@ impl Run<'_> {
             return self.counts_from(Outer::Machine, Some(frame));
         }
         // Seen from a printed offset whose place is known, the basic system lies the other way.
-        if let Outer::Printed(number) = self.st.outer
+        if let Outer::Printed(number) = self.st.offsets.outer()
             && let Some(values) = datums.offsets.get(&offset_word(number))
         {
             let back: Vec<_> = values.iter().map(|(axis, value)| (*axis, -*value)).collect();
@@ -135,28 +173,28 @@ impl Run<'_> {
 
     /// Positions count from another place, or through another frame.
     pub(super) fn counts_from(&mut self, outer: Outer, frame: Option<FrameValue>) {
-        if outer != self.st.outer {
+        if outer != self.st.offsets.outer() {
             self.st.position.clear();
         }
-        self.st.outer = outer;
-        self.st.settable = frame;
+        self.st.offsets.outer = outer;
+        self.st.frames.set_settable(frame);
         self.refresh_frame();
     }
 
     /// Something is printed that counts from the basic system; a later offset of the machine would count from elsewhere.
     #[inline]
     pub(super) fn note_outer(&mut self) {
-        if self.st.outer == Outer::Basic && self.st.moved_from_basic != FromBasic::UnderG500 {
+        if self.st.offsets.outer() == Outer::Basic && self.st.offsets.moved_from_basic != FromBasic::UnderG500 {
             self.moves_from_basic();
         }
     }
 
     fn moves_from_basic(&mut self) {
-        if !self.st.under_g500 {
-            self.st.moved_from_basic = FromBasic::AtStart;
+        if !self.st.offsets.under_g500 {
+            self.st.offsets.moved_from_basic = FromBasic::AtStart;
             return;
         }
-        self.st.moved_from_basic = FromBasic::UnderG500;
+        self.st.offsets.moved_from_basic = FromBasic::UnderG500;
         let message = "positions under G500 are printed as they stand: the offset that is active on the target \
                        has to be zero, or to lie where the basic system of the control lies";
         self.note_once(codes::S8011, Where::Block, message);
@@ -166,7 +204,7 @@ impl Run<'_> {
     /// Positions under G500 lie from the offset of the target, those of G53 from its machine zero: together they fit only
     /// where the basic frame is known.
     pub(super) fn machine_moves_beside_g500(&self, place: impl Into<Where>) {
-        let both = self.st.machine_moved && self.st.moved_from_basic == FromBasic::UnderG500;
+        let both = self.st.offsets.machine_moved && self.st.offsets.moved_from_basic == FromBasic::UnderG500;
         if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190) {
             return;
         }
@@ -205,8 +243,8 @@ impl Run<'_> {
     /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
     /// way between the two.
     pub(super) fn resolves_offsets(&mut self, place: impl Into<Where>) -> Outcome {
-        self.st.offsets_resolved = true;
-        if self.st.offsets_printed { self.mixed_offsets(place) } else { Ok(()) }
+        self.st.offsets.resolved = true;
+        if self.st.offsets.printed { self.mixed_offsets(place) } else { Ok(()) }
     }
 
     pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {

@@ -120,7 +120,7 @@ impl Run<'_> {
         });
         self.check_extern(block);
         if save {
-            let state = self.save();
+            let state = self.st.save();
             if let FrameKind::Program { saved, .. } = &mut self.program_level().kind {
                 *saved = Some(Box::new(state));
             }

@@ -14,11 +14,47 @@ use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Reported, Run};
 
+/// Pole, and the polar words that hold on.
+#[derive(Debug, Clone)]
+pub(super) struct Polar {
+    pole: Point2,
+    /// The pole was set under an error, or what counts from it is missing: reported.
+    lost: bool,
+    angle: Option<f64>,
+    radius: Option<f64>,
+}
+
+impl Default for Polar {
+    fn default() -> Polar {
+        Polar { pole: Point2::origin(), lost: false, angle: None, radius: None }
+    }
+}
+
+impl Polar {
+    pub fn pole(&self) -> Point2 {
+        self.pole
+    }
+
+    /// The last RP in mm.
+    pub fn radius(&self) -> Option<f64> {
+        self.radius
+    }
+
+    /// The pole is the zero of the new plane, and its angle has to be said anew.
+    pub fn plane_changed(&mut self) {
+        self.set_pole(Point2::origin());
+    }
+
+    fn set_pole(&mut self, pole: Point2) {
+        (self.pole, self.angle) = (pole, None);
+    }
+}
+
 impl Run<'_> {
     /// G110, G111 or G112: the pole, by coordinates or by angle and radius.
     pub(super) fn pole_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         let result = self.set_pole(code, span, w);
-        self.st.pole_lost = result.is_err();
+        self.st.polar.lost = result.is_err();
         result
     }
 
@@ -37,10 +73,10 @@ impl Run<'_> {
         let base = match code {
             Code::G111 => Point2::origin(),
             Code::G112 => {
-                if self.st.pole_lost {
+                if self.st.polar.lost {
                     return Err(Reported);
                 }
-                self.st.pole
+                self.st.polar.pole
             }
             _ => match self.st.position.in_plane(plane) {
                 Some(at) => at,
@@ -72,8 +108,7 @@ impl Run<'_> {
             }
             Point2::new(base.x + way[0], base.y + way[1])
         };
-        self.st.pole = pole;
-        self.st.ap = None;
+        self.st.polar.set_pole(pole);
         Ok(())
     }
 
@@ -108,7 +143,7 @@ impl Run<'_> {
 
     /// The end point of a block with AP or RP.
     pub(super) fn polar_end(&mut self, w: &mut Words) -> Outcome<Pos> {
-        if self.st.pole_lost {
+        if self.st.polar.lost {
             return Err(Reported);
         }
         let plane = self.st.plane();
@@ -123,7 +158,7 @@ impl Run<'_> {
                 self.check_radius(rp, 14200)?;
                 rp.value * self.st.length_unit()
             }
-            None => match self.st.rp {
+            None => match self.st.polar.radius {
                 Some(radius) => radius,
                 None => {
                     self.st.position.lose(AxisSet::MAIN);
@@ -143,7 +178,7 @@ impl Run<'_> {
                     _ => return self.fail(codes::S2012.alarm(12020), ap.span, "only AC(…) and IC(…) fit AP="),
                 };
                 if incremental {
-                    let base = match self.st.ap {
+                    let base = match self.st.polar.angle {
                         Some(angle) => angle,
                         None => return self.polar_word_missing(ap.span, "the angle that AP= counts from"),
                     };
@@ -152,22 +187,22 @@ impl Run<'_> {
                     ap.value
                 }
             }
-            None => match self.st.ap {
+            None => match self.st.polar.angle {
                 Some(angle) => angle,
                 None => return self.polar_word_missing(span, "AP="),
             },
         };
-        self.st.rp = Some(radius);
-        self.st.ap = Some(angle);
+        self.st.polar.radius = Some(radius);
+        self.st.polar.angle = Some(angle);
         let mut end = self.targets(w)?;
-        end.set_in_plane(plane, polar_point(self.st.pole, radius, Deg(angle)));
+        end.set_in_plane(plane, polar_point(self.st.polar.pole, radius, Deg(angle)));
         Ok(end)
     }
 
     /// The manuals demand the word again, so that what it was does not count.
     fn polar_word_missing<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
         // What counts on from here is not reported again.
-        self.st.pole_lost = true;
+        self.st.polar.lost = true;
         self.st.position.lose(AxisSet::MAIN);
         self.lost();
         let message = format!("{what} was not programmed since the pole or the plane was set");

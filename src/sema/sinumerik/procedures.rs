@@ -17,16 +17,16 @@ impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
     pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
         self.tapping_ends();
-        let passes = w.passes.take();
-        if let Some((name, span)) = w.l.take() {
+        let passes = w.calls.passes.take();
+        if let Some((name, span)) = w.calls.number.take() {
             if block.words.len() > 1 + usize::from(passes.is_some()) {
                 return self.call_not_alone(span);
             }
             return self.call_program(&name, span, None, passes, block, text);
         }
-        let Some(call) = w.call else { return Ok(()) };
+        let Some(call) = w.calls.word else { return Ok(()) };
         if let Meaning::Procedure(procedure) = call.meaning {
-            w.passes = passes;
+            w.calls.passes = passes;
             let alone = matches!(
                 procedure,
                 Procedure::ExecString
@@ -35,7 +35,7 @@ impl Run<'_> {
                     | Procedure::SetMaster
                     | Procedure::Refused(_)
             );
-            if alone && (self.has_other_words(w) || w.passes.is_some()) {
+            if alone && (self.has_other_words(w) || w.calls.passes.is_some()) {
                 return self.call_not_alone(call.span);
             }
             self.procedure(procedure, call, w, block, text)?;
@@ -307,8 +307,8 @@ impl Run<'_> {
 
     /// Words beside a procedure that has no effect.
     pub(super) fn rest_of_block(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.has_other_words(w) || w.passes.is_some() {
-            w.call = None;
+        if self.has_other_words(w) || w.calls.passes.is_some() {
+            w.calls.word = None;
             self.begins_executing();
             return self.words_again(w, block);
         }
@@ -418,11 +418,13 @@ impl Run<'_> {
                 );
             }
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
-            let same =
-                match (place.and_then(|at| self.st.geometry_axes.get(at)).copied(), self.eval(*axis, block, text)?) {
-                    (Some(known), Val::Axis(named)) => named.axis == Some(known),
-                    _ => false,
-                };
+            let same = match (
+                place.and_then(|at| self.st.channel.geometry_axes.get(at)).copied(),
+                self.eval(*axis, block, text)?,
+            ) {
+                (Some(known), Val::Axis(named)) => named.axis == Some(known),
+                _ => false,
+            };
             if !same {
                 return self.fail_help(
                     codes::S9001,

@@ -51,10 +51,10 @@ impl Run<'_> {
         if self.capture.is_some() && self.function_in_contour(&function) {
             return;
         }
-        if self.leaving_open && self.leaves_in_front_of(&function).is_err() {
+        if self.st.compensation.is_leaving() && self.leaves_in_front_of(&function).is_err() {
             return;
         }
-        if self.pending.is_some() && self.held_back(&function) {
+        if self.st.pair.is_open() && self.held_back(&function) {
             return;
         }
         self.core.send_function(&function, &self.st.ctx);

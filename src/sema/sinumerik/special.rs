@@ -25,7 +25,7 @@ impl Run<'_> {
             return self.not_alone(suppressed);
         }
         if code != Code::G4 {
-            self.thread_chain = None;
+            self.st.threads.end_chain();
         }
         match code {
             Code::G4 => {
@@ -42,14 +42,14 @@ impl Run<'_> {
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
                 self.send(&end, Path::Line(feed));
-                w.left_out.clear();
+                w.beside.left_out.clear();
             }
             Code::G74 | Code::G75 => {
                 self.technology(w)?;
                 self.early_functions(w)?;
                 self.fixed_point(code, span, w)?;
-                w.machine_axes.clear();
-                w.left_out.clear();
+                w.beside.machine.clear();
+                w.beside.left_out.clear();
             }
             _ => {
                 let message = format!("{} is not supported", code.word());
@@ -83,7 +83,7 @@ impl Run<'_> {
 
     fn nothing_left(&self, w: &Words) -> Outcome {
         let s = w.s.first().map(|s| s.span);
-        let words = w.left().or(w.passes).map(|given| given.span).or(s).or(w.h);
+        let words = w.left().or(w.calls.passes).map(|given| given.span).or(s).or(w.h);
         match words.or(w.axis_word_left()).or(w.diameter.map(|(_, _, span)| span)) {
             Some(span) => self.not_alone(span),
             None => Ok(()),
@@ -106,10 +106,7 @@ impl Run<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
-                let turns = match s.spindle {
-                    Some(n) if n != self.st.master => self.st.spindles.get(&n).and_then(|spindle| spindle.speed),
-                    _ => self.st.turns.or(self.st.speed).filter(|_| !self.st.constant_cut),
-                };
+                let turns = self.st.spindles.fixed_turns(s.spindle);
                 let speed = turns.filter(|speed| *speed > 0.0);
                 match speed {
                     Some(speed) => s.value * 60.0 / speed,
@@ -162,7 +159,7 @@ impl Run<'_> {
         self.pending_must_be_done(span)?;
         let number = if code == Code::G75 { self.fixed_point_number(w)? } else { 0 };
         let mut named: Vec<Axis> = w.axes.iter().collect();
-        for machine_axis in &w.machine_axes {
+        for machine_axis in &w.beside.machine {
             named.extend(self.machine_axis(*machine_axis)?);
         }
         let machine = &self.job.settings.machine;
@@ -191,7 +188,7 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080.alarm(14091), span, "a fixed point is approached under radius compensation");
         }
-        if named.is_empty() && w.machine_axes.is_empty() && w.left_out.is_empty() {
+        if named.is_empty() && w.beside.machine.is_empty() && w.beside.left_out.is_empty() {
             let message = format!("{} names no axis: nothing moves", code.word());
             let found = Diagnostic::new(codes::S8192, self.loc(span), message);
             self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", code.word())));
@@ -217,7 +214,7 @@ impl Run<'_> {
                     }
                 }
                 w.s.clear();
-                w.left_out.clear();
+                w.beside.left_out.clear();
                 self.limits_are_left_out(span);
             }
             Code::G58 | Code::G59 => self.axial_shift(code, span, w)?,
@@ -234,7 +231,7 @@ impl Run<'_> {
 
     fn frame_statement(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
         // What a frame does to an axis that is left out moves nothing.
-        w.left_out.clear();
+        w.beside.left_out.clear();
         let adds = matches!(code, Code::ATRANS | Code::AROT | Code::ASCALE | Code::AMIRROR);
         if self.st.side() != Side::None {
             return self.fail_help(
@@ -259,7 +256,8 @@ impl Run<'_> {
                     values.push((axis, given.value * unit));
                 }
                 if adds {
-                    self.st.programmable = self.st.programmable.translated(&values);
+                    let frame = self.st.frames.programmable().translated(&values);
+                    self.st.frames.set_programmable(frame);
                     self.refresh_frame();
                     return Ok(());
                 }
@@ -300,13 +298,14 @@ impl Run<'_> {
                 return self.fail_help(codes::S9001, span, message, "use ROT with angles about the axes");
             }
         };
-        self.st.programmable = match (adds, bare) {
+        let frame = match (adds, bare) {
             (true, true) => return Ok(()),
-            (true, false) => self.st.programmable.chain(&frame),
+            (true, false) => self.st.frames.programmable().chain(&frame),
             // Without axes the whole programmable frame goes.
             (false, true) => FrameValue::default(),
             (false, false) => frame,
         };
+        self.st.frames.set_programmable(frame);
         self.refresh_frame();
         Ok(())
     }
@@ -352,13 +351,16 @@ impl Run<'_> {
             return self.work_offset(number + 1, span);
         }
         self.pending_must_be_done(span)?;
-        w.left_out.clear();
+        w.beside.left_out.clear();
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
             self.parameter_of_frame(given)?;
             let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
-            let place =
-                if code == Code::G58 { &mut self.st.programmable.shift } else { &mut self.st.programmable.fine };
+            let place = if code == Code::G58 {
+                &mut self.st.frames.programmable_mut().shift
+            } else {
+                &mut self.st.frames.programmable_mut().fine
+            };
             if let Some(place) = place.get_mut(axis.index()) {
                 *place = given.value * unit;
             }

@@ -9,13 +9,21 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
-use super::state::{MAIN_SPINDLE, SpindleState};
+use super::spindles::MAIN_SPINDLE;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words};
 use super::{Outcome, Run};
 
 /// Highest spindle number that is a spindle.
 const MOST_SPINDLES: u8 = 20;
+
+impl State {
+    /// The limit of a programmed speed: G26, and LIMS under G97.
+    fn limit_of_turns(&self) -> Option<f64> {
+        self.spindles.limit_of_turns(self.codes.of(Group::FeedType).ends_cutting_speed())
+    }
+}
 
 impl Run<'_> {
     /// A word for spindle `n`. The target knows the first one without a number.
@@ -30,7 +38,7 @@ impl Run<'_> {
     /// Feed per revolution, threads and cutting speed count with the turns of the master; the target counts those
     /// of its first spindle.
     pub(super) fn master_is_main(&self, place: impl Into<Where>, what: &str) -> Outcome {
-        let master = self.st.master;
+        let master = self.st.spindles.master();
         if master == MAIN_SPINDLE {
             return Ok(());
         }
@@ -45,18 +53,19 @@ impl Run<'_> {
     /// S words of a block.
     pub(super) fn speeds(&mut self, w: &Words) -> Outcome {
         let constant = self.st.codes.of(Group::FeedType).holds_cutting_speed();
-        let masters = |s: &SWord| s.spindle.is_none_or(|n| n == self.st.master);
+        let masters = |s: &SWord| self.st.spindles.is_master(s.spindle);
         let given = w.s.iter().any(masters);
         if !given {
-            if constant && self.st.speed_kept {
+            let spindles = &mut self.st.spindles;
+            if constant && spindles.keeps_speed() {
                 // G96 again: the speed that the spindle kept is none in m/min.
-                (self.st.constant_cut, self.st.speed_kept) = (false, false);
-            } else if !constant && self.st.constant_cut && !self.st.speed_kept {
-                self.st.speed_kept = true;
+                spindles.end_cutting_speed();
+            } else if !constant && spindles.is_cutting() && !spindles.keeps_speed() {
+                spindles.keep_speed();
                 // Where M5 stops the spindle nothing goes on.
-                let stops = |m: &MWord| m.number == 5 && m.spindle.is_none_or(|n| n == self.st.master);
+                let stops = |m: &MWord| m.number == 5 && self.st.spindles.is_master(m.spindle);
                 if w.m.iter().any(stops) {
-                    self.st.turns = None;
+                    self.st.spindles.forget_turns();
                     return self.speeds_given(w, constant);
                 }
                 self.freeze_speed(w.code_of(Group::FeedType).map(|(_, span)| span).unwrap_or_default())?;
@@ -74,21 +83,22 @@ impl Run<'_> {
         for at in 0..w.s.len() {
             self.speed(w.s[at], constant)?;
         }
-        if !constant || self.st.constant_cut {
-            self.cut_speed_open = None;
-        } else if self.cut_speed_open.is_none() {
-            self.cut_speed_open = Some(w.code_of(Group::FeedType).map(|(_, span)| span).unwrap_or_default());
+        if !constant || self.st.spindles.is_cutting() {
+            self.st.spindles.close_cut_speed();
+        } else {
+            let site = w.code_of(Group::FeedType).map(|(_, span)| span).unwrap_or_default();
+            self.st.spindles.open_cut_speed(site);
         }
         Ok(())
     }
 
     /// Refuses a cut at a speed that a turning spindle kept since G96 and that is not known here.
     pub(super) fn speed_is_known(&mut self) -> Outcome {
-        if !self.st.speed_kept || self.st.turn.is_none() || self.st.turns.is_some() {
+        if !self.st.spindles.turns_unknown() {
             return Ok(());
         }
         // Once is enough.
-        (self.st.constant_cut, self.st.speed_kept) = (false, false);
+        self.st.spindles.end_cutting_speed();
         self.unknown_speed(Where::Block, "this block cuts at the speed that the spindle happens to have kept since G96")
     }
 
@@ -98,14 +108,10 @@ impl Run<'_> {
 
     /// Refuses to start spindle `n` without a speed that is known.
     pub(super) fn start_is_known(&mut self, n: u8, span: Span) -> Outcome {
-        let kept = match self.st.spindles.get(&n) {
-            Some(spindle) if n != self.st.master => spindle.kept,
-            _ => n == self.st.master && self.st.speed_kept,
-        };
-        if !kept {
+        if !self.st.spindles.kept_by(n) {
             return Ok(());
         }
-        (self.st.constant_cut, self.st.speed_kept) = (false, false);
+        self.st.spindles.end_cutting_speed();
         self.unknown_speed(span, "the spindle starts without a speed: the one of before was a cutting speed (G96)")
     }
 
@@ -123,36 +129,25 @@ impl Run<'_> {
             );
         }
         match s.spindle {
-            Some(n) if n != self.st.master => {
+            Some(n) if n != self.st.spindles.master() => {
                 self.spindle_number(n, s.span)?;
-                let spindle = self.st.spindles.entry(n).or_default();
-                (spindle.speed, spindle.kept) = (Some(s.value), false);
-                let highest = spindle.highest;
+                let highest = self.st.spindles.set_speed_of(n, s.value);
                 let limited = self.limited(s.value, highest, s.span);
                 self.send_spindle(n, Spindle::Speed(limited));
             }
             _ if constant => {
                 self.master_is_main(s.span, "the cutting speed of G96")?;
                 let feet = self.st.feed_unit() != 1.0;
-                self.st.speed = Some(if feet { s.value * 0.3048 } else { s.value });
-                (self.st.constant_cut, self.st.speed_kept) = (true, false);
+                self.st.spindles.set_cutting_speed(if feet { s.value * 0.3048 } else { s.value });
                 self.send_cutting_speed();
             }
             _ => {
-                self.st.speed = Some(s.value);
-                (self.st.constant_cut, self.st.speed_kept) = (false, false);
-                let limited = self.limited(s.value, self.limit_of_turns(), s.span);
-                self.st.turns = Some(limited);
-                self.send_spindle(self.st.master, Spindle::Speed(limited));
+                let limited = self.limited(s.value, self.st.limit_of_turns(), s.span);
+                self.st.spindles.set_turns(s.value, limited);
+                self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
             }
         }
         Ok(())
-    }
-
-    /// The limit of a programmed speed: G26, and LIMS under G97.
-    fn limit_of_turns(&self) -> Option<f64> {
-        let lims = self.st.speed_limit.filter(|_| self.st.codes.of(Group::FeedType).ends_cutting_speed());
-        [lims, self.st.highest_speed].into_iter().flatten().reduce(f64::min)
     }
 
     /// A speed as the spindle turns it.
@@ -173,12 +168,15 @@ impl Run<'_> {
 
     /// LIMS= counts under G97, and no more under G94 and G95.
     fn feed_kind_limits_speed(&mut self, code: Code, span: Span) {
-        let (Some(before), Some(speed), false) = (self.st.turns, self.st.speed, self.st.constant_cut) else { return };
-        if self.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
+        let spindles = &self.st.spindles;
+        let (Some(before), Some(speed), false) = (spindles.turns(), spindles.speed(), spindles.is_cutting()) else {
+            return;
+        };
+        if self.st.limit_of_turns().map_or(speed, |limit| limit.min(speed)) == before {
             return;
         }
         self.limit_changed(span);
-        if let Some(now) = self.st.turns.filter(|now| *now > before) {
+        if let Some(now) = self.st.spindles.turns().filter(|now| *now > before) {
             let code = code.word();
             let message = format!("LIMS= does not count under {code}: the spindle goes from {before} to {now} turns");
             let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
@@ -188,42 +186,41 @@ impl Run<'_> {
 
     /// G97 without S: the spindle keeps turning as fast as G96 has it turn at this place.
     fn freeze_speed(&mut self, span: Span) -> Outcome {
-        if self.st.turn.is_none() {
+        if self.st.spindles.turn().is_none() {
             return Ok(());
         }
-        let limits = [self.st.speed_limit, self.st.highest_speed];
-        let limit = limits.into_iter().flatten().reduce(f64::min);
+        let limit = self.st.spindles.limit();
         let radius = self.job.settings.machine.diameter_axis.and_then(|axis| self.st.position.get(axis)).map(f64::abs);
-        let free = match (self.st.speed, radius) {
+        let free = match (self.st.spindles.speed(), radius) {
             (Some(speed), Some(radius)) if radius > 1e-3 => {
                 Some(libm::round(1000.0 * speed / (2.0 * std::f64::consts::PI * radius)))
             }
             _ => None,
         };
         let Some(turns) = [free, limit].into_iter().flatten().reduce(f64::min) else {
-            (self.st.constant_cut, self.st.speed_kept) = (false, false);
+            self.st.spindles.end_cutting_speed();
             return self.unknown_speed(span, "G96 ends at a diameter at which its speed is not known");
         };
         let message = format!("G96 ends without S: the spindle goes on at about {turns} turns per minute");
         let found = crate::diag::Diagnostic::new(codes::S8046, self.loc(span), message);
         self.report(found.help("program S with G97"));
-        self.st.turns = Some(turns);
-        self.send_spindle(self.st.master, Spindle::Speed(turns));
+        self.st.spindles.print_turns(turns);
+        self.send_spindle(self.st.spindles.master(), Spindle::Speed(turns));
         Ok(())
     }
 
     fn limit_changed(&mut self, span: Span) {
-        if self.st.speed_kept {
+        if self.st.spindles.keeps_speed() {
             return;
         }
-        if self.st.constant_cut {
+        if self.st.spindles.is_cutting() {
             return self.send_cutting_speed();
         }
-        let Some(speed) = self.st.speed else { return };
-        let limited = self.limited(speed, self.limit_of_turns(), span);
-        if self.st.turns.is_some_and(|turns| turns != limited) {
-            self.st.turns = Some(limited);
-            self.send_spindle(self.st.master, Spindle::Speed(limited));
+        let Some(speed) = self.st.spindles.speed() else { return };
+        let limited = self.limited(speed, self.st.limit_of_turns(), span);
+        if self.st.spindles.turns().is_some_and(|turns| turns != limited) {
+            self.st.spindles.print_turns(limited);
+            self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
         }
     }
 
@@ -234,7 +231,7 @@ impl Run<'_> {
         if let (Some(_), Some(second)) = (spos, sposa) {
             return self.fail(codes::S2007.alarm(12000), second.span, "SPOS= and SPOSA= stand in one block");
         }
-        let master = self.st.master;
+        let master = self.st.spindles.master();
         if let Some(m) = w.m.iter().find(|m| m.number == 19 && m.spindle.is_none_or(|n| n == master)) {
             let help = "leave M19 out: SPOS= says where the spindle stops";
             return self.fail_help(codes::S2045, m.span, "M19 and SPOS= stop the spindle in one block", help);
@@ -246,7 +243,7 @@ impl Run<'_> {
                 self.note_once(codes::S8031, given.span, message);
                 0.0
             }
-            Mode::Ic => match self.st.spindle_angle {
+            Mode::Ic => match self.st.spindles.angle() {
                 Some(angle) => angle,
                 None => {
                     return self.fail_help(
@@ -261,8 +258,7 @@ impl Run<'_> {
         };
         let angle = from + given.value;
         let angle = angle - 360.0 * libm::floor(angle / 360.0);
-        self.st.spindle_angle = Some(angle);
-        self.st.turn = None;
+        self.st.spindles.stop_at(angle);
         self.send_spindle(master, Spindle::Orient(angle));
         Ok(())
     }
@@ -278,7 +274,7 @@ impl Run<'_> {
     /// `LIMS=` of the master.
     pub(super) fn speed_limit(&mut self, lims: Given, speed_follows: bool) -> Outcome {
         self.check_limit(lims)?;
-        self.st.speed_limit = Some(lims.value);
+        self.st.spindles.set_limit(None, lims.value);
         if !speed_follows {
             self.limit_changed(lims.span);
         }
@@ -288,7 +284,7 @@ impl Run<'_> {
     /// `LIMS[n]=` of a spindle that is not the master: it counts when it becomes one.
     pub(super) fn speed_limit_of(&mut self, n: u8, lims: Given) -> Outcome {
         self.check_limit(lims)?;
-        self.st.spindles.entry(n).or_default().limit = Some(lims.value);
+        self.st.spindles.set_limit(Some(n), lims.value);
         Ok(())
     }
 
@@ -310,29 +306,25 @@ impl Run<'_> {
 
     /// `G26 S3000`: the highest speed of a spindle.
     pub(super) fn highest_speed(&mut self, s: SWord) {
-        match s.spindle {
-            Some(n) if n != self.st.master => self.st.spindles.entry(n).or_default().highest = Some(s.value),
-            _ => {
-                self.st.highest_speed = Some(s.value);
-                self.limit_changed(s.span);
-            }
+        self.st.spindles.set_highest(s.spindle, s.value);
+        if self.st.spindles.is_master(s.spindle) {
+            self.limit_changed(s.span);
         }
     }
 
     fn send_cutting_speed(&mut self) {
-        if let Some(speed) = self.st.speed {
-            let limits = [self.st.speed_limit, self.st.highest_speed];
-            let limit = limits.into_iter().flatten().reduce(f64::min);
+        if let Some(speed) = self.st.spindles.speed() {
+            let limit = self.st.spindles.limit();
             self.function(Function::Spindle(Spindle::CuttingSpeed { speed, limit }));
         }
     }
 
     /// SETMS: words without a spindle number go to spindle `n` from here on.
     pub(super) fn set_master(&mut self, n: u8, span: Span) -> Outcome {
-        if n == self.st.master {
+        if n == self.st.spindles.master() {
             return Ok(());
         }
-        if self.st.constant_cut && self.st.turn.is_some() {
+        if self.st.spindles.is_cutting() && self.st.spindles.turn().is_some() {
             return self.fail_help(
                 codes::S2045,
                 span,
@@ -340,20 +332,7 @@ impl Run<'_> {
                 "stop it by M5, or program G97 with a speed, in front of SETMS",
             );
         }
-        let st = &mut self.st;
-        let old = SpindleState {
-            speed: st.speed.filter(|_| !st.constant_cut),
-            turn: st.turn,
-            limit: st.speed_limit,
-            highest: st.highest_speed,
-            kept: st.constant_cut,
-        };
-        st.spindles.insert(st.master, old);
-        let new = st.spindles.remove(&n).unwrap_or_default();
-        (st.speed, st.turn, st.speed_limit, st.highest_speed) = (new.speed, new.turn, new.limit, new.highest);
-        (st.constant_cut, st.speed_kept) = (new.kept, new.kept);
-        st.master = n;
-        (st.spindle_angle, st.turns) = (None, None);
+        self.st.spindles.select_master(n);
         self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));
         Ok(())
     }

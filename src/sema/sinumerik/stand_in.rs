@@ -67,9 +67,7 @@ impl Run<'_> {
                 return self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help);
             }
         };
-        self.st.tool.next = Some(number);
-        self.st.tool.edge_before_change = None;
-        self.st.tool.lost = false;
+        self.st.tool.choose(number);
         self.change_tool()?;
         // Where it leaves the axes is not known.
         self.st.position.clear();

@@ -1,21 +1,29 @@
 //! Modal state of a run. Written here and by the statements, sampled by every item.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Plane, Point2};
+use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
+use crate::sema::run::Where;
 
 use super::Run;
-use super::frames::FrameValue;
+use super::calls::ModalCall;
+use super::contour::{Corners, Pair};
+use super::editor_contour::Stored;
+use super::feed::FeedState;
+use super::frames::{FrameValue, Frames, SavedFrames};
 use super::g_groups::{ActiveCodes, Code, Group};
-use super::offsets::{FromBasic, Outer};
-use crate::sema::run::Where;
+use super::offsets::OffsetUse;
+use super::polar::Polar;
+use super::spindles::Spindles;
+use super::tangent::Heading;
+use super::threads::Threads;
+use super::tools::{CompensationState, ToolInUse};
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,106 +35,48 @@ pub(super) enum Diameter {
     Absolute,
 }
 
-/// Everything modal.
+/// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
 pub(super) struct State {
     pub codes: ActiveCodes,
-    pub geometry_axes: [Axis; 3],
-    pub lathe: bool,
+    pub channel: Channel,
     pub ctx: CtxRef,
     /// The numbers last programmed count where a frame changed (SD 42440).
     pub position: Position,
     /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
     pub modulo: AxisSet,
     /// The way of the last block that travelled.
-    pub heading: super::tangent::Heading,
-    pub pole: Point2,
-    /// The pole was set under an error.
-    pub pole_lost: bool,
-    pub ap: Option<f64>,
-    pub rp: Option<f64>,
-    /// F word in mm, with the kind of feed under which it was written.
-    pub feed: Option<Feed>,
-    pub feed_lost: bool,
-    /// No block has said what F counts, and lathes differ in what it does at the start.
-    pub feed_kind_open: bool,
-    pub rndm: f64,
-    pub frcm: Option<Feed>,
-    pub speed: Option<f64>,
-    /// Speed that was printed, within its limits.
-    pub turns: Option<f64>,
-    /// LIMS of the master spindle.
-    pub speed_limit: Option<f64>,
-    /// G26 S of the master spindle.
-    pub highest_speed: Option<f64>,
-    pub constant_cut: bool,
-    /// G97 took the speed over that G96 had given, and no S has named one since.
-    pub speed_kept: bool,
-    /// Sense of rotation of the master spindle, while it turns.
-    pub turn: Option<crate::ir::function::Turn>,
-    /// Where the master spindle was stopped by SPOS, degrees.
-    pub spindle_angle: Option<f64>,
-    /// Master spindle.
-    pub master: u8,
-    /// What the spindles that are not the master were told.
-    pub spindles: BTreeMap<u8, SpindleState>,
-    pub programmable: FrameValue,
-    /// Work offsets that the program wrote, by number (0 is G500).
-    pub written: BTreeMap<u8, FrameValue>,
-    /// The work offset in force, where the program wrote it.
-    pub settable: Option<FrameValue>,
-    /// Number of the work offset in force.
-    pub offset: u8,
-    /// The program selected offsets of the machine, and offsets that it wrote.
-    pub offsets_printed: bool,
-    pub offsets_resolved: bool,
-    /// What printed positions count from.
-    pub outer: Outer,
-    /// G500 was programmed while nothing else was.
-    pub under_g500: bool,
-    pub moved_from_basic: FromBasic,
-    /// A move in machine coordinates was printed.
-    pub machine_moved: bool,
+    pub heading: Heading,
+    pub polar: Polar,
+    pub feed: FeedState,
+    pub spindles: Spindles,
+    pub frames: Frames,
+    pub offsets: OffsetUse,
+    /// DIAMONA and its kin, over group 29.
     pub diameter: Option<Diameter>,
-    pub tool: Tool,
-    pub basic_unit: Unit,
+    pub tool: ToolInUse,
+    pub compensation: CompensationState,
+    pub corners: Corners,
+    pub pair: Pair,
+    pub threads: Threads,
+    pub modal_call: ModalCall,
+    /// The contour of the contour editor that runs.
+    pub stored: Option<Box<Stored>>,
 }
 
-/// The spindle that the target turns when no number is said, and the master of the control at the start.
-pub(super) const MAIN_SPINDLE: u8 = 1;
-
-/// What a spindle was told while another one is the master.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct SpindleState {
-    pub speed: Option<f64>,
-    pub turn: Option<crate::ir::function::Turn>,
-    pub limit: Option<f64>,
-    pub highest: Option<f64>,
-    /// It was stopped under G96 and has got no speed since.
-    pub kept: bool,
-}
-
-/// The tool in use.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Tool {
-    /// In the spindle or turret.
-    pub active: Option<u32>,
-    /// Chosen by T, not yet changed.
-    pub next: Option<u32>,
-    /// Edge (D number).
-    pub edge: Option<u32>,
-    /// D that was programmed between T and M6, and the doubt behind M6 whether it counts (MD 20270).
-    pub edge_before_change: Option<u32>,
-    pub edge_in_doubt: bool,
-    pub lost: bool,
+/// What the machine is, as far as programs depend on it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Channel {
+    pub geometry_axes: [Axis; 3],
+    pub lathe: bool,
+    basic_unit: Unit,
 }
 
 /// What SAVE brings back.
 #[derive(Debug, Clone)]
 pub(super) struct Saved {
     codes: ActiveCodes,
-    programmable: FrameValue,
-    settable: Option<FrameValue>,
+    frames: SavedFrames,
 }
 
 impl State {
@@ -135,59 +85,44 @@ impl State {
         let machine = &settings.machine;
         let lathe = machine.kind == MachineKind::Lathe;
         let basic_unit = settings.control.unit.unwrap_or_default();
-        let feed_at_start = settings.control.siemens.feed_per_revolution;
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
-        let start = Start::new(settings, codes.is(Code::DIAMON));
         State {
             codes,
-            geometry_axes: machine.geometry_axes,
-            lathe,
+            channel: Channel { geometry_axes: machine.geometry_axes, lathe, basic_unit },
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-            position: Position::new(start),
+            position: Position::new(Start::new(settings, codes.is(Code::DIAMON))),
             modulo: machine.modulo,
-            heading: super::tangent::Heading::None,
-            pole: Point2::origin(),
-            pole_lost: false,
-            ap: None,
-            rp: None,
-            feed: settings.control.feed.map(Feed::PerMinute),
-            feed_lost: false,
-            rndm: 0.0,
-            frcm: None,
-            speed: None,
-            turns: None,
-            speed_limit: None,
-            highest_speed: None,
-            feed_kind_open: lathe && feed_at_start.is_none(),
-            constant_cut: false,
-            speed_kept: false,
-            turn: None,
-            spindle_angle: None,
-            master: MAIN_SPINDLE,
-            spindles: BTreeMap::new(),
-            programmable: FrameValue::default(),
-            written: BTreeMap::new(),
-            settable: None,
-            offset: 0,
-            offsets_printed: false,
-            offsets_resolved: false,
-            outer: Outer::Basic,
-            under_g500: false,
-            moved_from_basic: FromBasic::None,
-            machine_moved: false,
+            heading: Heading::None,
+            polar: Polar::default(),
+            feed: FeedState::at_start(settings),
+            spindles: Spindles::default(),
+            frames: Frames::default(),
+            offsets: OffsetUse::default(),
             diameter: None,
-            tool: Tool::default(),
-            basic_unit,
+            tool: ToolInUse::default(),
+            compensation: CompensationState::default(),
+            corners: Corners::default(),
+            pair: Pair::default(),
+            threads: Threads::default(),
+            modal_call: ModalCall::default(),
+            stored: None,
         }
+    }
+
+    /// A contour is described from here on: it does not depend on where the tool stands, and what waits for a block
+    /// outside waits for no block of it.
+    pub fn begin_contour(&mut self) {
+        self.position.forget(AxisSet::ALL);
+        self.position.not_lost(AxisSet::ALL);
+        self.modal_call = ModalCall::default();
+        self.stored = None;
+        self.threads.forget_lead();
+        self.corners.open.close();
+        self.spindles.close_cut_speed();
     }
 
     pub fn is(&self, code: Code) -> bool {
         self.codes.is(code)
-    }
-
-    /// Under G500 beside offsets of the machine.
-    pub fn in_machine(&self) -> bool {
-        matches!(self.outer, Outer::Machine | Outer::Unrelated)
     }
 
     pub fn plane(&self) -> Plane {
@@ -202,7 +137,7 @@ impl State {
 
     /// Millimetres in the unit of length of F.
     pub fn feed_unit(&self) -> f64 {
-        self.codes.feed_unit(self.basic_unit)
+        self.codes.feed_unit(self.channel.basic_unit)
     }
 
     /// Does F count per revolution?
@@ -242,40 +177,9 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl State {
     pub(super) fn save(&self) -> Saved {
-        Saved { codes: self.st.codes, programmable: self.st.programmable.clone(), settable: self.st.settable.clone() }
-    }
-
-    pub(super) fn restore(&mut self, saved: Saved) {
-        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
-        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
-        self.st.codes = saved.codes;
-        self.st.programmable = saved.programmable;
-        self.set_plane(plane);
-        if !self.st.is(offset) {
-            // The work offset of the call comes back, whatever MD 10617 says.
-            let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
-        } else if self.st.settable != saved.settable {
-            self.restore_offset_frame(saved.settable);
-        }
-        self.refresh_frame();
-        if changed {
-            self.feed_mode_changed();
-        }
-    }
-
-    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
-    fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
-        let chosen = self.job.settings.control.siemens.save_restores_offset;
-        if chosen == Some(true) {
-            self.st.settable = frame;
-        } else if chosen.is_none() {
-            let message =
-                "the program with SAVE changed the frame of the work offset; it stays changed (MD 10617, bit 0 = 0)";
-            let found = Diagnostic::new(codes::S9018, self.here.origin.loc, message);
-            self.report(found.help("set `[control] md10617`, or select the offset again in the calling program"));
-        }
+        Saved { codes: self.codes, frames: self.frames.saved() }
     }
 
     /// The context with the plane of group 6.
@@ -285,28 +189,56 @@ impl Run<'_> {
             Code::G19 => (1, 2),
             _ => (0, 1),
         };
-        let axes = self.st.geometry_axes;
+        let axes = self.channel.geometry_axes;
         let fits = |plane: &Plane| {
             let (first, second, _) = plane.axes();
             (Axis::ALL[first], Axis::ALL[second]) == (axes[i], axes[j])
         };
-        let plane = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(fits).unwrap_or(self.st.ctx.plane);
-        if plane != self.st.ctx.plane {
-            self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
-            self.st.ap = None;
-            self.st.pole = Point2::origin();
+        let plane = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(fits).unwrap_or(self.ctx.plane);
+        if plane != self.ctx.plane {
+            self.ctx = Rc::new(Ctx { plane, frame: self.ctx.frame.clone() });
+            self.polar.plane_changed();
+        }
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn restore(&mut self, saved: Saved) {
+        let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
+        let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
+        self.st.codes = saved.codes;
+        self.st.frames.set_programmable(saved.frames.programmable);
+        self.st.set_plane(plane);
+        if !self.st.is(offset) {
+            // The work offset of the call comes back, whatever MD 10617 says.
+            let _: super::Outcome = self.work_offset(self.st.codes.of(Group::WorkOffset).index, Where::Block);
+        } else if self.st.frames.settable() != saved.frames.settable.as_ref() {
+            self.restore_offset_frame(saved.frames.settable);
+        }
+        self.refresh_frame();
+        if changed {
+            self.st.feed_mode_changed();
+        }
+    }
+
+    /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
+    fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
+        let chosen = self.job.settings.control.siemens.save_restores_offset;
+        if chosen == Some(true) {
+            self.st.frames.set_settable(frame);
+        } else if chosen.is_none() {
+            let message =
+                "the program with SAVE changed the frame of the work offset; it stays changed (MD 10617, bit 0 = 0)";
+            let found = Diagnostic::new(codes::S9018, self.here.origin.loc, message);
+            self.report(found.help("set `[control] md10617`, or select the offset again in the calling program"));
         }
     }
 
     /// Makes the context fit the frames; the tool stays where it is.
     pub(super) fn refresh_frame(&mut self) {
-        let total = match &self.st.settable {
-            Some(outer) => outer.chain(&self.st.programmable),
-            None => self.st.programmable.clone(),
-        };
-        let Some(frame) = total.map() else {
+        let Some(frame) = self.st.frames.total().map() else {
             self.st.position.lose(AxisSet::ALL);
-            self.st.programmable = FrameValue::default();
+            self.st.frames.set_programmable(FrameValue::default());
             let _: super::Outcome = self.fail(
                 codes::S2034,
                 Where::Block,
@@ -315,7 +247,7 @@ impl Run<'_> {
             return;
         };
         if frame != self.st.ctx.frame {
-            self.st.heading = self.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
+            self.st.heading = self.st.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
             self.st.position.keep_programmed();
             self.st.position.through_frame(&self.st.ctx.frame, &frame);
             self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });

@@ -12,8 +12,29 @@ use crate::text::Span;
 
 use super::frames::{Component, FrameValue};
 use super::programs::without_extension;
+use super::state::State;
 use super::value::{Val, whole};
 use super::{Outcome, Reported, Run};
+
+impl State {
+    /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
+    fn tool_data_unit(&self, word: &str) -> f64 {
+        match word {
+            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14" | "$TC_DP15" => {
+                self.feed_unit()
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// Millimetres in the unit of a component of a frame.
+    pub(super) fn component_unit(&self, axis: Axis, component: Component) -> f64 {
+        match component {
+            Component::Shift | Component::Fine if !axis.is_rotary() => self.feed_unit(),
+            _ => 1.0,
+        }
+    }
+}
 
 impl Run<'_> {
     /// Reads `$NAME[args]`.
@@ -23,8 +44,8 @@ impl Run<'_> {
             return Ok(value);
         }
         let key = system_key(&word, args);
-        if let Some(value) = self.system.get(&key) {
-            let unit = self.tool_data_unit(&word);
+        if let Some(value) = self.vars.system.get(&key) {
+            let unit = self.st.tool_data_unit(&word);
             return Ok(match value.number() {
                 Some(number) if unit != 1.0 => Val::Real(number / unit),
                 _ => value.clone(),
@@ -51,16 +72,16 @@ impl Run<'_> {
                 let Some(axis) = named.axis else { return Ok(None) };
                 Val::Real(self.position_value(axis, span)?)
             }
-            "$P_TOOLNO" => match self.st.tool.active {
+            "$P_TOOLNO" => match self.st.tool.active() {
                 Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
                 None => return Ok(None),
             },
-            "$P_TOOLP" => match self.st.tool.next.or(self.st.tool.active) {
+            "$P_TOOLP" => match self.st.tool.next().or(self.st.tool.active()) {
                 Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
                 None => return Ok(None),
             },
-            "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge.unwrap_or(1)).unwrap_or(1)),
-            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.system.contains_key(&system_key(word, args)) => {
+            "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge_or_first()).unwrap_or(1)),
+            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.vars.system.contains_key(&system_key(word, args)) => {
                 if let Some(written) = self.written_parameter(word, args) {
                     return Ok(Some(written));
                 }
@@ -83,31 +104,31 @@ impl Run<'_> {
             "$P_AXN1" => Val::Axis(self.axis_names.of(self.st.roles()[0])),
             "$P_AXN2" => Val::Axis(self.axis_names.of(self.st.roles()[1])),
             "$P_AXN3" => Val::Axis(self.axis_names.of(self.st.roles()[2])),
-            "$P_F" => match self.st.feed {
+            "$P_F" => match self.st.feed.word() {
                 Some(feed @ crate::ir::Feed::InverseTime(_)) => Val::Real(feed.value()),
                 Some(feed) => Val::Real(feed.value() / self.st.feed_unit()),
                 None => Val::Real(0.0),
             },
-            "$P_S" => match self.st.speed {
+            "$P_S" => match self.st.spindles.speed() {
                 Some(speed) => Val::Real(speed),
                 None => Val::Real(0.0),
             },
-            "$P_MSNUM" => Val::Int(i32::from(self.st.master)),
+            "$P_MSNUM" => Val::Int(i32::from(self.st.spindles.master())),
             "$P_SIM" | "$P_SEARCH" | "$P_SEARCHL" | "$P_ISTEST" | "$P_DRYRUN" | "$P_PROGPATH_SIM" => {
                 if self.job.settings.variables.contains_key(word) {
                     return Ok(None);
                 }
                 Val::Bool(false)
             }
-            "$P_UIFRNUM" => Val::Int(i32::from(self.st.offset)),
+            "$P_UIFRNUM" => Val::Int(i32::from(self.st.frames.offset())),
             "$P_PFRAME" => {
-                let frame = Rc::new(self.st.programmable.clone());
+                let frame = Rc::new(self.st.frames.programmable().clone());
                 return self.frame_or_component(&frame, args, span).map(Some);
             }
             "$P_IFRAME" => {
                 // Under G500 the frame of the offset is none, whatever its positions are printed through.
-                let none = self.st.offset == 0 && self.st.outer != super::offsets::Outer::Basic;
-                let frame = if none { Some(FrameValue::default()) } else { self.st.settable.clone() };
+                let none = self.st.frames.offset() == 0 && self.st.offsets.outer() != super::offsets::Outer::Basic;
+                let frame = if none { Some(FrameValue::default()) } else { self.st.frames.settable().cloned() };
                 let Some(frame) = frame else { return Ok(None) };
                 return self.frame_or_component(&Rc::new(frame), args, span).map(Some);
             }
@@ -121,14 +142,14 @@ impl Run<'_> {
                 let given = &self.program_level().given;
                 Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given))
             }
-            "$P_MC" => Val::Bool(self.modal.is_some() || self.modal_cycle.is_some()),
+            "$P_MC" => Val::Bool(self.st.modal_call.is_on()),
             "$P_OFFN" => Val::Real(0.0),
-            "$P_SDIR" => Val::Int(match self.st.turn {
+            "$P_SDIR" => Val::Int(match self.st.spindles.turn() {
                 Some(crate::ir::function::Turn::Clockwise) => 3,
                 Some(crate::ir::function::Turn::CounterClockwise) => 4,
                 None => 5,
             }),
-            "$AC_MARKER" | "$AC_PARAM" if !self.system.contains_key(&system_key(word, args)) => Val::Int(0),
+            "$AC_MARKER" | "$AC_PARAM" if !self.vars.system.contains_key(&system_key(word, args)) => Val::Int(0),
             "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
@@ -138,14 +159,14 @@ impl Run<'_> {
     fn written_parameter(&self, word: &str, args: &[Val]) -> Option<Val> {
         let ("$P_AD", [parameter]) = (word, args) else { return None };
         let parameter = parameter.number().and_then(whole)?;
-        let (tool, edge) = (self.st.tool.active?, self.st.tool.edge.unwrap_or(1));
-        self.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
+        let (tool, edge) = (self.st.tool.active()?, self.st.tool.edge_or_first());
+        self.vars.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
     }
 
     /// Length and radius of a tool in the tool table: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`.
     fn table_value(&self, word: &str, args: &[Val]) -> Option<f64> {
         let numbers: Vec<i32> = args.iter().map(|arg| arg.number().and_then(whole)).collect::<Option<_>>()?;
-        let active = (self.st.tool.active.unwrap_or(0), self.st.tool.edge.unwrap_or(1));
+        let active = (self.st.tool.active().unwrap_or(0), self.st.tool.edge_or_first());
         let edge_of = |edge: i32| u32::try_from(edge).ok().filter(|edge| *edge == 1);
         let (number, parameter) = match (word, numbers.as_slice()) {
             ("$TC_DP3", [t, d]) => (edge_of(*d).and(u32::try_from(*t).ok())?, 3),
@@ -180,7 +201,7 @@ impl Run<'_> {
 
     /// A work offset as far as it is known: written by the program, or given under `[datums]`.
     pub(super) fn offset_frame(&self, number: u8) -> Option<FrameValue> {
-        if let Some(frame) = self.st.written.get(&number) {
+        if let Some(frame) = self.st.frames.written(number) {
             return Some(frame.clone());
         }
         let values = self.job.settings.datums.offsets.get(&offset_word(number))?;
@@ -216,13 +237,13 @@ impl Run<'_> {
         let word = self.symbols.name(name).to_owned();
         match word.as_str() {
             "$P_PFRAME" => {
-                let frame = self.new_frame(&self.st.programmable.clone(), args, &value, span)?;
-                self.st.programmable = frame;
+                let frame = self.new_frame(&self.st.frames.programmable().clone(), args, &value, span)?;
+                self.st.frames.set_programmable(frame);
                 self.refresh_frame();
                 Ok(())
             }
             "$P_IFRAME" => {
-                let old = self.st.settable.clone().unwrap_or_default();
+                let old = self.st.frames.settable().cloned().unwrap_or_default();
                 let frame = self.new_frame(&old, args, &value, span)?;
                 self.resolved_offset_note(span);
                 self.resolves_offsets(span)?;
@@ -244,7 +265,7 @@ impl Run<'_> {
                     }
                 };
                 let frame = self.new_frame(&old, rest, &value, span)?;
-                self.st.written.insert(number, frame);
+                self.st.frames.write(number, frame);
                 self.resolved_offset_note(span);
                 Ok(())
             }
@@ -256,13 +277,13 @@ impl Run<'_> {
                 || word.starts_with("$AC_PARAM")
                 || word.starts_with("$P_AD") =>
             {
-                let unit = self.tool_data_unit(&word);
+                let unit = self.st.tool_data_unit(&word);
                 let value = match value.number() {
                     Some(number) if unit != 1.0 => Val::Real(number * unit),
                     _ => value,
                 };
                 self.note_tool_data(&word, span);
-                self.system.insert(system_key(&word, args), value);
+                self.vars.system.insert(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
@@ -271,7 +292,7 @@ impl Run<'_> {
                     span,
                     format!("`{word}` is an output or a counter of the control and is left out"),
                 );
-                self.system.insert(system_key(&word, args), value);
+                self.vars.system.insert(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$P_") && !word.contains("FR") => self.fail_help(
@@ -312,18 +333,8 @@ impl Run<'_> {
             }
             _ => {}
         }
-        self.system.insert(key, value);
+        self.vars.system.insert(key, value);
         Ok(())
-    }
-
-    /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
-    fn tool_data_unit(&self, word: &str) -> f64 {
-        match word {
-            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14" | "$TC_DP15" => {
-                self.st.feed_unit()
-            }
-            _ => 1.0,
-        }
     }
 
     /// Tool data besides the radius stay in the program.
@@ -335,14 +346,6 @@ impl Run<'_> {
         let found = crate::diag::Diagnostic::new(codes::S8010, self.loc(span), message);
         if !self.job.diags.knows(&found) {
             self.report(found);
-        }
-    }
-
-    /// Millimetres in the unit of a component of a frame.
-    pub(super) fn component_unit(&self, axis: Axis, component: Component) -> f64 {
-        match component {
-            Component::Shift | Component::Fine if !axis.is_rotary() => self.st.feed_unit(),
-            _ => 1.0,
         }
     }
 

@@ -14,6 +14,7 @@ use crate::machine::AxisSet;
 use crate::sema::run::Where;
 
 use super::circle::SAME;
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::Words;
 use super::{Outcome, Run};
@@ -51,6 +52,81 @@ enum Tangent {
     Missing(&'static str),
 }
 
+impl State {
+    fn tangent_in(&self, plane: Plane, start: Point2) -> Tangent {
+        match self.heading {
+            Heading::None => Tangent::Missing("no block in front of CT gives a direction"),
+            Heading::Later => Tangent::Later,
+            Heading::Arc { plane: other, center, ccw } if other == plane => {
+                tangent_at(start, center, ccw).map_or(Tangent::Later, Tangent::Known)
+            }
+            Heading::Arc { .. } => Tangent::Later,
+            Heading::TooLate => Tangent::Missing("a cycle stands in front of CT, and the frame has changed since"),
+            Heading::Behind { way, .. } => {
+                let (first, second, _) = plane.axes();
+                match (way.get(first).copied().flatten(), way.get(second).copied().flatten()) {
+                    (Some(x), Some(y)) => tangent_along(Vec2::new(x, y)),
+                    _ => Tangent::Missing("the block in front of CT starts at a place that is not known"),
+                }
+            }
+            Heading::Line(from) => {
+                let Some(way) = from.in_plane(plane).map(|from| start - from) else {
+                    return Tangent::Missing("the block in front of CT starts at a place that is not known");
+                };
+                tangent_along(way)
+            }
+        }
+    }
+
+    /// The frame changes: the tangent is changed with it, so that it keeps its coordinates. To be called while the
+    /// position is still that in the old frame.
+    pub(super) fn heading_across_frames(&self, turned: bool) -> Heading {
+        let mut way = [None; 3];
+        match self.heading {
+            Heading::Line(from) => {
+                for (axis, part) in AxisSet::MAIN.iter().zip(&mut way) {
+                    *part = self.position.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
+                }
+                Heading::Behind { way, turned }
+            }
+            Heading::Arc { plane, center, ccw } => {
+                let end = self.position.in_plane(plane);
+                let Some(tangent) = end.and_then(|at| tangent_at(at, center, ccw)) else { return Heading::TooLate };
+                let (first, second, _) = plane.axes();
+                way[first] = Some(tangent.x);
+                way[second] = Some(tangent.y);
+                Heading::Behind { way, turned }
+            }
+            Heading::Behind { way, turned: before } => Heading::Behind { way, turned: before || turned },
+            Heading::Later => Heading::TooLate,
+            other => other,
+        }
+    }
+
+    /// The direction behind an arc from where the tool stands.
+    pub(super) fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
+        let plane = arc.plane;
+        let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) else {
+            return Heading::Later;
+        };
+        let found = match arc.shape {
+            ArcShape::Center { center, ccw, .. } if closing(to - from) != Closing::Open => Some((center, ccw)),
+            // The control moves the centre to the same distance from both ends.
+            ArcShape::Center { center, ccw, .. } => Some((centered_between(from, to, center), ccw)),
+            ArcShape::Sweep { center, sweep } => Some((center, sweep.0 > 0.0)),
+            ArcShape::Radius { radius, ccw, tol } => {
+                center_by_radius(from, to, radius, ccw, SAME, tol).map(|center| (center, ccw))
+            }
+            ArcShape::Opening { sweep } => {
+                center_by_opening(from, to, sweep.radians(), SAME).map(|center| (center, sweep.0 > 0.0))
+            }
+            ArcShape::Via { point } => through(from, point, to, SAME),
+            ArcShape::Tangent => None,
+        };
+        found.map_or(Heading::Later, |(center, ccw)| Heading::Arc { plane, center, ccw })
+    }
+}
+
 impl Run<'_> {
     /// CT
     pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
@@ -63,7 +139,7 @@ impl Run<'_> {
         let to = self.end_in(&end, plane, start);
         end.set_in_plane(plane, to);
         let tangential = Arc { plane, shape: ArcShape::Tangent, turns };
-        if self.pending.is_some() || self.st.in_machine() {
+        if self.st.pair.is_open() || self.st.offsets.in_machine() {
             return self.send_arc(&end, tangential, feed, Where::Block);
         }
         let known = self.tangential_arc(plane, start, to, turns)?;
@@ -94,7 +170,7 @@ impl Run<'_> {
 
     /// The arc, as far as it can be told here. Alarm 14045.
     fn tangential_arc(&self, plane: Plane, start: Point2, to: Point2, turns: u32) -> Outcome<Option<TangentArc>> {
-        let tangent = match self.tangent_in(plane, start) {
+        let tangent = match self.st.tangent_in(plane, start) {
             Tangent::Known(tangent) => tangent,
             Tangent::Later => return Ok(None),
             Tangent::Missing(why) => return self.no_tangent(why, "put a line or arc of the plane in front of CT"),
@@ -114,61 +190,11 @@ impl Run<'_> {
         self.fail_help(codes::S3008.alarm(14045), Where::Block, why, help)
     }
 
-    fn tangent_in(&self, plane: Plane, start: Point2) -> Tangent {
-        match self.st.heading {
-            Heading::None => Tangent::Missing("no block in front of CT gives a direction"),
-            Heading::Later => Tangent::Later,
-            Heading::Arc { plane: other, center, ccw } if other == plane => {
-                tangent_at(start, center, ccw).map_or(Tangent::Later, Tangent::Known)
-            }
-            Heading::Arc { .. } => Tangent::Later,
-            Heading::TooLate => Tangent::Missing("a cycle stands in front of CT, and the frame has changed since"),
-            Heading::Behind { way, .. } => {
-                let (first, second, _) = plane.axes();
-                match (way.get(first).copied().flatten(), way.get(second).copied().flatten()) {
-                    (Some(x), Some(y)) => tangent_along(Vec2::new(x, y)),
-                    _ => Tangent::Missing("the block in front of CT starts at a place that is not known"),
-                }
-            }
-            Heading::Line(from) => {
-                let Some(way) = from.in_plane(plane).map(|from| start - from) else {
-                    return Tangent::Missing("the block in front of CT starts at a place that is not known");
-                };
-                tangent_along(way)
-            }
-        }
-    }
-
-    /// The frame changes: the tangent is changed with it, so that it keeps its coordinates. To be called while the
-    /// position is still that in the old frame.
-    pub(super) fn heading_across_frames(&self, turned: bool) -> Heading {
-        let mut way = [None; 3];
-        match self.st.heading {
-            Heading::Line(from) => {
-                for (axis, part) in AxisSet::MAIN.iter().zip(&mut way) {
-                    *part = self.st.position.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
-                }
-                Heading::Behind { way, turned }
-            }
-            Heading::Arc { plane, center, ccw } => {
-                let end = self.st.position.in_plane(plane);
-                let Some(tangent) = end.and_then(|at| tangent_at(at, center, ccw)) else { return Heading::TooLate };
-                let (first, second, _) = plane.axes();
-                way[first] = Some(tangent.x);
-                way[second] = Some(tangent.y);
-                Heading::Behind { way, turned }
-            }
-            Heading::Behind { way, turned: before } => Heading::Behind { way, turned: before || turned },
-            Heading::Later => Heading::TooLate,
-            other => other,
-        }
-    }
-
     /// Notes where a block that is sent out travels.
     #[inline]
     pub(super) fn note_heading(&mut self, end: &Pos, path: &Path) {
         match path {
-            Path::Arc(arc, _) => self.st.heading = self.heading_of(arc, end),
+            Path::Arc(arc, _) => self.st.heading = self.st.heading_of(arc, end),
             _ => {
                 let at = self.st.position.at();
                 let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));
@@ -177,29 +203,6 @@ impl Run<'_> {
                 }
             }
         }
-    }
-
-    /// The direction behind an arc from where the tool stands.
-    pub(super) fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
-        let plane = arc.plane;
-        let (Some(from), Some(to)) = (self.st.position.in_plane(plane), end.in_plane(plane)) else {
-            return Heading::Later;
-        };
-        let found = match arc.shape {
-            ArcShape::Center { center, ccw, .. } if closing(to - from) != Closing::Open => Some((center, ccw)),
-            // The control moves the centre to the same distance from both ends.
-            ArcShape::Center { center, ccw, .. } => Some((centered_between(from, to, center), ccw)),
-            ArcShape::Sweep { center, sweep } => Some((center, sweep.0 > 0.0)),
-            ArcShape::Radius { radius, ccw, tol } => {
-                center_by_radius(from, to, radius, ccw, SAME, tol).map(|center| (center, ccw))
-            }
-            ArcShape::Opening { sweep } => {
-                center_by_opening(from, to, sweep.radians(), SAME).map(|center| (center, sweep.0 > 0.0))
-            }
-            ArcShape::Via { point } => through(from, point, to, SAME),
-            ArcShape::Tangent => None,
-        };
-        found.map_or(Heading::Later, |(center, ccw)| Heading::Arc { plane, center, ccw })
     }
 }
 

@@ -23,7 +23,7 @@ impl Run<'_> {
     pub(super) fn technology(&mut self, w: &mut Words) -> Outcome {
         if let Some(f) = w.take(Address::F) {
             if f.value <= 0.0 {
-                self.st.feed_lost = true;
+                self.st.feed.lose();
                 return self.fail_help(
                     codes::S2041.alarm(14800),
                     f.span,
@@ -32,11 +32,10 @@ impl Run<'_> {
                 );
             }
             w.feed_given = true;
-            self.st.feed = Some(self.feed_of(f.value));
-            self.st.feed_lost = false;
+            self.st.feed.program(self.st.feed_of(f.value));
         }
         // Feeds of positioning axes hold on.
-        self.axis_feed.extend(w.axis_feeds.iter().copied());
+        self.st.feed.program_axes(&w.beside.feeds);
         if let Some(t) = w.take(Address::T) {
             self.tool_word_given(t, w)?;
         }
@@ -51,7 +50,7 @@ impl Run<'_> {
                 self.edge(d)?;
             }
         }
-        if let Some(span) = self.cutter_open.take_if(|_| w.edge_of_new_tool.is_none()) {
+        if let Some(span) = self.st.compensation.take_open(w.edge_of_new_tool.is_some()) {
             self.select_cutter_or_end(span)?;
         }
         if let Some(lims) = w.take(Address::Lims) {
@@ -142,21 +141,21 @@ impl Run<'_> {
             Spindle::Start(turn) => Some(turn),
             _ => None,
         };
-        if m.spindle.is_none_or(|n| n == self.st.master) {
-            self.st.spindle_angle = None;
+        if self.st.spindles.is_master(m.spindle) {
+            self.st.spindles.forget_angle();
         }
         if turn.is_some() {
-            self.start_is_known(m.spindle.unwrap_or(self.st.master), m.span)?;
+            self.start_is_known(m.spindle.unwrap_or(self.st.spindles.master()), m.span)?;
         }
         match m.spindle {
-            Some(n) if n != self.st.master => {
+            Some(n) if n != self.st.spindles.master() => {
                 self.spindle_number(n, m.span)?;
-                self.st.spindles.entry(n).or_default().turn = turn;
+                self.st.spindles.set_turn_of(n, turn);
                 self.send_spindle(n, spindle);
             }
             _ => {
-                self.st.turn = turn;
-                self.send_spindle(self.st.master, spindle);
+                self.st.spindles.set_turn(turn);
+                self.send_spindle(self.st.spindles.master(), spindle);
             }
         }
         Ok(())

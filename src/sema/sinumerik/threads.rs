@@ -10,6 +10,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
 use super::g_groups::{Code, Group};
+use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
 use super::{Outcome, Reported, Run};
@@ -20,9 +21,40 @@ const STILL: f64 = 1e-9;
 /// Start angle of threads without SF= (SD 42000).
 const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";
 
+/// Threads and taps that later blocks go on with.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Threads {
+    /// Lead of the last thread and the axis along which it counts.
+    lead: Option<(Axis, f64)>,
+    /// The same of the last tap, with its sign.
+    tap_lead: Option<(Axis, f64)>,
+    /// The spindle turns for a tap, in this sense.
+    tapping: Option<Turn>,
+    chain: Option<ThreadChain>,
+}
+
+impl Threads {
+    /// A block is to be asked whether it ends the tap or the chain.
+    #[inline]
+    pub fn are_open(&self) -> bool {
+        self.tapping.is_some() || self.chain.is_some()
+    }
+
+    /// The next thread does not follow on another one.
+    #[inline]
+    pub fn end_chain(&mut self) {
+        self.chain = None;
+    }
+
+    /// A contour names the lead of its threads itself.
+    pub fn forget_lead(&mut self) {
+        self.lead = None;
+    }
+}
+
 /// A thread block that another one may follow on.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ThreadChain {
+struct ThreadChain {
     last: Loc,
     /// What interrupts the chain from here on, and the alarm of a thread that follows all the same.
     broken: Option<(Loc, u32)>,
@@ -33,31 +65,33 @@ const AUXILIARY: u32 = 10600;
 const STANDSTILL: u32 = 10601;
 
 /// Rigid tapping: in, or out again.
+impl State {
+    fn goes_on_tapping(&self, w: &Words) -> bool {
+        let code = w.code_of(Group::Motion).map_or(self.codes.of(Group::Motion), |(code, _)| code);
+        let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
+        code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
+    }
+}
+
 impl Run<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
-        if self.tapping.is_some() && !self.goes_on_tapping(w) {
+        if self.st.threads.tapping.is_some() && !self.st.goes_on_tapping(w) {
             self.tapping_ends();
         }
-        if self.thread_chain.is_some() {
+        if self.st.threads.chain.is_some() {
             let broken = breaks_chain(w).map(|(span, alarm)| (self.loc(span), alarm));
-            if let Some(chain) = &mut self.thread_chain {
+            if let Some(chain) = &mut self.st.threads.chain {
                 chain.broken = chain.broken.or(broken);
             }
         }
     }
 
-    fn goes_on_tapping(&self, w: &Words) -> bool {
-        let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
-        let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
-        code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
-    }
-
     /// The spindle stands while no block taps.
     pub(super) fn tapping_ends(&mut self) {
-        if self.tapping.take().is_some() {
-            self.send_spindle(self.st.master, Spindle::Stop);
+        if self.st.threads.tapping.take().is_some() {
+            self.send_spindle(self.st.spindles.master(), Spindle::Stop);
         }
     }
 
@@ -65,12 +99,12 @@ impl Run<'_> {
     pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
         self.master_is_main(span, "the lead of a thread")?;
         self.speed_is_known()?;
-        if self.st.turn.is_none() && self.job.diags.first_time(codes::S8034) {
+        if self.st.spindles.turn().is_none() && self.job.diags.first_time(codes::S8034) {
             let found =
                 Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
             self.report(found.help("program M3 or M4 with a speed in front of the thread"));
         }
-        let follows = self.thread_chain.is_some();
+        let follows = self.st.threads.chain.is_some();
         self.chain_is_whole(span)?;
         let end = self.targets(w)?;
         let named = w.take(Address::Sf).map(|given| ("SF", given));
@@ -82,9 +116,9 @@ impl Run<'_> {
                 let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
                 return self.fail_help(codes::S2081, given.span, "the lead of the thread is negative", help);
             }
-            self.lead = Some((given.axis, given.lead));
+            self.st.threads.lead = Some((given.axis, given.lead));
         }
-        let Some((axis, lead)) = self.lead else {
+        let Some((axis, lead)) = self.st.threads.lead else {
             return self.fail_help(
                 codes::S2081.alarm(16720),
                 span,
@@ -111,7 +145,7 @@ impl Run<'_> {
         }
         self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }));
         let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
-        self.thread_chain = Some(ThreadChain { last: self.here.origin.loc, broken });
+        self.st.threads.chain = Some(ThreadChain { last: self.here.origin.loc, broken });
         Ok(())
     }
 
@@ -131,7 +165,7 @@ impl Run<'_> {
         }
         let why = if follows {
             "this thread follows on another one, which fixes its angle"
-        } else if self.corner_open.is_some() {
+        } else if self.st.corners.open.is_open() {
             "a chamfer or rounding stands in front of the thread"
         } else if !self.st.ctx.frame.is_shift() {
             "the frame is turned, mirrored or scaled"
@@ -169,7 +203,7 @@ impl Run<'_> {
 
     /// A thread without SF= starts at the angle of SD 42000.
     fn start_angle_by_setting(&self, span: Span) -> Option<Given> {
-        let value = super::system::system_number(&self.system, START_ANGLE)?;
+        let value = super::system::system_number(&self.vars.system, START_ANGLE)?;
         Some(Given { value, mode: Mode::Plain, span })
     }
 
@@ -188,7 +222,7 @@ impl Run<'_> {
     /// Whether a control cuts corners off threads is not documented.
     pub(super) fn no_corner_at_thread(&self, w: &Words, span: Span) -> Outcome {
         let corner = [Address::Rnd, Address::Chf, Address::Chr].iter().find_map(|address| w.get(*address));
-        if corner.is_none() && self.st.rndm == 0.0 {
+        if corner.is_none() && self.st.corners.rounding() == 0.0 {
             return Ok(());
         }
         let span = corner.map_or(span, |given| given.span);
@@ -202,9 +236,9 @@ impl Run<'_> {
         self.tapping_speed(span)?;
         let end = self.targets(w)?;
         if let Some(given) = self.lead_words(w)? {
-            self.tap_lead = Some((given.axis, given.lead));
+            self.st.threads.tap_lead = Some((given.axis, given.lead));
         }
-        let Some((axis, lead)) = self.tap_lead else {
+        let Some((axis, lead)) = self.st.threads.tap_lead else {
             let help = "program K along Z: positive for a right-hand thread, negative for a left-hand one";
             return self.fail_help(codes::S2081.alarm(16720), span, "the tapped thread has no lead", help);
         };
@@ -223,20 +257,21 @@ impl Run<'_> {
     fn turn_with_the_tap(&mut self, turn: Turn, code: Code, span: Span) {
         let word = code.word();
         self.note_once(codes::S8025, span, format!("{word}: the tap needs a compensating chuck on the target"));
-        if let Some(before) = self.st.turn.take() {
+        if let Some(before) = self.st.spindles.turn() {
+            self.st.spindles.set_turn(None);
             let m = if before == Turn::Clockwise { "M3" } else { "M4" };
             let message = format!("the spindle stands behind {word}: the {m} in front of it does not count any more");
             self.note_once(codes::S8041, span, message);
         }
-        self.st.spindle_angle = None;
-        if self.tapping.replace(turn) != Some(turn) {
-            self.send_spindle(self.st.master, Spindle::Start(turn));
+        self.st.spindles.forget_angle();
+        if self.st.threads.tapping.replace(turn) != Some(turn) {
+            self.send_spindle(self.st.spindles.master(), Spindle::Start(turn));
         }
     }
 
     /// Words that cannot stand in a block that taps.
     pub(super) fn only_tapping(&self, w: &Words) -> Outcome {
-        let master = |m: &&MWord| m.spindle.is_none_or(|n| n == self.st.master);
+        let master = |m: &&MWord| self.st.spindles.is_master(m.spindle);
         if let Some(m) = w.m.iter().filter(master).find(|m| matches!(m.number, 3..=5 | 19 | 70)) {
             let message = format!("M{} stands in a block that taps", m.number);
             let help =
@@ -263,7 +298,7 @@ impl Run<'_> {
     }
 
     fn tapping_speed(&self, span: Span) -> Outcome {
-        if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.constant_cut {
+        if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.spindles.is_cutting() {
             return self.fail_help(
                 codes::S2045,
                 span,
@@ -272,7 +307,7 @@ impl Run<'_> {
             );
         }
         let help = "program S in this block or before";
-        match self.st.speed {
+        match self.st.spindles.speed() {
             Some(speed) if speed > 0.0 => Ok(()),
             Some(_) => self.fail_help(codes::S2045.alarm(16763), span, "the speed of rigid tapping is 0", help),
             None => self.fail_help(codes::S2045.alarm(16760), span, "rigid tapping has no speed S", help),
@@ -307,7 +342,7 @@ impl Run<'_> {
     /// I, J and K.
     fn lead_words(&mut self, w: &mut Words) -> Outcome<Option<Lead>> {
         let mut found = None;
-        let axes = self.st.geometry_axes;
+        let axes = self.st.channel.geometry_axes;
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {
@@ -331,7 +366,9 @@ impl Run<'_> {
 
     /// A thread follows on another one without a stop and without auxiliary functions in between.
     fn chain_is_whole(&mut self, span: Span) -> Outcome {
-        let Some(ThreadChain { last, broken: Some((place, alarm)) }) = self.thread_chain.take() else { return Ok(()) };
+        let Some(ThreadChain { last, broken: Some((place, alarm)) }) = self.st.threads.chain.take() else {
+            return Ok(());
+        };
         let (message, help) = if alarm == AUXILIARY {
             (
                 "an auxiliary function stands in a chain of threads",

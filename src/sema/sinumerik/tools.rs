@@ -10,8 +10,109 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{Code, Group};
+use super::state::State;
 use super::words::{Given, Words};
 use super::{Outcome, Run};
+
+/// The tool in use.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ToolInUse {
+    /// In the spindle or turret.
+    active: Option<u32>,
+    /// Chosen by T, not yet changed.
+    next: Option<u32>,
+    /// Edge (D number).
+    edge: Option<u32>,
+    /// D that was programmed between T and M6, and the doubt after M6 whether it counts (MD 20270).
+    edge_before_change: Option<u32>,
+    edge_in_doubt: bool,
+}
+
+impl ToolInUse {
+    pub fn active(&self) -> Option<u32> {
+        self.active
+    }
+
+    pub fn next(&self) -> Option<u32> {
+        self.next
+    }
+
+    pub fn edge(&self) -> Option<u32> {
+        self.edge
+    }
+
+    /// The edge whose data count: D1 where none was said.
+    pub fn edge_or_first(&self) -> u32 {
+        self.edge.unwrap_or(1)
+    }
+
+    /// Whether the last D counts is a machine datum.
+    pub fn edge_in_doubt(&self) -> bool {
+        self.edge_in_doubt
+    }
+
+    /// D0: the tool in use counts without its data.
+    pub fn is_without_offset(&self) -> bool {
+        self.edge == Some(0) && self.active.is_some_and(|number| number != 0)
+    }
+
+    /// T
+    pub fn choose(&mut self, number: u32) {
+        (self.next, self.edge_before_change) = (Some(number), None);
+    }
+
+    /// The chosen tool comes into use, by its first edge.
+    fn change_to(&mut self, number: u32) {
+        (self.active, self.edge) = (Some(number), Some(1));
+        self.edge_in_doubt = self.edge_before_change.take().is_some_and(|edge| edge != 1);
+    }
+
+    /// D
+    fn select_edge(&mut self, edge: u32) {
+        (self.edge, self.edge_in_doubt) = (Some(edge), false);
+        if self.next.is_some() && self.next != self.active {
+            self.edge_before_change = Some(edge);
+        }
+    }
+}
+
+/// How the radius compensation begins and ends.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct CompensationState {
+    /// G40, G41 or G42 waits for its move.
+    starts: bool,
+    /// The side that G40 ended, and whether its offset still waits for a move in the plane.
+    leaving: Side,
+    leaving_open: bool,
+    /// G41 or G42 of the block, until its D is known.
+    open: Option<Span>,
+}
+
+impl CompensationState {
+    /// G41 or G42 of the block, once its D is known.
+    pub fn take_open(&mut self, waits: bool) -> Option<Span> {
+        self.open.take_if(|_| !waits)
+    }
+
+    /// Blocks stand where the compensation would start.
+    pub fn begins_no_more(&mut self) {
+        self.starts = false;
+    }
+
+    /// G40 waits for a move in the plane.
+    #[inline]
+    pub fn is_leaving(&self) -> bool {
+        self.leaving_open
+    }
+}
+
+impl State {
+    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
+    #[inline]
+    pub(super) fn side_of_move(&self) -> Side {
+        if self.compensation.leaving_open { self.compensation.leaving } else { self.side() }
+    }
+}
 
 impl Run<'_> {
     pub(super) fn tool_word_given(&mut self, t: Given, w: &mut Words) -> Outcome {
@@ -21,9 +122,7 @@ impl Run<'_> {
             None => return self.fail(codes::S2043.alarm(17190), t.span, format!("T{} is no tool number", t.value)),
         };
         self.proposed.call(number);
-        self.st.tool.next = Some(number);
-        self.st.tool.edge_before_change = None;
-        self.st.tool.lost = false;
+        self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.by_number(number, 0).is_none() {
             let found =
@@ -41,7 +140,7 @@ impl Run<'_> {
 
     /// Turrets change with T (MD 22550 = 0), mills with M6.
     pub(super) fn changes_by_t(&self) -> bool {
-        self.job.settings.control.siemens.tool_change_by_t.unwrap_or(self.st.lathe)
+        self.job.settings.control.siemens.tool_change_by_t.unwrap_or(self.st.channel.lathe)
     }
 
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
@@ -49,7 +148,6 @@ impl Run<'_> {
         match tools.by_exact_name(name) {
             Some((Some(number), _)) => Ok(number),
             _ => {
-                self.st.tool.lost = true;
                 let help = self.proposed.help(name, tools);
                 self.fail_help(codes::S2043.alarm(17191), span, format!("the tool `{name}` has no number"), &help)
             }
@@ -68,13 +166,11 @@ impl Run<'_> {
                 "program G40 in a block in front of it",
             );
         }
-        self.st.tool.active = Some(number);
-        self.st.tool.edge = Some(1);
-        self.st.tool.edge_in_doubt = self.st.tool.edge_before_change.take().is_some_and(|edge| edge != 1);
+        self.st.tool.change_to(number);
         self.function(Function::ToolChange { number });
         // A tool of another length.
         let [_, _, third] = self.st.roles();
-        if self.st.lathe {
+        if self.st.channel.lathe {
             self.st.position.forget([Axis::X, Axis::Z].into_iter().collect());
         } else {
             self.st.position.forget(AxisSet::of(third));
@@ -89,12 +185,12 @@ impl Run<'_> {
         let edge = d.value as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
             let [_, _, third] = self.st.roles();
-            let axes = if self.st.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
+            let axes = if self.st.channel.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
             for axis in axes {
                 self.st.position.forget(AxisSet::of(axis));
             }
         }
-        if self.st.side() != Side::None && !self.compensation_starts && self.st.tool.edge != Some(edge) {
+        if self.st.side() != Side::None && !self.st.compensation.starts && self.st.tool.edge != Some(edge) {
             return self.fail_help(
                 codes::S2080,
                 d.span,
@@ -102,11 +198,7 @@ impl Run<'_> {
                 "program G40 in a block in front of it",
             );
         }
-        self.st.tool.edge = Some(edge);
-        self.st.tool.edge_in_doubt = false;
-        if self.st.tool.next.is_some() && self.st.tool.next != self.st.tool.active {
-            self.st.tool.edge_before_change = Some(edge);
-        }
+        self.st.tool.select_edge(edge);
         if edge > 1 {
             self.note_once(
                 codes::S8010,
@@ -120,9 +212,9 @@ impl Run<'_> {
     pub(super) fn active_tool(&self) -> Option<Tool> {
         let number = self.st.tool.active?;
         let mut tool = self.job.settings.tools.by_number(number, 0).cloned().unwrap_or_default();
-        let edge = self.st.tool.edge.unwrap_or(1);
-        let written = self.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
-        let wear = self.system.get(&format!("$TC_DP15[{number},{edge}]")).and_then(super::value::Val::number);
+        let edge = self.st.tool.edge_or_first();
+        let written = self.vars.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
+        let wear = self.vars.system.get(&format!("$TC_DP15[{number},{edge}]")).and_then(super::value::Val::number);
         tool.radius = written.or(tool.radius.filter(|_| edge == 1)).map(|radius| radius + wear.unwrap_or(0.0));
         Some(tool)
     }
@@ -142,18 +234,18 @@ impl Run<'_> {
                 let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
                 return self.fail_help(codes::S9010, span, message, "have the CAM system put out the centre path");
             }
-            self.cutter_open = Some(span);
+            self.st.compensation.open = Some(span);
             self.says_shape_of_compensation(span);
         } else {
-            self.cutter_open = None;
+            self.st.compensation.open = None;
         }
-        if code != Code::G40 && self.leaving_open {
+        if code != Code::G40 && self.st.compensation.leaving_open {
             return self.g40_had_no_move(span, "G41 or G42 stands behind a G40 that has had no move in the plane yet");
         }
         if code == Code::G40 && self.st.side() != Side::None {
-            self.leaving = self.st.side();
+            self.st.compensation.leaving = self.st.side();
         }
-        self.compensation_starts = !self.st.is(code) || self.leaving_open;
+        self.st.compensation.starts = !self.st.is(code) || self.st.compensation.leaving_open;
         self.st.codes.activate(code);
         Ok(())
     }
@@ -189,7 +281,7 @@ impl Run<'_> {
                 "program D behind M6",
             );
         }
-        let edge = self.st.tool.edge.unwrap_or(1);
+        let edge = self.st.tool.edge_or_first();
         let radius = self.cutter_radius(number, edge, span)?;
         self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         Ok(())
@@ -200,7 +292,7 @@ impl Run<'_> {
         let result = self.select_cutter(span);
         if result.is_err() {
             self.st.codes.activate(Code::G40);
-            self.compensation_starts = false;
+            self.st.compensation.starts = false;
         }
         result
     }
@@ -211,7 +303,7 @@ impl Run<'_> {
             let help = "select the edge in front of G41 or G42: D1";
             return self.fail_help(codes::S2080, span, "radius compensation under D0, which has no radius", help);
         }
-        if self.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
+        if self.vars.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
             let message = "the program changes the radius of the active tool by `$P_AD`";
             return self.fail_help(
                 codes::S9010,
@@ -222,7 +314,7 @@ impl Run<'_> {
         }
         let written = |parameter: u8| {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
-            self.system.get(&key).and_then(super::value::Val::number)
+            self.vars.system.get(&key).and_then(super::value::Val::number)
         };
         let listed = || {
             let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
@@ -245,14 +337,14 @@ impl Run<'_> {
 
     /// Compensation starts and ends on a straight line.
     pub(super) fn check_start_of_compensation(&mut self, code: Code, in_plane: bool, span: Span) -> Outcome {
-        if !self.compensation_starts {
+        if !self.st.compensation.starts {
             return Ok(());
         }
         let on = self.st.side() != Side::None;
         let line = matches!(code, Code::G0 | Code::G1);
         if !on && line && !in_plane && !self.job.settings.control.siemens.g40_needs_motion {
             // The plane position does not change, so the offset can wait for the next move in the plane.
-            self.leaving_open = true;
+            self.st.compensation.leaving_open = true;
             if self.job.diags.first_time(codes::S8134) {
                 let message = "G40 stands in front of a move that leaves the plane alone: the offset is taken off in the next move in the plane";
                 let found = Diagnostic::new(codes::S8134, self.loc(span), message);
@@ -260,7 +352,7 @@ impl Run<'_> {
             }
             return Ok(());
         }
-        (self.compensation_starts, self.leaving_open) = (false, false);
+        (self.st.compensation.starts, self.st.compensation.leaving_open) = (false, false);
         if line && in_plane {
             return Ok(());
         }
@@ -271,20 +363,14 @@ impl Run<'_> {
         self.fail_help(codes::S2080.alarm(alarm), span, message, help)
     }
 
-    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
-    #[inline]
-    pub(super) fn side_of_move(&self) -> Side {
-        if self.leaving_open { self.leaving } else { self.st.side() }
-    }
-
     /// What ends the compensation on the target while the tool still stands beside the contour: its next move would go
     /// over the contour.
     pub(super) fn leaves_in_front_of(&mut self, function: &Function) -> Outcome {
         let ends = matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_));
-        if !ends || !self.leaving_open {
+        if !ends || !self.st.compensation.leaving_open {
             return Ok(());
         }
-        self.leaving_open = false;
+        self.st.compensation.leaving_open = false;
         self.g40_had_no_move(Where::Block, "G40 has had no move in the plane in front of this block")
     }
 

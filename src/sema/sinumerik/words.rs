@@ -105,6 +105,29 @@ pub(super) struct Positioning {
     pub given: Given,
 }
 
+/// Words that call a program.
+#[derive(Debug, Default)]
+pub(super) struct CallWords {
+    pub word: Option<CallWord>,
+    /// Subprogram number, as written.
+    pub number: Option<(String, Span)>,
+    pub passes: Option<Given>,
+    /// The program after SETINT.
+    pub interrupt: Option<Span>,
+}
+
+/// Words of axes that stand beside the path.
+#[derive(Debug, Default)]
+pub(super) struct BesideWords {
+    /// Machine axes `X1=0`, in G74 and G75 only.
+    pub machine: Vec<MachineAxis>,
+    /// Words of axes that the target does not have.
+    pub left_out: Vec<(NamedAxis, Span)>,
+    pub positioning: Vec<Positioning>,
+    /// Feed of positioning axes.
+    pub feeds: Vec<(Axis, f64)>,
+}
+
 /// The words of a block, sorted. Reused; what is stored for a word that is not given is never read.
 #[derive(Debug)]
 pub(super) struct Words {
@@ -120,22 +143,11 @@ pub(super) struct Words {
     pub feed_given: bool,
     /// Tool by name.
     pub tool_name: Option<String>,
-    pub call: Option<CallWord>,
-    /// Subprogram number, as written.
-    pub l: Option<(String, Span)>,
-    pub passes: Option<Given>,
-    /// Machine axes `X1=0`, in G74 and G75 only.
-    pub machine_axes: Vec<MachineAxis>,
-    /// Words of axes that the target does not have.
-    pub left_out: Vec<(NamedAxis, Span)>,
-    pub positioning: Vec<Positioning>,
-    /// Feed of positioning axes.
-    pub axis_feeds: Vec<(Axis, f64)>,
+    pub calls: CallWords,
+    pub beside: BesideWords,
     /// Words without any effect on the path.
     pub dynamics: Option<Span>,
     pub diameter: Option<(Indexed, Axis, Span)>,
-    /// The program behind SETINT.
-    pub interrupt: Option<Span>,
     /// D in the block of M6.
     pub edge_of_new_tool: Option<Given>,
     /// An assignment, and a word that is none.
@@ -156,16 +168,10 @@ impl Words {
             h: None,
             feed_given: false,
             tool_name: None,
-            call: None,
-            l: None,
-            passes: None,
-            machine_axes: Vec::new(),
-            left_out: Vec::new(),
-            positioning: Vec::new(),
-            axis_feeds: Vec::new(),
+            calls: CallWords::default(),
+            beside: BesideWords::default(),
             dynamics: None,
             diameter: None,
-            interrupt: None,
             edge_of_new_tool: None,
             assigned: None,
             other: None,
@@ -181,16 +187,13 @@ impl Words {
         self.h = None;
         self.feed_given = false;
         self.tool_name = None;
-        self.call = None;
-        self.l = None;
-        self.passes = None;
-        self.machine_axes.clear();
-        self.left_out.clear();
-        self.positioning.clear();
-        self.axis_feeds.clear();
+        self.calls = CallWords::default();
+        self.beside.machine.clear();
+        self.beside.left_out.clear();
+        self.beside.positioning.clear();
+        self.beside.feeds.clear();
         self.dynamics = None;
         self.diameter = None;
-        self.interrupt = None;
         self.edge_of_new_tool = None;
         self.assigned = None;
         self.other = None;
@@ -220,9 +223,9 @@ impl Words {
 
     /// A word of an axis besides its end point: a positioning axis, a machine axis, one that is left out.
     pub fn axis_word_left(&self) -> Option<Span> {
-        let positioning = self.positioning.first().map(|positioning| positioning.given.span);
-        let left_out = self.left_out.first().map(|(_, span)| *span);
-        positioning.or(self.machine_axes.first().map(|axis| axis.span)).or(left_out)
+        let positioning = self.beside.positioning.first().map(|positioning| positioning.given.span);
+        let left_out = self.beside.left_out.first().map(|(_, span)| *span);
+        positioning.or(self.beside.machine.first().map(|axis| axis.span)).or(left_out)
     }
 
     pub fn has_addresses(&self) -> bool {
@@ -337,14 +340,14 @@ impl Run<'_> {
                 words.h = Some(given.span);
                 Ok(())
             }
-            b'P' if words.passes.is_some() => self.fail_help(
+            b'P' if words.calls.passes.is_some() => self.fail_help(
                 codes::S2007.alarm(12000),
                 given.span,
                 "P stands twice in the block",
                 "delete one of the words",
             ),
             b'P' => {
-                words.passes = Some(given);
+                words.calls.passes = Some(given);
                 Ok(())
             }
             b'L' => self.l_word(words, word, given),
@@ -364,12 +367,12 @@ impl Run<'_> {
         let Value::Literal { digits, whole: true, value } = word.value else {
             return self.fail(codes::S1001.alarm(12080), word.span, "a subprogram number is written in digits: L10");
         };
-        if words.l.is_some() {
+        if words.calls.number.is_some() {
             let help = "give each call a block of its own";
             return self.fail_help(codes::S2007.alarm(12000), given.span, "L stands twice in the block", help);
         }
         let width = usize::from(digits);
-        words.l = Some((format!("L{value:0width$}"), given.span));
+        words.calls.number = Some((format!("L{value:0width$}"), given.span));
         Ok(())
     }
 

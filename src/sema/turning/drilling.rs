@@ -11,7 +11,6 @@ use crate::ir::function::Spindle;
 use crate::machine::Axis;
 
 use super::chain::Coord;
-use super::state::SpeedMode;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -69,7 +68,7 @@ impl Run<'_> {
         let bottom = self.bottom_of_hole(w, at)?;
         let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
         let lead = self.above_zero(pitch, "the pitch of the thread")?;
-        let Some(turn) = self.st.spindle else {
+        let Some(turn) = self.st.spindle.turn() else {
             return self.fail_help(
                 codes::T1005,
                 span,
@@ -77,7 +76,7 @@ impl Run<'_> {
                 "program M3 or M4 before G36",
             );
         };
-        if self.st.speed_mode == Some(SpeedMode::Cutting) {
+        if self.st.spindle.is_cutting() {
             return self.fail_help(
                 codes::T1006,
                 span,

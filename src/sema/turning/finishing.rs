@@ -12,7 +12,7 @@ use crate::machine::Tool;
 
 use super::contour::Outline;
 use super::geometry::Blank;
-use super::state::{Oversize, SpeedMode};
+use super::state::Oversize;
 use super::words::Words;
 use super::{Outcome, Run};
 
@@ -49,7 +49,7 @@ impl Run<'_> {
             Some(num) if num.value == 0.0 => Descending::Left,
             Some(num) => Descending::Cut { feed: feed.with_value(self.above_zero(num, "the plunging feed")?) },
         };
-        let speed = self.st.speed.filter(|_| self.st.speed_mode == Some(SpeedMode::Revolutions));
+        let speed = self.st.spindle.turns();
         let arcs = match self.choice(w, b'O', 0, 1)? {
             0 => ArcFeed::Turns { turns: TURNS_ON_AN_ARC, speed },
             _ => ArcFeed::Same,

@@ -6,12 +6,13 @@
 use crate::diag::codes;
 use crate::ir::{Function as Item, Side};
 use crate::parser::turning::ast::Block;
+use crate::sema::common::feed::FeedKind;
 use crate::text::decode::readable;
 
 use super::cycle_table::Cycle;
 use super::g_functions::{Function, Kind, find};
 use super::sections::Part;
-use super::state::{FeedMode, SpeedMode};
+use super::state::SpeedMode;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Outcome, Reported, Run};
 
@@ -236,8 +237,8 @@ impl Run<'_> {
             Kind::SpeedLimit => self.speed_limit(w),
             Kind::CuttingSpeed => self.speed_mode(SpeedMode::Cutting, w),
             Kind::Revolutions => self.speed_mode(SpeedMode::Revolutions, w),
-            Kind::PerMinute => self.feed_mode(FeedMode::PerMinute, w, true),
-            Kind::PerRevolution => self.feed_mode(FeedMode::PerRevolution, w, true),
+            Kind::PerMinute => self.feed_mode(FeedKind::PerMinute, w, true),
+            Kind::PerRevolution => self.feed_mode(FeedKind::PerRevolution, w, true),
             Kind::CompensationOff => self.compensation(Side::None, fun),
             Kind::CompensationLeft => self.compensation(Side::Left, fun),
             Kind::CompensationRight => self.compensation(Side::Right, fun),
@@ -272,7 +273,7 @@ impl Run<'_> {
             Kind::Arc { ccw, absolute } => return self.arc(w, ccw, absolute),
             _ => {}
         }
-        if self.st.side != Side::None && function.kind != Kind::Dwell {
+        if self.st.compensation.is_on() && function.kind != Kind::Dwell {
             return self.fail_help(
                 codes::T2021,
                 fun.span,

@@ -258,7 +258,7 @@ impl Run<'_> {
             );
         }
         let _ = self.settle_chain();
-        if self.st.side != crate::ir::Side::None {
+        if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(
                     codes::T2021,

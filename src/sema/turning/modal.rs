@@ -4,33 +4,75 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{Feed, Function, Side};
 use crate::machine::{Compensation, Unit};
+use crate::sema::common::feed::FeedKind;
 use crate::text::{Span, decode::readable};
 
-use super::state::{ActiveTool, FeedMode, Oversize, SpeedMode};
+use super::state::{ActiveTool, Oversize, SpeedMode};
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
 
 /// Metres in a foot.
 const FOOT: f64 = 0.3048;
 
+/// What the program told the spindle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SpindleState {
+    mode: Option<SpeedMode>,
+    /// S in the unit of its mode: m/min or rev/min.
+    speed: Option<f64>,
+    /// G26, rev/min.
+    limit: Option<f64>,
+    turn: Option<Turn>,
+}
+
+impl SpindleState {
+    /// Sense of rotation, while it turns.
+    pub fn turn(&self) -> Option<Turn> {
+        self.turn
+    }
+
+    /// S counts as cutting speed.
+    pub fn is_cutting(&self) -> bool {
+        self.mode == Some(SpeedMode::Cutting)
+    }
+
+    /// S, where it counts in turns.
+    pub fn turns(&self) -> Option<f64> {
+        self.speed.filter(|_| self.mode == Some(SpeedMode::Revolutions))
+    }
+
+    pub fn speed(&self) -> Option<f64> {
+        self.speed
+    }
+
+    /// A number of turns, kept under the limit.
+    pub fn limited(&self, turns: f64) -> f64 {
+        self.limit.map_or(turns, |limit| turns.min(limit))
+    }
+
+    /// G96 and G97. True if S means something else now.
+    fn count(&mut self, mode: SpeedMode) -> bool {
+        let changes = self.mode != Some(mode);
+        if changes {
+            self.speed = None;
+        }
+        self.mode = Some(mode);
+        changes
+    }
+}
+
 impl Run<'_> {
     // Feed.
 
     /// G94 and G95.
-    pub(super) fn feed_mode(&mut self, mode: FeedMode, w: &Words, claims_f: bool) -> Outcome {
-        self.st.feed_mode = Some(mode);
+    pub(super) fn feed_mode(&mut self, kind: FeedKind, w: &Words, claims_f: bool) -> Outcome {
         match w.get(b'F').filter(|_| claims_f) {
-            Some(num) => self.feed_word(num),
+            Some(num) => {
+                self.st.feed.assume(kind);
+                self.feed_word(num)
+            }
             None => {
-                // A feed of the other kind is no feed any more.
-                let same = matches!(
-                    (mode, self.st.feed),
-                    (FeedMode::PerMinute, Some(Feed::PerMinute(_)))
-                        | (FeedMode::PerRevolution, Some(Feed::PerRevolution(_)))
-                );
-                if !same {
-                    self.st.feed = None;
-                }
+                self.st.feed.count(kind);
                 Ok(())
             }
         }
@@ -41,25 +83,22 @@ impl Run<'_> {
         if value <= 0.0 {
             return self.fail(codes::O1001, num.span, format!("the feed is {}", num.value));
         }
-        self.st.feed = Some(match self.st.feed_mode {
-            Some(FeedMode::PerMinute) => Feed::PerMinute(value),
-            Some(FeedMode::PerRevolution) => Feed::PerRevolution(value),
-            None => {
-                return self.fail_help(
-                    codes::T2003,
-                    num.span,
-                    "neither G94 nor G95 says what F counts",
-                    "program `G95 F…` for mm per revolution or `G94 F…` for mm per minute",
-                );
-            }
-        });
+        let Some(feed) = self.st.feed.of(value) else {
+            return self.fail_help(
+                codes::T2003,
+                num.span,
+                "neither G94 nor G95 says what F counts",
+                "program `G95 F…` for mm per revolution or `G94 F…` for mm per minute",
+            );
+        };
+        self.st.feed.program(feed);
         Ok(())
     }
 
     /// Feed of a move that cuts.
     #[inline]
     pub(super) fn cutting_feed(&mut self) -> Outcome<Feed> {
-        match self.st.feed {
+        match self.st.feed.word() {
             Some(feed) => Ok(feed),
             None => self.feed_missing(),
         }
@@ -72,7 +111,7 @@ impl Run<'_> {
                 .help("program `G95 F…` or `G94 F…` before it"),
         );
         // One report is enough.
-        self.st.feed = Some(Feed::PerMinute(1.0));
+        self.st.feed.presume();
         Err(Reported)
     }
 
@@ -84,18 +123,14 @@ impl Run<'_> {
         if num.value <= 0.0 {
             return self.fail(codes::T1007, num.span, "a speed limit is above zero");
         }
-        self.st.speed_limit = Some(num.value);
+        self.st.spindle.limit = Some(num.value);
         self.send_speed(num.span);
         Ok(())
     }
 
     /// G96 and G97.
     pub(super) fn speed_mode(&mut self, mode: SpeedMode, w: &Words) -> Outcome {
-        let changes = self.st.speed_mode != Some(mode);
-        if changes {
-            self.st.speed = None;
-        }
-        self.st.speed_mode = Some(mode);
+        let changes = self.st.spindle.count(mode);
         match w.get(b'S') {
             Some(num) => self.speed_word(num),
             None if changes => {
@@ -118,7 +153,7 @@ impl Run<'_> {
         if num.value < 0.0 {
             return self.fail(codes::O9002, num.span, format!("the speed is {}", num.value));
         }
-        match self.st.speed_mode {
+        match self.st.spindle.mode {
             None => {
                 return self.fail_help(
                     codes::T2004,
@@ -127,8 +162,8 @@ impl Run<'_> {
                     "program `G97 S…` for revolutions per minute or `G96 S…` for a constant cutting speed",
                 );
             }
-            Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => self.st.speed = Some(num.value * FOOT),
-            Some(_) => self.st.speed = Some(num.value),
+            Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => self.st.spindle.speed = Some(num.value * FOOT),
+            Some(_) => self.st.spindle.speed = Some(num.value),
         }
         self.send_speed(num.span);
         Ok(())
@@ -136,9 +171,9 @@ impl Run<'_> {
 
     /// Prints the speed in force, kept under the limit.
     fn send_speed(&mut self, span: Span) {
-        let Some(speed) = self.st.speed else { return };
-        let limit = self.st.speed_limit;
-        let spindle = match self.st.speed_mode {
+        let Some(speed) = self.st.spindle.speed else { return };
+        let limit = self.st.spindle.limit;
+        let spindle = match self.st.spindle.mode {
             Some(SpeedMode::Cutting) => Spindle::CuttingSpeed { speed, limit },
             _ => match limit.filter(|limit| speed > *limit) {
                 Some(limit) => {
@@ -153,7 +188,7 @@ impl Run<'_> {
     }
 
     pub(super) fn turn_spindle(&mut self, turn: Option<Turn>) {
-        self.st.spindle = turn;
+        self.st.spindle.turn = turn;
         self.function(Function::Spindle(match turn {
             Some(turn) => Spindle::Start(turn),
             None => Spindle::Stop,
@@ -172,7 +207,7 @@ impl Run<'_> {
                     "set `[output] compensation = \"control\"` to print G41/G42",
                 );
             }
-            if self.st.side != Side::None && self.st.side != side {
+            if self.st.compensation.is_on() && self.st.compensation.side() != side {
                 return self.fail_help(
                     codes::T2021,
                     fun.span,
@@ -181,8 +216,7 @@ impl Run<'_> {
                 );
             }
         }
-        self.st.side_fresh = side != self.st.side;
-        self.st.side = side;
+        self.st.compensation.select(side);
         Ok(())
     }
 
@@ -195,7 +229,7 @@ impl Run<'_> {
         if self.st.tool.as_ref().is_some_and(|tool| tool.number == number && tool.edge == edge) {
             return Ok(());
         }
-        if self.st.side != Side::None {
+        if self.st.compensation.is_on() {
             return self.fail_help(
                 codes::T2021,
                 num.span,

@@ -42,7 +42,7 @@ impl Run<'_> {
     #[inline]
     pub(super) fn straight(&mut self, w: &Words, rapid: bool) -> Outcome {
         let feed = if rapid { None } else { Some(self.cutting_feed()?) };
-        self.st.side_fresh = false;
+        self.st.compensation.moves();
         let (data, follows) = self.element_of(w, None)?;
         let open = data.entry.is_some() || data.x == Coord::Open || data.y == Coord::Open;
         if open || !self.chain.is_empty() {
@@ -58,7 +58,7 @@ impl Run<'_> {
         let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
         // A corner needs the direction of its first element, so its start.
         let from = if corner { Some(self.stand()?) } else { self.st.at() };
-        let (side, coords) = (self.st.side, Coords::Frame);
+        let (side, coords) = (self.st.compensation.side(), Coords::Frame);
         self.movement(&Move { end, path: Path::straight(feed), side, coords });
         self.st.position.move_to(&end);
         self.st.moved = true;
@@ -119,7 +119,7 @@ impl Run<'_> {
 
     /// G2, G3, G12, G13.
     pub(super) fn arc(&mut self, w: &Words, ccw: bool, absolute: bool) -> Outcome {
-        if self.st.side_fresh {
+        if self.st.compensation.is_fresh() {
             return self.fail_help(
                 codes::T2021,
                 self.block_span(),
@@ -140,7 +140,7 @@ impl Run<'_> {
             return self.stray_e(w);
         }
         let corner_feed = if corner { self.corner_feed(w)? } else { None };
-        let tag = Tag { feed, side: self.st.side, follows, corner_feed, origin: self.here.origin };
+        let tag = Tag { feed, side: self.st.compensation.side(), follows, corner_feed, origin: self.here.origin };
         self.chain.push(data, tag);
         self.drain_chain(false)
     }
@@ -296,7 +296,7 @@ impl Run<'_> {
             }
         };
         end.set_in_plane(Plane::Zx, to);
-        let (side, coords) = (self.st.side, Coords::Frame);
+        let (side, coords) = (self.st.compensation.side(), Coords::Frame);
         let path = Path::Thread(Thread { lead, along });
         self.movement(&Move { end, path, side, coords });
         self.st.stands(to);
@@ -327,7 +327,7 @@ impl Run<'_> {
 
     /// A rapid move in machine coordinates: afterwards the workpiece position of its axes is not known.
     fn machine_move(&mut self, end: Pos) {
-        let (side, coords) = (self.st.side, Coords::Machine);
+        let (side, coords) = (self.st.compensation.side(), Coords::Machine);
         self.movement(&Move { end, path: Path::Rapid, side, coords });
         self.st.position.forget(end.known());
         self.st.last = None;

@@ -12,7 +12,6 @@ use crate::machine::RecessSide;
 
 use super::readings::Question;
 use super::sections::Family;
-use super::state::SpeedMode;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
 
@@ -166,12 +165,13 @@ impl Run<'_> {
             }
             return Ok(num.value);
         }
-        let speed = self.st.speed.filter(|speed| *speed > 0.0).map(|speed| match self.st.speed_mode {
-            // Metres per minute at the floor of a radial recess; further out the spindle is slower.
-            Some(SpeedMode::Cutting) => speed * 1000.0 / (core::f64::consts::TAU * floor.abs().max(1e-3)),
-            _ => speed,
-        });
-        match speed.map(|speed| self.st.speed_limit.map_or(speed, |limit| speed.min(limit))) {
+        let speed =
+            self.st.spindle.speed().filter(|speed| *speed > 0.0).map(|speed| match self.st.spindle.is_cutting() {
+                // Metres per minute at the floor of a radial recess; further out the spindle is slower.
+                true => speed * 1000.0 / (core::f64::consts::TAU * floor.abs().max(1e-3)),
+                _ => speed,
+            });
+        match speed.map(|turns| self.st.spindle.limited(turns)) {
             Some(speed) => Ok(60.0 / speed),
             None => self.fail_help(
                 codes::T1005,

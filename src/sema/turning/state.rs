@@ -4,21 +4,15 @@ use std::rc::Rc;
 
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::function::Turn;
-use crate::ir::{Feed, Side};
 use crate::machine::{AxisSet, Settings, Unit};
+use crate::sema::common::compensation::Compensation;
+use crate::sema::common::feed::ModalFeed;
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::chain::Solved;
-
-/// Whether F counts per minute or per revolution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum FeedMode {
-    PerMinute,
-    PerRevolution,
-}
+use super::modal::SpindleState;
 
 /// What S means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,19 +51,11 @@ pub(super) struct State {
     pub last: Option<Solved>,
     /// The last element ended in a chamfer, a rounding or B0: nothing is tangential to it.
     pub cornered: bool,
-    pub feed_mode: Option<FeedMode>,
-    pub feed: Option<Feed>,
-    pub side: Side,
-    /// The side changed, and nothing moved since.
-    pub side_fresh: bool,
+    pub feed: ModalFeed,
+    pub compensation: Compensation,
     /// Number of the tool in the cutting position.
     pub tool: Option<ActiveTool>,
-    pub speed_mode: Option<SpeedMode>,
-    /// S in the unit of its mode: m/min or rev/min.
-    pub speed: Option<f64>,
-    /// G26, rev/min.
-    pub speed_limit: Option<f64>,
-    pub spindle: Option<Turn>,
+    pub spindle: SpindleState,
     /// G47: clearance of the next cycles in mm.
     pub clearance: Option<f64>,
     pub oversize: Option<(Oversize, Loc)>,
@@ -118,15 +104,10 @@ impl State {
             position: Position::new(Start::new(settings, true)),
             last: None,
             cornered: false,
-            feed_mode: None,
-            feed: settings.control.feed.map(Feed::PerMinute),
-            side: Side::None,
-            side_fresh: false,
+            feed: ModalFeed::new(settings.control.feed, None),
+            compensation: Compensation::default(),
             tool: None,
-            speed_mode: None,
-            speed: None,
-            speed_limit: None,
-            spindle: None,
+            spindle: SpindleState::default(),
             clearance: None,
             oversize: None,
             shift: Shift::default(),

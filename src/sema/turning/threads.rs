@@ -12,7 +12,6 @@ use crate::text::Span;
 use super::contour::{Outline, ThreadData};
 use super::readings::Question;
 use super::sections::Family;
-use super::state::SpeedMode;
 use super::thread_line::ThreadLine;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
@@ -110,7 +109,7 @@ impl Run<'_> {
 
     /// A thread is cut with a turning spindle.
     pub(super) fn spindle_turns(&self, number: u16) -> Outcome {
-        if self.st.spindle.is_some() {
+        if self.st.spindle.turn().is_some() {
             return Ok(());
         }
         self.fail_help(
@@ -273,8 +272,8 @@ impl Run<'_> {
             }
             return Ok(num.value * self.st.mm());
         }
-        let turns = self.st.speed.filter(|_| self.st.speed_mode == Some(SpeedMode::Revolutions));
-        let turns = turns.map(|speed| self.st.speed_limit.map_or(speed, |limit| speed.min(limit)));
+        let turns = self.st.spindle.turns();
+        let turns = turns.map(|turns| self.st.spindle.limited(turns));
         match turns.filter(|_| self.sections.family() == Family::Basic) {
             Some(turns) => Ok(lead * turns / 1000.0),
             None => self.run_way_missing(letter, what),

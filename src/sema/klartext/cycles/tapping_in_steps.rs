@@ -66,7 +66,7 @@ impl Run<'_> {
             let chip = if pitches == 0.0 { Chip::Remove { ahead: 0.0 } } else { Chip::Break { back } };
             tap.step = Some(TapStep { way, degression: Degression::Plain { less: 0.0, least: 0.0 }, chip });
         }
-        if let (true, Some(speed)) = (factor != 1.0, self.st.speed) {
+        if let (true, Some(speed)) = (factor != 1.0, self.st.spindle.speed()) {
             tap.speed_in = Some(speed);
             tap.speed_out = Some(speed * factor);
             tap.speed_after = Some(speed);

@@ -79,12 +79,14 @@ impl Run<'_> {
         if value <= 0.0 {
             return self.cycle_fault(args, args.span_of(key), 61003, "the feed is not above 0", "give a feed above 0");
         }
-        Ok(self.feed_of(value))
+        Ok(self.st.feed_of(value))
     }
 
     /// The relative first depth counts where both are given; an absolute one of 0 is taken as none then.
     fn two_first_depths(&self, args: &Arguments, levels: &Levels) {
-        let (Some(absolute), Some(relative)) = (self.length_of(args, FDEP), self.length_of(args, FDPR)) else { return };
+        let (Some(absolute), Some(relative)) = (self.st.length_of(args, FDEP), self.st.length_of(args, FDPR)) else {
+            return;
+        };
         let way = (levels.reference - absolute) * levels.outward();
         if relative != 0.0 && absolute != 0.0 && (way - relative.abs()).abs() > 1e-9 {
             let message = format!("{}: FDEP and FDPR give different first depths; FDPR counts", args.name());
@@ -102,7 +104,8 @@ impl Run<'_> {
                 "the first depth counts for the tip of the drill, the last one for its full diameter",
             );
         }
-        let Some(first) = Pecking::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
+        let Some(first) = Pecking::first_step(levels, self.st.length_of(args, FDEP), self.st.length_of(args, FDPR))
+        else {
             return self.cycle_fault(
                 args,
                 args.span_of(FDEP),
@@ -116,7 +119,7 @@ impl Run<'_> {
         let degression = match args.or_zero(DAM) {
             percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
                 self.reading(args, AMODE, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
-                let least = self.length_of(args, MDEP).unwrap_or(0.0).abs();
+                let least = self.st.length_of(args, MDEP).unwrap_or(0.0).abs();
                 Degression::Factor { factor: percentage / 100.0, least }
             }
             _ if percent => {
@@ -132,7 +135,7 @@ impl Run<'_> {
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
             factor if factor >= -1.0 => {
-                Degression::Factor { factor: -factor, least: self.length_of(args, MDEP).unwrap_or(0.0).abs() }
+                Degression::Factor { factor: -factor, least: self.st.length_of(args, MDEP).unwrap_or(0.0).abs() }
             }
             _ => {
                 let help = "DAM above 0 is an amount, below 0 a factor down to -1";
@@ -157,11 +160,11 @@ impl Run<'_> {
         match args.or_zero(VARI) {
             0.0 => {
                 peck.breaks = Breaks::Always;
-                peck.way = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                peck.way = self.st.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
             }
             1.0 => {
                 peck.removal.dwell = self.dwell_of(args, DTS)?;
-                if let Some(ahead) = self.length_of(args, DIS1).filter(|way| *way > 0.0) {
+                if let Some(ahead) = self.st.length_of(args, DIS1).filter(|way| *way > 0.0) {
                     peck.removal.ahead = Ahead::Evenly([ahead; 2]);
                 }
             }
@@ -228,7 +231,7 @@ impl Run<'_> {
 
     /// Under G96 the speed is none in turns, and it changes on the way.
     fn tapping_speed_is_fixed(&self, args: &Arguments) -> Outcome {
-        if !self.st.constant_cut {
+        if !self.st.spindles.is_cutting() {
             return Ok(());
         }
         let help = "program G97 with S in turns per minute in front of the cycle";
@@ -242,7 +245,7 @@ impl Run<'_> {
         let step = match args.or_zero(VARI) {
             0.0 => None,
             variant @ (1.0 | 2.0) => {
-                let back = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                let back = self.st.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
                 let chip = if variant == 1.0 { Chip::Break { back } } else { Chip::Remove { ahead: back } };
                 let way = self.tap_step(args, levels)?;
                 Some(TapStep { way, degression: Degression::Even { least: way }, chip })
@@ -266,7 +269,7 @@ impl Run<'_> {
             );
         }
         let speed = |key: Key| args.number(key).filter(|speed| *speed > 0.0);
-        let speed_in = speed(SST).or(self.st.speed);
+        let speed_in = speed(SST).or(self.st.spindles.speed());
         if speed_in.is_none() {
             return self.cycle_fault(
                 args,
@@ -294,7 +297,7 @@ impl Run<'_> {
             orient: args.number(POSS).map(whole_turn),
             step,
             after,
-            speed_after: self.st.speed,
+            speed_after: self.st.spindles.speed(),
         }))
     }
 
@@ -351,8 +354,8 @@ impl Run<'_> {
 
     fn feed_of_pitch(&mut self, args: &Arguments) -> Outcome<Feed> {
         let pitch = self.pitch(args, LARGEST, self.pitch_unit(args)?)?.abs();
-        match self.st.speed.filter(|speed| *speed > 0.0) {
-            Some(_) if self.st.per_revolution() => Ok(Feed::PerRevolution(pitch)),
+        match self.st.spindles.speed().filter(|speed| *speed > 0.0) {
+            Some(_) if self.st.codes.per_revolution() => Ok(Feed::PerRevolution(pitch)),
             Some(speed) => Ok(Feed::PerMinute(speed * pitch)),
             None => {
                 let help = "program S in front of the cycle";
@@ -379,7 +382,7 @@ impl Run<'_> {
                 let help = "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
                 return self.cycle_fault(args, args.span_of(SDR), 61102, "SDR is 0, 3 or 4", help);
             }
-            _ => match self.st.turn {
+            _ => match self.st.spindles.turn() {
                 Some(turn) => turn,
                 None => {
                     return self.cycle_fault(
@@ -433,7 +436,7 @@ impl Run<'_> {
         let mut lift = [0.0; 3];
         if self.lifts_off(args)? {
             for ((key, axis), way) in [RPA, RPO, RPAP].into_iter().zip(self.st.roles()).zip(lift.iter_mut()) {
-                *way = self.length_of(args, key).unwrap_or(0.0);
+                *way = self.st.length_of(args, key).unwrap_or(0.0);
                 if *way != 0.0 {
                     self.no_diameters(args.name(), axis, args.span_of(key))?;
                 }

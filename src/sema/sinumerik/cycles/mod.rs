@@ -61,6 +61,37 @@ pub(super) struct ModalCycle {
 /// the tool and its edge, whose tip a depth may count for.
 type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
 
+impl ModalCycle {
+    /// Why it cannot be drilled was reported.
+    pub fn refuse(&mut self) {
+        self.refused = true;
+    }
+}
+
+impl State {
+    fn spindle_state(&self) -> SpindleState {
+        let State { spindles, tool, .. } = self;
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
+    }
+
+    /// Does `_DMODE` name another plane than the active one?
+    fn names_other_plane(&self, args: &Arguments) -> bool {
+        let plane = args.digit(DMODE, 0);
+        plane != 0 && plane != i32::from(self.codes.of(Group::Plane).index)
+    }
+
+    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
+        args.number(key).map(|value| value * self.length_unit())
+    }
+
+    fn moved_in_plane(&mut self, point: Point2) -> Pos {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.plane(), point);
+        end
+    }
+}
+
 impl Run<'_> {
     /// Runs a machining cycle; `None` for a name that is none, or that is not built.
     pub(super) fn machining_cycle(
@@ -164,7 +195,7 @@ impl Run<'_> {
                 "program G40 before the cycle",
             );
         }
-        match self.st.outer {
+        match self.st.offsets.outer() {
             Outer::Machine => {
                 return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
             }
@@ -174,7 +205,7 @@ impl Run<'_> {
         self.no_cycle_by_time(args.span)?;
         if !args.cycle.work.is_read_only() {
             self.speed_is_known()?;
-            if self.st.per_revolution() {
+            if self.st.codes.per_revolution() {
                 self.master_is_main(args.span, "a feed per revolution")?;
             }
         }
@@ -201,15 +232,14 @@ impl Run<'_> {
             && let Work::Hole(drilling) = &cycle.work
         {
             let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
-                self.modal_cycle = None;
-                self.modal = None;
+                self.st.modal_call.end();
                 let hole = self.hole(&args, drilling)?;
                 let feed_of_block = drilling.modal_feed;
                 let under = (self.st.plane(), self.st.length_unit());
-                let (here, spindle) = (self.here, self.spindle_state());
+                let (here, spindle) = (self.here, self.st.spindle_state());
                 let refused = false;
-                self.modal_cycle =
-                    Some(Box::new(ModalCycle { hole, args, here, spindle, feed_of_block, under, refused }));
+                let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
+                self.st.modal_call.set_cycle(Box::new(made));
                 Ok(())
             });
             return Some(result);
@@ -228,11 +258,10 @@ impl Run<'_> {
     /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
     /// the other places of a pattern are worth no other finding.
     pub(super) fn drill_modal(&mut self) -> Outcome {
-        let Some(modal) = self.modal_cycle.clone().filter(|modal| !modal.refused) else { return Ok(()) };
-        if self.drill_here(modal).is_err()
-            && let Some(modal) = &mut self.modal_cycle
-        {
-            modal.refused = true;
+        let Some(modal) = self.st.modal_call.cycle().filter(|modal| !modal.refused) else { return Ok(()) };
+        let modal = Box::new(modal.clone());
+        if self.drill_here(modal).is_err() {
+            self.st.modal_call.refuse_cycle();
         }
         Ok(())
     }
@@ -247,7 +276,7 @@ impl Run<'_> {
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
         self.no_cycle_by_time(Where::Block)?;
         self.speed_is_known()?;
-        if self.st.per_revolution() {
+        if self.st.codes.per_revolution() {
             self.master_is_main(Where::Block, "a feed per revolution")?;
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
@@ -260,16 +289,11 @@ impl Run<'_> {
         }
         let feed_of_block = modal.feed_of_block;
         self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
-        let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
-        if feed_of_block && let Some(feed) = self.st.feed {
+        let mut hole = if modal.spindle == self.st.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
         }
         self.drill(&hole)
-    }
-
-    fn spindle_state(&self) -> SpindleState {
-        let State { speed, turn, constant_cut, ref tool, .. } = self.st;
-        (speed, turn, constant_cut, self.st.per_revolution(), tool.active, tool.edge)
     }
 
     /// The hole of the modal call under the spindle of now.
@@ -282,8 +306,8 @@ impl Run<'_> {
         self.here = here;
         let hole = made?;
         modal.hole = hole.clone();
-        modal.spindle = self.spindle_state();
-        self.modal_cycle = Some(modal);
+        modal.spindle = self.st.spindle_state();
+        self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }
 
@@ -296,30 +320,30 @@ impl Run<'_> {
         self.length_acts_along_z();
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
-        self.thread_chain = None;
+        self.st.threads.end_chain();
         self.core.send_cycle(&cycle, &self.st.ctx);
         self.st.position.move_to(&end);
         if let Some(after) = cycle.spindle_after() {
-            self.st.turn = match after {
+            self.st.spindles.set_turn(match after {
                 Spindle::Start(turn) => Some(turn),
                 _ => None,
-            };
+            });
         }
     }
 
     /// The feed in force, for a cycle.
     fn cycle_feed(&mut self, args: &Arguments) -> Outcome<Feed> {
         self.speed_is_known()?;
-        if self.st.feed_lost {
+        if self.st.feed.is_lost() {
             return Err(Reported);
         }
-        match self.st.feed {
+        match self.st.feed.word() {
             Some(feed) => {
                 self.feed_kind_is_said();
                 Ok(feed)
             }
             None => {
-                self.st.feed_lost = true;
+                self.st.feed.lose();
                 self.fail_help(
                     codes::S2040.alarm(10860),
                     args.span,
@@ -355,12 +379,6 @@ impl Run<'_> {
             format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
             "program DIAMOF before the cycle, and radii in it",
         )
-    }
-
-    /// Does `_DMODE` name another plane than the active one?
-    fn names_other_plane(&self, args: &Arguments) -> bool {
-        let plane = args.digit(DMODE, 0);
-        plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index)
     }
 
     /// A variant that is known, but not built.
@@ -412,10 +430,6 @@ impl Run<'_> {
         Ok(self.needed(args, key, name)? * self.st.length_unit())
     }
 
-    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
-        args.number(key).map(|value| value * self.st.length_unit())
-    }
-
     /// Seconds from a dwell that is negative for turns of the spindle.
     fn dwell_of(&self, args: &Arguments, key: Key) -> Outcome<f64> {
         let value = args.or_zero(key);
@@ -427,7 +441,7 @@ impl Run<'_> {
         if turns == 0.0 {
             return Ok(0.0);
         }
-        match self.st.speed.filter(|speed| *speed > 0.0 && !self.st.constant_cut) {
+        match self.st.spindles.speed().filter(|speed| *speed > 0.0 && !self.st.spindles.is_cutting()) {
             Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
                 args,
@@ -457,12 +471,6 @@ impl Run<'_> {
             return Ok(());
         }
         self.cycle_fault(args, args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
-    }
-
-    fn moved_in_plane(&mut self, point: Point2) -> Pos {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), point);
-        end
     }
 }
 

@@ -36,7 +36,7 @@ impl Run<'_> {
         };
         if let Some(place) = place {
             // Axes of the plane, or of the machine: which is counted is not documented.
-            let counted: [Axis; 2] = [self.st.roles()[place], self.st.geometry_axes[place]];
+            let counted: [Axis; 2] = [self.st.roles()[place], self.st.channel.geometry_axes[place]];
             if counted[0] != counted[1] {
                 return self.not_built(
                     args,
@@ -46,11 +46,11 @@ impl Run<'_> {
             }
             axis = counted[0];
         }
-        if self.names_other_plane(args) {
+        if self.st.names_other_plane(args) {
             axis = self.axis_of_named_plane(args)?;
         }
         self.digits_are_known(args)?;
-        if axis == Axis::Y && self.st.lathe && self.st.position.get(axis).is_none() {
+        if axis == Axis::Y && self.st.channel.lathe && self.st.position.get(axis).is_none() {
             let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
             let help =
                 "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
@@ -102,7 +102,7 @@ impl Run<'_> {
     pub(super) fn levels(&mut self, args: &Arguments, centring: bool) -> Outcome<Levels> {
         let retract = self.needed_length(args, RTP, "the retraction plane RTP")?;
         let reference = self.needed_length(args, RFP, "the reference plane RFP")?;
-        let clearance = self.length_of(args, SDIS).unwrap_or(0.0);
+        let clearance = self.st.length_of(args, SDIS).unwrap_or(0.0);
         if clearance < 0.0 {
             self.reading(args, SDIS, "SDIS has no sign, and its minus is left out");
         }
@@ -112,7 +112,7 @@ impl Run<'_> {
             _ => Depth::Classic,
         };
         let by_tens = args.digit(GMODE, 1) == 1;
-        let (mut absolute, mut relative) = (self.length_of(args, DP), self.length_of(args, DPR));
+        let (mut absolute, mut relative) = (self.st.length_of(args, DP), self.st.length_of(args, DPR));
         if by_tens && centring {
             let depth = self.centring_depth(args, retract, reference)?;
             (absolute, relative) = (Some(depth), None);

@@ -96,10 +96,10 @@ impl Run<'_> {
 
     /// A pattern needs a cycle that it runs.
     fn begin_pattern(&self, args: &Arguments) -> Outcome {
-        if self.modal_lost {
+        if self.st.modal_call.is_lost() {
             return Err(Reported);
         }
-        if self.modal_cycle.is_none() && self.modal.is_none() {
+        if !self.st.modal_call.is_on() {
             return self.cycle_fault(
                 args,
                 args.span,
@@ -131,14 +131,14 @@ impl Run<'_> {
                 return self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes");
             }
         };
-        if self.modal_cycle.is_none() {
+        if self.st.modal_call.cycle().is_none() {
             return self.not_built(args, first, "a pattern with a modal program of one's own");
         }
         // Computing them is work, too.
         self.budget.take(positions.len() as u64 / 16);
         for position in positions {
             self.goes_on()?;
-            let end = self.moved_in_plane(position);
+            let end = self.st.moved_in_plane(position);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
@@ -160,7 +160,7 @@ impl Run<'_> {
         if args.or_zero(NSP) != 0.0 {
             return self.not_built(args, NSP, "another first position (`_NSP`)");
         }
-        if self.names_other_plane(args) {
+        if self.st.names_other_plane(args) {
             return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(())

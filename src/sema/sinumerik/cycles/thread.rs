@@ -77,7 +77,7 @@ impl Run<'_> {
             }
         }
         self.flank_agrees(args)?;
-        if self.names_other_plane(args) {
+        if self.st.names_other_plane(args) {
             return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         self.thread(args, &Course { points, leads, starts: NUMT, lift: VRT, coded: false })
@@ -134,13 +134,13 @@ impl Run<'_> {
     fn line(&self, args: &Arguments, start: [Key; 2], end: [Key; 2]) -> Outcome<Vec<Point2>> {
         let from = self.point(args, start[0], start[1])?;
         let z = self.needed_length(args, end[0], "the end of the thread along Z")?;
-        let radius = self.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
+        let radius = self.st.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
         Ok(vec![from, Point2::new(z, radius)])
     }
 
     /// A thread waits for ever for a spindle that stands.
     fn spindle_turns(&self, args: &Arguments) -> Outcome {
-        if self.st.turn.is_some() {
+        if self.st.spindles.turn().is_some() {
             return Ok(());
         }
         let help = "program M3 or M4 with a speed in front of the cycle";
@@ -187,7 +187,7 @@ impl Run<'_> {
             self.without_signs(args)?;
         }
         let depth = self.needed_length(args, TDEP, "the thread depth TDEP")?.abs();
-        let finish = self.length_of(args, FAL).unwrap_or(0.0).abs();
+        let finish = self.st.length_of(args, FAL).unwrap_or(0.0).abs();
         let passes = self.roughing_passes(args, depth - finish, area)?;
         let idle = self.whole_of(args, NID, 0)?;
         let starts = self.whole_of(args, course.starts, 0)?.max(1);
@@ -237,8 +237,8 @@ impl Run<'_> {
             flank,
             finish,
             air_cuts: idle,
-            run_in: self.length_of(args, APP).unwrap_or(0.0).abs(),
-            run_out: self.length_of(args, ROP).unwrap_or(0.0).abs(),
+            run_in: self.st.length_of(args, APP).unwrap_or(0.0).abs(),
+            run_out: self.st.length_of(args, ROP).unwrap_or(0.0).abs(),
             fixed_end: true,
             starts,
             start_angle: Deg(start_angle),
@@ -307,7 +307,7 @@ impl Run<'_> {
 
     /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.
     fn roughing_passes(&self, args: &Arguments, way: f64, area: bool) -> Outcome<u32> {
-        let infeed = match self.length_of(args, MID) {
+        let infeed = match self.st.length_of(args, MID) {
             Some(infeed) if infeed != 0.0 => infeed,
             _ => {
                 self.needed(args, NRC, "the number of roughing passes NRC")?;
@@ -364,7 +364,7 @@ impl Run<'_> {
 
     /// The lift-off plane: clear of the thread and of its extensions.
     fn lift_off(&self, args: &Arguments, key: Key, thread: &Thread, internal: bool) -> f64 {
-        let lift = self.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
+        let lift = self.st.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
         let (Some(first), Some(last)) = (thread.parts.first(), thread.parts.last()) else { return thread.start.y };
         let before_last = thread.parts.iter().rev().nth(1).map_or(thread.start, |part| part.end);
         let ends = [
@@ -425,7 +425,7 @@ impl Run<'_> {
             self.reading(args, GDEP, "`_GDEP` is taken for a return distance of the editor, which changes no pass");
         }
         self.flank_agrees(args)?;
-        if self.names_other_plane(args) {
+        if self.st.names_other_plane(args) {
             return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         self.note_once(

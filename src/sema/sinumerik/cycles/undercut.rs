@@ -105,7 +105,7 @@ impl Run<'_> {
         if args.text(PTABA).is_some_and(|text| !text.is_empty()) {
             return self.not_built(args, PTABA, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
-        if self.names_other_plane(args) {
+        if self.st.names_other_plane(args) {
             return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
@@ -181,7 +181,7 @@ impl Run<'_> {
     }
 
     fn call_940(&self, args: &Arguments) -> Cycle940 {
-        let mm = |key: Key| self.length_of(args, key);
+        let mm = |key: Key| self.st.length_of(args, key);
         Cycle940 {
             spd: mm(SPD),
             spl: mm(SPL),

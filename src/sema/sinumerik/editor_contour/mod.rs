@@ -22,6 +22,7 @@ use crate::text::Loc;
 use crate::sema::run::Where;
 
 use super::state::Diameter;
+use super::state::State;
 use super::tangent::Heading;
 use super::{Outcome, Reported, Run};
 use compare::compare;
@@ -34,7 +35,7 @@ const TOLERANCE: f64 = 0.001;
 const MOST_BLOCKS: usize = 4 * MOST_RECORDS;
 
 /// A stored contour while its blocks run.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Stored {
     start: Option<crate::geo::Point2>,
     blocks: Vec<Block>,
@@ -61,21 +62,40 @@ impl Stored {
     }
 }
 
+impl State {
+    /// Notes the centre of an arc that follows.
+    pub(super) fn note_stored_centre(&mut self, center: crate::geo::Point2) {
+        if let Some(stored) = self.stored.as_mut() {
+            stored.centre = Some(center);
+        }
+    }
+
+    /// Notes the corner at the end of the last block.
+    pub(super) fn note_stored_corner(&mut self, corner: &Corner) {
+        let Some(last) = self.stored.as_mut().and_then(|stored| stored.blocks.last_mut()) else { return };
+        last.corner = match corner.shape {
+            CornerShape::Rounding { radius } => Some(CornerWord::Radius(radius)),
+            CornerShape::Chamfer { side } => Some(CornerWord::Chamfer(side)),
+            _ => None,
+        };
+    }
+}
+
 impl Run<'_> {
     /// A comment line: perhaps a record. `text` is without its semicolon.
     pub(super) fn stored_record(&mut self, text: &[u8]) -> Outcome {
-        if self.stored.is_none() && !text.starts_with(b"#") {
+        if self.st.stored.is_none() && !text.starts_with(b"#") {
             return Ok(());
         }
         let line = [b";", text].concat();
         let record = read(&line).or_else(|| {
-            let spoiled = self.stored.is_some() && is_spoiled(text);
+            let spoiled = self.st.stored.is_some() && is_spoiled(text);
             spoiled.then(|| Record::Unknown(String::from_utf8_lossy(text).trim().to_owned()))
         });
         match record {
             Some(Record::Begin) => {
                 let result = self.stored_without_end();
-                self.stored = Some(Box::new(Stored {
+                self.st.stored = Some(Box::new(Stored {
                     start: None,
                     blocks: Vec::new(),
                     places: Vec::new(),
@@ -89,13 +109,13 @@ impl Run<'_> {
                 }));
                 result
             }
-            Some(Record::End) => match self.stored.take() {
+            Some(Record::End) => match self.st.stored.take() {
                 Some(stored) => self.check_stored(&stored),
                 None => Ok(()),
             },
             Some(record) => {
                 // One more than can be solved is enough to know that there are too many.
-                if let Some(stored) = self.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
+                if let Some(stored) = self.st.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
                     stored.records.push(record);
                     stored.record_places.push(self.core.here.origin.loc);
                 }
@@ -107,7 +127,7 @@ impl Run<'_> {
 
     /// A stored contour whose last line never came: without blocks its elements would be left out.
     fn stored_without_end(&mut self) -> Outcome {
-        let Some(stored) = self.stored.take() else { return Ok(()) };
+        let Some(stored) = self.st.stored.take() else { return Ok(()) };
         if !stored.has_elements() {
             return Ok(());
         }
@@ -131,7 +151,7 @@ impl Run<'_> {
 
     /// Something that cannot stand behind the records of a stored contour that has no end.
     pub(super) fn stored_must_be_done(&mut self) -> Outcome {
-        if self.stored.as_ref().is_some_and(|stored| stored.has_elements()) {
+        if self.st.stored.as_ref().is_some_and(|stored| stored.has_elements()) {
             return self.stored_without_end();
         }
         Ok(())
@@ -140,7 +160,7 @@ impl Run<'_> {
     /// A block of a stored contour begins.
     pub(super) fn note_stored_block(&mut self) {
         let written = self.written_now();
-        if let Some(stored) = self.stored.as_mut().filter(|stored| stored.start.is_none()) {
+        if let Some(stored) = self.st.stored.as_mut().filter(|stored| stored.start.is_none()) {
             stored.written = written;
         }
     }
@@ -152,13 +172,6 @@ impl Run<'_> {
         Written { diameter, unit: self.st.length_unit() }
     }
 
-    /// Notes the centre of an arc that follows.
-    pub(super) fn note_stored_centre(&mut self, center: crate::geo::Point2) {
-        if let Some(stored) = self.stored.as_mut() {
-            stored.centre = Some(center);
-        }
-    }
-
     /// Notes a move of a stored contour.
     pub(super) fn note_stored(&mut self, end: &Pos, path: &Path) {
         let plane = self.st.plane();
@@ -167,7 +180,7 @@ impl Run<'_> {
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
         let (arc, radius) = match path {
-            Path::Arc(arc, _) => match (self.heading_of(arc, &all), arc.shape) {
+            Path::Arc(arc, _) => match (self.st.heading_of(arc, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))
@@ -177,7 +190,7 @@ impl Run<'_> {
             },
             _ => (None, None),
         };
-        let Some(stored) = self.stored.as_mut() else { return };
+        let Some(stored) = self.st.stored.as_mut() else { return };
         let programmed = stored.centre.take();
         let arc = arc.map(|(center, ccw)| (programmed.unwrap_or(center), ccw));
         let Some(to) = all.in_plane(plane) else { return };
@@ -193,16 +206,6 @@ impl Run<'_> {
         }
         stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.core.here.origin.loc);
-    }
-
-    /// Notes the corner at the end of the last block.
-    pub(super) fn note_stored_corner(&mut self, corner: &Corner) {
-        let Some(last) = self.stored.as_mut().and_then(|stored| stored.blocks.last_mut()) else { return };
-        last.corner = match corner.shape {
-            CornerShape::Rounding { radius } => Some(CornerWord::Radius(radius)),
-            CornerShape::Chamfer { side } => Some(CornerWord::Chamfer(side)),
-            _ => None,
-        };
     }
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {

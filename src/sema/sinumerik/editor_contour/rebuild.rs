@@ -66,24 +66,24 @@ impl Run<'_> {
 
     /// What would act on each block of the contour, and is not made for records.
     fn no_state_beside(&self, stored: &Stored) -> Outcome {
-        if self.modal_cycle.is_some() || self.modal.is_some() {
+        if self.st.modal_call.is_on() {
             return self.not_rebuilt("a modal call is active", "end it by MCALL in front of the contour");
         }
-        let off = self.st.tool.edge == Some(0) && self.st.tool.active.is_some_and(|number| number != 0);
+        let off = self.st.tool.is_without_offset();
         if off && !self.is_capturing() {
             return self.not_rebuilt("under D0 its points count without the tool", "select D1 in front of the contour");
         }
-        if self.st.in_machine() {
+        if self.st.offsets.in_machine() {
             return self.not_rebuilt("G500 is in force", "select a work offset in front of the contour");
         }
         let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
-        if undercut && self.st.rndm != 0.0 {
+        if undercut && self.st.corners.rounding() != 0.0 {
             return self.not_rebuilt(
                 "RNDM is in force and would round the edges of its undercut",
                 "program RNDM=0 in front of the contour",
             );
         }
-        if undercut && self.st.frcm.is_some() {
+        if undercut && self.st.corners.feed().is_some() {
             return self.not_rebuilt(
                 "FRCM is in force and is the feed of the roundings of its undercut alone",
                 "program FRCM=0 in front of the contour",
@@ -115,7 +115,7 @@ impl Run<'_> {
             true => None,
             false => Some(self.cutting_feed(&mut Words::new())?),
         };
-        let modal_feed = if self.st.rndm > 0.0 || made.blocks.iter().any(|block| block.corner.is_some()) {
+        let modal_feed = if self.st.corners.rounding() > 0.0 || made.blocks.iter().any(|block| block.corner.is_some()) {
             self.modal_corner_feed()?
         } else {
             None
@@ -125,9 +125,9 @@ impl Run<'_> {
         self.stand_at(stored, made.start_record);
         self.st.codes.activate(Code::G0);
         self.tapping_ends();
-        self.thread_chain = None;
-        self.compensation_starts = false;
-        self.corner_open = None;
+        self.st.threads.end_chain();
+        self.st.compensation.begins_no_more();
+        self.st.corners.open.close();
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, made.start);
         self.send(&end, Path::Rapid);
@@ -154,13 +154,15 @@ impl Run<'_> {
             None => (Code::G1, Path::Line(feed)),
         };
         self.st.codes.activate(code);
-        self.corner_open = None;
+        self.st.corners.open.close();
         self.send(&end, path);
         let (shape, modal) = match block.corner {
             Some(CornerWord::Radius(radius)) if radius > 0.0 => (CornerShape::Rounding { radius }, false),
             Some(CornerWord::Chamfer(side)) if side > 0.0 => (CornerShape::Chamfer { side }, false),
             Some(CornerWord::Undercut(undercut)) => (CornerShape::Undercut(undercut), false),
-            _ if self.st.rndm > 0.0 => (CornerShape::Rounding { radius: self.st.rndm }, true),
+            _ if self.st.corners.rounding() > 0.0 => {
+                (CornerShape::Rounding { radius: self.st.corners.rounding() }, true)
+            }
             _ => return,
         };
         if !modal {

@@ -235,7 +235,7 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, _| Ok(run.st.feed.unwrap_or(Feed::PerMinute(1.0))),
+            feed: |run, _| Ok(run.st.feed.word().unwrap_or(Feed::PerMinute(1.0))),
             method: |run, args, levels, _| run.rigid_tap(args, levels),
             centring: false,
             modal_feed: true,

@@ -1,0 +1,162 @@
+//! The printed lines: collects them, keeps their limits, hands them to the output.
+
+use std::io;
+
+use crate::diag::{Diagnostic, Diags, codes};
+use crate::ir::Origin;
+use crate::target::Line;
+use crate::text::Loc;
+
+use super::line::Text;
+use super::{LineMap, Output};
+
+/// Bytes collected before they are written.
+const CHUNK: usize = 1 << 20;
+/// The first piece is smaller: who waits for the output sees it sooner.
+const FIRST_CHUNK: usize = 1 << 14;
+
+/// The output under construction.
+pub(super) struct Page<'a> {
+    diags: &'a Diags,
+    out: &'a mut dyn Output,
+    map: Option<&'a mut dyn LineMap>,
+    pub text: Text,
+    limits: Line,
+    /// Address of the feed, which an over-long line gives away.
+    feed: u8,
+    /// Bytes after which the text is written.
+    chunk: usize,
+    lines: u64,
+    most_lines: u64,
+    /// The limit of lines is passed: what follows is not printed.
+    full: bool,
+    error: Option<io::Error>,
+}
+
+impl<'a> Page<'a> {
+    pub fn new(
+        limits: Line,
+        feed: u8,
+        most_lines: u64,
+        diags: &'a Diags,
+        out: &'a mut dyn Output,
+        map: Option<&'a mut dyn LineMap>,
+    ) -> Page<'a> {
+        Page {
+            diags,
+            out,
+            map,
+            text: Text::new(CHUNK + 4096, limits.digits),
+            limits,
+            feed,
+            chunk: FIRST_CHUNK,
+            lines: 0,
+            most_lines,
+            full: false,
+            error: None,
+        }
+    }
+
+    pub fn lines(&self) -> u64 {
+        self.lines
+    }
+
+    pub fn full(&self) -> bool {
+        self.full
+    }
+
+    /// A line without a source.
+    pub fn plain(&mut self, text: &[u8]) {
+        self.text.raw(text).end_line();
+        self.lines += 1;
+        if self.lines > self.most_lines {
+            let start = Loc { line: 1, ..Loc::default() };
+            self.too_many(&Origin { loc: start, ..Origin::default() });
+        }
+    }
+
+    /// Ends the line under construction.
+    #[inline]
+    pub fn end_line(&mut self, origin: &Origin) {
+        if self.text.line().len() > self.limits.length {
+            self.split_feed(origin);
+        }
+        if self.text.take_too_long() {
+            self.too_many_digits(origin);
+        }
+        self.count_line(origin);
+        if self.text.bytes().len() >= self.chunk {
+            self.write_out();
+        }
+    }
+
+    /// A line of words that are known as text.
+    pub fn words(&mut self, words: &str, origin: &Origin) {
+        self.text.word(words);
+        self.end_line(origin);
+    }
+
+    /// Writes the rest, and `hash` at its place in the head.
+    ///
+    /// # Errors
+    /// The first error of the output.
+    pub fn finish(mut self, hash_at: u64, hash: &str) -> io::Result<()> {
+        self.write_out();
+        match self.error {
+            Some(error) => Err(error),
+            None => self.out.patch(hash_at, hash.as_bytes()),
+        }
+    }
+
+    fn write_out(&mut self) {
+        if self.error.is_none()
+            && let Err(error) = self.out.append(self.text.bytes())
+        {
+            self.error = Some(error);
+        }
+        self.chunk = CHUNK;
+        self.text.clear();
+    }
+
+    #[inline]
+    fn count_line(&mut self, origin: &Origin) {
+        self.text.end_line();
+        self.lines += 1;
+        if let Some(map) = &mut self.map {
+            map.line(self.lines, origin);
+        }
+        if self.lines > self.most_lines {
+            self.too_many(origin);
+        }
+    }
+
+    /// The target would read the number without its last digits.
+    #[cold]
+    fn too_many_digits(&mut self, origin: &Origin) {
+        let line = String::from_utf8_lossy(self.text.line());
+        let message = format!("the target reads {} digits of a number, and `{line}` has more", self.limits.digits);
+        let found = Diagnostic::new(codes::O9314, origin.loc, message).called(origin.call);
+        self.diags.push(found.help("print fewer places with `[output] decimals`"));
+    }
+
+    #[cold]
+    fn too_many(&mut self, origin: &Origin) {
+        if !std::mem::replace(&mut self.full, true) {
+            let message = format!("the output has more than {} lines, head and end included", self.most_lines);
+            let found = Diagnostic::new(codes::P4002, origin.loc, message).called(origin.call);
+            self.diags.push(found.help("look for a loop that does not end, or raise `[limits] output_blocks`"));
+        }
+    }
+
+    /// A line that is too long gives its feed word to a line in front of it.
+    #[cold]
+    fn split_feed(&mut self, origin: &Origin) {
+        let line = self.text.line().to_vec();
+        if let Some(at) = line.windows(2).rposition(|pair| pair == [b' ', self.feed]) {
+            self.text.drop_line();
+            self.text.raw(&line[at + 1..]);
+            self.count_line(origin);
+            self.text.raw(&line[..at]);
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! Moves: lines, threads, arcs, lines instead of arcs.
+
+use crate::diag::codes;
+use crate::geo::{Point2, turned};
+use crate::ir::motion::{Arc, Move, Path};
+use crate::ir::{Feed, Origin};
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisSet};
+
+use super::super::arc::{self, Printed};
+use super::super::modal::FeedKind;
+use super::Printer;
+
+/// Most lines that replace an arc.
+const MOST_CHORDS: f64 = 1e6;
+
+/// One block of an arc, all numbers in units.
+struct ArcBlock {
+    printed: AxisSet,
+    ends: [i64; AXES],
+    /// From the start to the centre.
+    offset: [i64; 2],
+    turns: u32,
+}
+
+impl Printer<'_> {
+    /// The axes of a straight move that change, or nothing. `lead` in units.
+    pub(super) fn straight(&mut self, word: &str, mv: &Move, lead: Option<(u8, i64)>, origin: &Origin) {
+        let mut ends = [0; AXES];
+        let mut changed = AxisSet::EMPTY;
+        for axis in mv.axes.iter() {
+            let Some(value) = mv.end.get(axis) else { continue };
+            let Some(units) = self.places.units(value) else { return self.unprintable(origin) };
+            ends[axis.index()] = units;
+            if mv.machine || !self.modal.says(axis, units) {
+                changed.insert(axis);
+            }
+        }
+        if changed.is_empty() {
+            return;
+        }
+        let lacking = changed.without(self.axes);
+        if !lacking.is_empty() {
+            return self.lacks_axes(lacking, mv, origin);
+        }
+        let Ok(feed) = mv.path.feed().map_or(Ok(None), |feed| self.feed_word(feed, origin)) else { return };
+        if mv.machine {
+            self.page.text.word(self.target.motion.machine);
+        }
+        self.page.text.word(word);
+        for axis in changed.iter() {
+            self.axis_word(axis, ends[axis.index()]);
+        }
+        if let Some((address, units)) = lead {
+            self.page.text.number(address, units, self.places);
+        }
+        if let Some(units) = feed {
+            self.page.text.number(self.target.feed.address, units, self.places);
+        }
+        self.page.end_line(origin);
+        self.compensation.straight();
+        if mv.machine {
+            self.modal.forget(changed);
+        } else {
+            self.modal.reach(changed, &ends);
+        }
+    }
+
+    /// An axis with its coordinate in units.
+    #[inline]
+    fn axis_word(&mut self, axis: Axis, units: i64) {
+        let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
+        self.page.text.number(axis.letter() as u8, units, self.places);
+    }
+
+    /// A line in step with the spindle.
+    pub(super) fn thread(&mut self, lead: f64, mv: &Move, origin: &Origin) {
+        let Some((word, address)) = self.target.motion.thread else {
+            let help = "cut the thread another way, or take a target that turns the spindle in step";
+            self.lacks(codes::O9300, origin, "a thread in step with the spindle", help);
+            return self.pretend(mv);
+        };
+        let lead = self.places.units(lead).filter(|units| *units > 0);
+        let Some(lead) = lead else {
+            return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
+        };
+        let before = self.page.lines();
+        self.straight(word, mv, Some((address, lead)), origin);
+        if self.page.lines() == before && !self.diags.has_errors() {
+            self.report(codes::O1003, origin, "the thread has no length that can be printed");
+        }
+    }
+
+    #[cold]
+    pub(super) fn unprintable(&mut self, origin: &Origin) {
+        self.page.text.drop_line();
+        self.report(codes::O1002, origin, "a number of this block is too large to print");
+    }
+
+    /// The F word where it changes; a change of its kind gets a line of its own.
+    #[inline]
+    fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
+        let units = self.places.units(feed.value()).filter(|units| *units > 0);
+        let Some(units) = units else {
+            self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
+            return Err(());
+        };
+        let kind = FeedKind::of(feed);
+        if self.modal.feed_kind_changes(kind) {
+            match kind.word(&self.target.feed) {
+                Some(word) => self.page.words(word, origin),
+                None => {
+                    let what = if kind == FeedKind::PerRevolution { "feed per revolution" } else { "feed by time" };
+                    self.lacks(codes::O9301, origin, what, "program the feed in mm/min, or take another target");
+                }
+            }
+        }
+        Ok(self.modal.feed_changes(kind, units).then_some(units))
+    }
+
+    pub(super) fn arc(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        let (first, second, _) = arc.plane.axes();
+        let scale = self.places.scale();
+        let (x, y) = (Axis::ALL[first], Axis::ALL[second]);
+        let from = self.modal.place(x).zip(self.modal.place(y));
+        let (Some(to), Some(from)) = (mv.end.in_plane(arc.plane), from) else {
+            // Only a refused block leaves an arc without a start, and that was reported.
+            if !self.diags.has_errors() {
+                self.report(codes::O1002, origin, "the start of this arc was not printed");
+            }
+            return;
+        };
+        let (Some(to_x), Some(to_y)) = (self.places.units(to.x), self.places.units(to.y)) else {
+            return self.unprintable(origin);
+        };
+        let (Some(_), Some(_)) = (self.places.units(arc.center.x), self.places.units(arc.center.y)) else {
+            return self.unprintable(origin);
+        };
+        let words = &self.target.arcs;
+        let request = arc::Request {
+            from: [from.0, from.1],
+            to: [to_x, to_y],
+            center: Point2::new(arc.center.x * scale, arc.center.y * scale),
+            sweep: arc.sweep,
+            tolerance: words.tolerance,
+            least_radius: words.least_radius * scale,
+            most_radius: words.most_radius * scale,
+            least_chord: words.least_chord * scale,
+        };
+        let blocks = words.blocks(arc.sweep);
+        if blocks > 1 {
+            return self.divided_arc(&request, blocks, arc, feed, mv, origin);
+        }
+        let (offset, turns) = match arc::fit(&request) {
+            Printed::Arc { offset, turns } => (offset, turns),
+            Printed::Nothing => {
+                self.report(codes::O4002, origin, "the arc is shorter than the last printed digit and is left out");
+                let straight = Move { path: Path::Line(feed), ..*mv };
+                return self.straight(self.target.motion.line, &straight, None, origin);
+            }
+            Printed::Lines => return self.chords(arc, feed, mv, origin),
+        };
+        let Some((printed, ends)) = self.arc_ends(&request, arc, mv, origin) else { return };
+        self.select_plane(arc.plane, origin);
+        let Ok(feed) = self.feed_word(feed, origin) else { return };
+        self.arc_block(arc, &ArcBlock { printed, ends, offset, turns }, feed, origin);
+    }
+
+    /// The axes that an arc prints, and their ends.
+    fn arc_ends(
+        &mut self,
+        request: &arc::Request,
+        arc: &Arc,
+        mv: &Move,
+        origin: &Origin,
+    ) -> Option<(AxisSet, [i64; AXES])> {
+        let (first, second, _) = arc.plane.axes();
+        let mut ends = *self.modal.at();
+        let mut printed = AxisSet::of(Axis::ALL[first]).union(AxisSet::of(Axis::ALL[second]));
+        for axis in mv.axes.without(printed).iter() {
+            let Some(units) = mv.end.get(axis).and_then(|value| self.places.units(value)) else {
+                self.unprintable(origin);
+                return None;
+            };
+            if !self.modal.says(axis, units) {
+                ends[axis.index()] = units;
+                printed.insert(axis);
+            }
+        }
+        let lacking = printed.without(self.axes);
+        if !lacking.is_empty() {
+            self.lacks_axes(lacking, mv, origin);
+            return None;
+        }
+        [ends[first], ends[second]] = request.to;
+        Some((printed, ends))
+    }
+
+    fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<i64>, origin: &Origin) {
+        let ArcBlock { printed, ends, offset, turns } = *block;
+        let words = &self.target.arcs;
+        self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
+        for axis in printed.iter() {
+            self.axis_word(axis, ends[axis.index()]);
+        }
+        let (first, second, _) = arc.plane.axes();
+        let mut offsets = [(first, offset[0]), (second, offset[1])];
+        offsets.sort_by_key(|(axis, _)| *axis);
+        for (axis, units) in offsets {
+            self.page.text.number(words.center[axis], units, self.places);
+        }
+        if let (Some(address), true) = (words.turns, turns > 1) {
+            self.page.text.whole(address, u64::from(turns));
+        }
+        if let Some(units) = feed {
+            self.page.text.number(self.target.feed.address, units, self.places);
+        }
+        self.page.end_line(origin);
+        self.modal.reach(printed, &ends);
+    }
+
+    /// An arc in several blocks of equal sweep, each with a printed start and end of its own.
+    fn divided_arc(&mut self, request: &arc::Request, blocks: u32, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        if !self.knows_start(mv, origin) {
+            return;
+        }
+        // All blocks have to fit before the first one is printed.
+        let mut from = request.from;
+        for block in 1..=blocks {
+            let Some(part) = self.part(request, arc, from, block, blocks) else { return self.unprintable(origin) };
+            if !matches!(arc::fit(&part), Printed::Arc { turns: 1, .. }) {
+                return self.chords(arc, feed, mv, origin);
+            }
+            from = part.to;
+        }
+        let Some((printed, last)) = self.arc_ends(request, arc, mv, origin) else { return };
+        self.select_plane(arc.plane, origin);
+        let feed = shared(feed, f64::from(blocks));
+        let (first, second, _) = arc.plane.axes();
+        let start = *self.modal.at();
+        let mut from = request.from;
+        for block in 1..=blocks {
+            let Some(part) = self.part(request, arc, from, block, blocks) else { return };
+            let Printed::Arc { offset, .. } = arc::fit(&part) else { return };
+            let Ok(feed) = self.feed_word(feed, origin) else { return };
+            let share = f64::from(block) / f64::from(blocks);
+            let mut ends = last;
+            for axis in printed.iter() {
+                let (from, to) = (start[axis.index()], last[axis.index()]);
+                ends[axis.index()] = from + libm::round((to - from) as f64 * share) as i64;
+            }
+            [ends[first], ends[second]] = part.to;
+            self.arc_block(arc, &ArcBlock { printed, ends, offset, turns: 1 }, feed, origin);
+            from = part.to;
+        }
+    }
+
+    /// One of the `blocks` parts of an arc; it starts where the one in front of it was printed to end.
+    fn part(&self, whole: &arc::Request, arc: &Arc, from: [i64; 2], block: u32, blocks: u32) -> Option<arc::Request> {
+        let share = f64::from(block) / f64::from(blocks);
+        let end = arc.center + turned(arc.from - arc.center, arc.sweep * share);
+        let to = if block == blocks { whole.to } else { [self.places.units(end.x)?, self.places.units(end.y)?] };
+        Some(arc::Request { from, to, sweep: arc.sweep / f64::from(blocks), ..*whole })
+    }
+
+    /// An axis that goes along is divided from where it was printed to stand.
+    fn knows_start(&self, mv: &Move, origin: &Origin) -> bool {
+        let known = mv.axes.iter().all(|axis| self.modal.place(axis).is_some());
+        if !known && !self.diags.has_errors() {
+            self.report(codes::O1002, origin, "an axis of this arc starts where nothing was printed for it");
+        }
+        known
+    }
+
+    /// Straight lines instead of an arc that does not fit the printed grid.
+    #[cold]
+    fn chords(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        if !self.knows_start(mv, origin) {
+            return;
+        }
+        let radius = crate::geo::distance(arc.from, arc.center);
+        let message = if radius > self.target.arcs.most_radius {
+            "the arc is flatter than the target computes exactly and is printed as lines"
+        } else {
+            "the arc is too small for its printed numbers and is printed as lines"
+        };
+        self.report(codes::O4001, origin, message);
+        let unit = 1.0 / self.places.scale();
+        // A chord leaves the arc by r·(1 - cos(a/2)).
+        let step = 2.0 * libm::acos((1.0 - unit / (2.0 * radius)).max(0.0));
+        let count = libm::ceil(arc.sweep.abs() / step.max(1e-6)).clamp(1.0, MOST_CHORDS);
+        let (x, y, _) = arc.plane.axes();
+        let (x, y) = (Axis::ALL[x], Axis::ALL[y]);
+        let start: Vec<(Axis, i64)> = mv.axes.iter().map(|axis| (axis, self.modal.at()[axis.index()])).collect();
+        for i in 1..=count as u32 {
+            let t = f64::from(i) / count;
+            let mut point = *mv;
+            point.path = Path::Line(shared(feed, count));
+            if t < 1.0 {
+                let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
+                for &(axis, from) in &start {
+                    let from = from as f64 * unit;
+                    let end = mv.end.get(axis).unwrap_or(from);
+                    let value = if axis == x {
+                        p.x
+                    } else if axis == y {
+                        p.y
+                    } else {
+                        from + (end - from) * t
+                    };
+                    point.end.set(axis, value);
+                }
+            }
+            self.straight(self.target.motion.line, &point, None, origin);
+        }
+    }
+}
+
+/// The feed of one of `parts` equal parts: they share the time.
+fn shared(feed: Feed, parts: f64) -> Feed {
+    match feed {
+        Feed::InverseTime(f) => Feed::InverseTime(f * parts),
+        Feed::PerMinute(_) | Feed::PerRevolution(_) => feed,
+    }
+}

@@ -1,0 +1,56 @@
+//! What the target has no word for: each refused with its place, and with what to do.
+
+use crate::diag::{Code, Diagnostic, codes};
+use crate::ir::Origin;
+use crate::ir::motion::Move;
+use crate::machine::{Axis, AxisSet};
+use crate::text::Loc;
+
+use super::Printer;
+
+impl Printer<'_> {
+    /// Refuses what the target has no word for.
+    #[cold]
+    pub(super) fn lacks(&mut self, code: &'static Code, origin: &Origin, what: &str, help: &str) {
+        self.page.text.drop_line();
+        let message = format!("the target {} has no word for {what}", self.target.name);
+        self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// Diameters are a wish of the configuration: no block asks for them.
+    #[cold]
+    pub(super) fn lacks_diameters(&mut self) {
+        let start = Loc { line: 1, ..Loc::default() };
+        let help = "leave `[output] diameter` away: X is printed as a radius";
+        self.lacks(codes::O9315, &Origin { loc: start, ..Origin::default() }, "X as a diameter", help);
+    }
+
+    /// A move under compensation, or the one that ends it.
+    #[cold]
+    pub(super) fn lacks_compensation(&mut self, mv: &Move, origin: &Origin) {
+        if self.compensation.refuse_contour() {
+            let help = "program the path of the tool centre, or take a target that compensates";
+            self.lacks(codes::O9308, origin, "radius compensation", help);
+        }
+        self.pretend(mv);
+    }
+
+    #[cold]
+    pub(super) fn lacks_axes(&mut self, lacking: AxisSet, mv: &Move, origin: &Origin) {
+        self.axes = self.axes.union(lacking);
+        let letters: String = lacking.iter().map(Axis::letter).collect();
+        let what = format!("the {} {letters}", if lacking.len() == 1 { "axis" } else { "axes" });
+        let help = "turn the axis by hand between programs, or take another target";
+        self.lacks(codes::O9309, origin, &what, help);
+        self.pretend(mv);
+    }
+
+    /// A move that was refused has led to its end all the same.
+    #[cold]
+    pub(super) fn pretend(&mut self, mv: &Move) {
+        for axis in mv.axes.iter() {
+            let units = mv.end.get(axis).filter(|_| !mv.machine).and_then(|value| self.places.units(value));
+            self.modal.pretend(axis, units);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! GRBL 1.1. Single precision, one spindle, three axes; halves instead of full circles.
+
+use core::f64::consts::PI;
+
+use super::{
+    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Line, MFunctions, Motion, SpindleWords, Target,
+    ToolWords,
+};
+
+pub(super) const TARGET: Target = Target {
+    name: "grbl",
+    about: "GRBL 1.1, as it is delivered",
+    extension: "gcode",
+    frame: Frame {
+        // A percent sign is an error.
+        first: None,
+        last: None,
+        head: &["G90 G21 G91.1 G94"],
+        mill: "G17 G40 G49 G80",
+        lathe: "G18 G40 G49 G80",
+        lathe_diameter: None,
+    },
+    // The receiver acts on these three as they arrive, inside a comment, too.
+    comments: Comments { open: "(", close: ")", forbidden: b"!?~" },
+    line: Line { length: 79, digits: 8 },
+    axes: "XYZ",
+    motion: Motion { rapid: "G0", line: "G1", machine: "G53", thread: None, planes: ["G17", "G18", "G19"] },
+    feed: FeedWords { address: b'F', per_minute: "G94", per_revolution: None, inverse_time: Some("G93") },
+    arcs: Arcs {
+        clockwise: "G2",
+        counter_clockwise: "G3",
+        center: *b"IJK",
+        turns: None,
+        // Rounding decides between nothing and a full circle where the end is the start.
+        most_sweep: PI,
+        tolerance: 1.5,
+        least_radius: 0.01,
+        // Beyond, single precision moves the centre by more than a printed place.
+        most_radius: 1000.0,
+        // What four roundings may move a point by, 4 m from the machine zero.
+        least_chord: 0.002,
+    },
+    spindle: SpindleWords {
+        clockwise: "M3",
+        counter_clockwise: "M4",
+        stop: "M5",
+        speed: b'S',
+        cutting_speed: None,
+        orient: None,
+        other: None,
+    },
+    coolant: CoolantWords { mist: None, flood: "M8", off: "M9" },
+    tool: ToolWords { address: b'T', most: 255, change: None, length: None },
+    // The wait is counted in 16 bits of 50 ms.
+    dwell: Dwell { word: "G4", seconds: b'P', most: 3000.0 },
+    flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: true, end: "M2", rewind: "M30" },
+    offsets: &["G54", "G55", "G56", "G57", "G58", "G59"],
+    compensation: None,
+    m: MFunctions { address: b'M', own: &[], open: false },
+};

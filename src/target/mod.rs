@@ -1,0 +1,30 @@
+//! The targets: how each receiver says things, and what it cannot say. A target is one table of words.
+//!
+//! Nothing here runs: `emit` prints with the table, `machine` and the command line offer the names.
+
+mod abilities;
+mod grbl;
+mod grblhal;
+mod linuxcnc;
+mod words;
+
+pub use words::*;
+
+/// All targets; the first one is the default.
+pub const ALL: &[&Target] = &[&linuxcnc::TARGET, &grbl::TARGET, &grblhal::TARGET];
+
+/// Their names, in the same order.
+pub const NAMES: [&str; ALL.len()] = {
+    let mut names = [""; ALL.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = ALL[i].name;
+        i += 1;
+    }
+    names
+};
+
+/// The target of this name.
+pub fn find(name: &str) -> Option<&'static Target> {
+    ALL.iter().copied().find(|target| target.name == name)
+}
