@@ -31,7 +31,8 @@ impl Run<'_> {
     /// Executes an `L` block of X, Y, Z, F and R0 while nothing else is on; false if it is another block.
     #[inline]
     pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        if !self.plain || block.stmt != Stmt::Path(PathFn::Line) || block.skip || block.comment.is_some() {
+        let line = matches!(block.stmt, Stmt::Path(PathFn::Line));
+        if !self.plain || !line || block.skip || block.comment.is_some() {
             return false;
         }
         let mm = self.level().frame.unit.mm();

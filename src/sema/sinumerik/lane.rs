@@ -62,7 +62,8 @@ impl Run<'_> {
     /// Executes a block of X, Y, Z and F while nothing else is on; false if it is another block.
     #[inline]
     pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        if !self.plain || block.stmt != Stmt::Words || block.skip.is_some() || block.comment.is_some() {
+        let words = matches!(block.stmt, Stmt::Words);
+        if !self.plain || !words || block.skip.is_some() || block.comment.is_some() {
             return false;
         }
         let mm = self.st.length_unit();
