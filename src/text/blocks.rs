@@ -323,15 +323,20 @@ impl Cursor {
     }
 
     /// Reads up to the next logical block that is not too long and whose text is `wanted`; none at the end of the file.
+    /// Text that is wanted holds `letter`, in whatever case.
     ///
     /// # Errors
     /// What the operating system reports.
     pub fn next_readable(
         &mut self,
         sources: &Sources,
+        letter: Option<u8>,
         wanted: impl Fn(&[u8]) -> bool,
     ) -> io::Result<Option<BlockText<'_>>> {
         loop {
+            if let Some(letter) = letter {
+                self.pass_lines_without(letter);
+            }
             let place = self.place();
             match self.cut(sources)? {
                 Cut::Block { start, end, lines } if wanted(self.block(place, start, end, lines).text) => {
@@ -341,6 +346,17 @@ impl Cursor {
                 Cut::End => return Ok(None),
             }
         }
+    }
+
+    /// Goes over the lines in front of the next one that holds `letter`, as far as they are in the window and none of them
+    /// is continued.
+    fn pass_lines_without(&mut self, letter: u8) {
+        let rest = &self.window[self.pos..self.end];
+        let (upper, lower) = (letter.to_ascii_uppercase(), letter.to_ascii_lowercase());
+        let reach = memchr::memchr3(upper, lower, self.rules.mark, rest).unwrap_or(rest.len());
+        let Some(last) = memchr::memrchr(self.line_end, &rest[..reach]) else { return };
+        self.line += memchr::memchr_iter(self.line_end, &rest[..=last]).count() as u32;
+        self.pos += last + 1;
     }
 
     #[inline]

@@ -24,6 +24,11 @@ impl Compensation {
         self.side != Side::None
     }
 
+    /// A side was refused.
+    pub fn is_lost(&self) -> bool {
+        self.lost
+    }
+
     pub fn is_fresh(&self) -> bool {
         self.fresh
     }

@@ -270,7 +270,9 @@ fn goes(from: &Pos, end: &Pos, axis: Axis) -> bool {
 fn writes_m6(job: &Job<'_>, file: FileId, from: Loc) -> bool {
     let Some(mut blocks) = Blocks::<Klartext>::open(job, file, from) else { return false };
     let mut symbols = Symbols::default();
-    while let Some(passed) = blocks.next_that(job, &mut symbols, |text| may_hold_m6(text) || may_end(text)) {
+    let wanted = |text: &[u8]| may_hold_m6(text) || may_end(text);
+    // END PGM holds an M, too.
+    while let Some(passed) = blocks.next_that(job, &mut symbols, Some(b'M'), wanted) {
         if matches!(passed.block.stmt, Stmt::End { .. }) {
             return false;
         }

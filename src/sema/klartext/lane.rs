@@ -19,19 +19,20 @@ impl Run<'_> {
             && !self.cycles.is_open()
             && !self.cycles.modal()
             && self.approach.is_none()
-            && matches!(st.change, Change::None)
+            && matches!(st.tool.change, Change::None)
             && st.corner.is_none()
-            && st.polar.is_none()
-            && st.plunge_share.is_none()
-            && !st.per_revolution
-            && st.side == Side::None
-            && !st.side_lost
+            && !st.polar.has_last()
+            && st.feed.plunge_share().is_none()
+            && !st.feed.is_per_revolution()
+            && !st.compensation.is_on()
+            && !st.compensation.is_lost()
     }
 
     /// Executes an `L` block of X, Y, Z, F and R0 while nothing else is on; false if it is another block.
     #[inline]
     pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        if !self.plain || block.stmt != Stmt::Path(PathFn::Line) || block.skip || block.comment.is_some() {
+        let line = matches!(block.stmt, Stmt::Path(PathFn::Line));
+        if !self.plain || !line || block.skip || block.comment.is_some() {
             return false;
         }
         let mm = self.level().frame.unit.mm();
@@ -50,16 +51,16 @@ impl Run<'_> {
                 _ => return false,
             }
         }
-        if end.known().is_empty() || feed.is_none() && self.st.feed.is_none() && !rapid {
+        if end.known().is_empty() || feed.is_none() && self.st.feed.word().is_none() && !rapid {
             return false;
         }
         if let Some(written) = feed {
-            self.st.feed = Some(self.feed_of(written));
-            self.st.written_feed = written;
+            let feed = self.feed_of(written);
+            self.st.feed.program(feed, written);
         }
-        let path = if rapid { Path::Rapid } else { Path::straight(self.st.feed) };
+        let path = if rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
         self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
-        self.st.last_rapid = rapid;
+        self.st.feed.last_rapid = rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;
         true

@@ -35,6 +35,11 @@ impl PolarState {
         self.pole
     }
 
+    /// Radius and angle of the last polar block hold.
+    pub fn has_last(&self) -> bool {
+        self.last.is_some()
+    }
+
     pub fn is_lost(&self) -> bool {
         self.lost
     }

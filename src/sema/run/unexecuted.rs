@@ -37,12 +37,17 @@ impl Texts {
 
     /// The next block that is not too long; none where the file cannot be read on.
     pub fn next(&mut self, job: &Job<'_>) -> Option<BlockText<'_>> {
-        self.next_that(job, |_| true)
+        self.next_that(job, None, |_| true)
     }
 
-    /// The next block whose text is `wanted`.
-    pub fn next_that(&mut self, job: &Job<'_>, wanted: impl Fn(&[u8]) -> bool) -> Option<BlockText<'_>> {
-        self.cursor.next_readable(job.sources, wanted).ok().flatten()
+    /// The next block whose text is `wanted`, which it is only where it holds `letter`.
+    pub fn next_that(
+        &mut self,
+        job: &Job<'_>,
+        letter: Option<u8>,
+        wanted: impl Fn(&[u8]) -> bool,
+    ) -> Option<BlockText<'_>> {
+        self.cursor.next_readable(job.sources, letter, wanted).ok().flatten()
     }
 }
 
@@ -78,19 +83,20 @@ impl<L: Language> Blocks<L> {
 
     /// The next block that is not too long; none where the file cannot be read on.
     pub fn next(&mut self, job: &Job<'_>, symbols: &mut Symbols) -> Option<Passed<'_, L>> {
-        self.next_that(job, symbols, |_| true)
+        self.next_that(job, symbols, None, |_| true)
     }
 
-    /// The next block whose text is `wanted`; the others are not parsed.
+    /// The next block whose text is `wanted`, which it is only where it holds `letter`; the others are not parsed.
     pub fn next_that(
         &mut self,
         job: &Job<'_>,
         symbols: &mut Symbols,
+        letter: Option<u8>,
         wanted: impl Fn(&[u8]) -> bool,
     ) -> Option<Passed<'_, L>> {
         let Blocks { texts, language, parsed, problems } = self;
         let file = texts.file;
-        let found = texts.next_that(job, wanted)?;
+        let found = texts.next_that(job, letter, wanted)?;
         problems.clear();
         parsed.text.clear();
         language.parse(found.text, parsed, symbols, problems);

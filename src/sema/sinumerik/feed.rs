@@ -77,6 +77,11 @@ impl FeedState {
         self.kind_open = false;
     }
 
+    /// No block has said what F counts.
+    pub fn is_kind_open(&self) -> bool {
+        self.kind_open
+    }
+
     /// True once, where no block has said what F counts.
     pub fn take_kind_open(&mut self) -> bool {
         std::mem::take(&mut self.kind_open)

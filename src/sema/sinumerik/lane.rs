@@ -11,7 +11,6 @@ use crate::parser::sinumerik::ast::{Block, Stmt, Target, Value};
 
 use super::Run;
 use super::g_groups::{Code, Group};
-use super::offsets::{FromBasic, Outer};
 
 impl Run<'_> {
     /// Does a straight block do nothing but move?
@@ -24,30 +23,23 @@ impl Run<'_> {
         let st = &self.st;
         let straight = match st.codes.of(Group::Motion) {
             Code::G0 => true,
-            Code::G1 => matches!(st.feed, Some(Feed::PerMinute(_))) && !st.feed_lost && !st.feed_kind_open,
+            Code::G1 => {
+                matches!(st.feed.word(), Some(Feed::PerMinute(_))) && !st.feed.is_lost() && !st.feed.is_kind_open()
+            }
             _ => false,
         };
         let letters = [(b'X', Some(Axis::X)), (b'Y', Some(Axis::Y)), (b'Z', Some(Axis::Z)), (b'F', None)];
         let named = |(letter, axis)| self.axis_names.letter(letter).and_then(|named| named.axis) == axis;
-        let noted = match st.outer {
-            Outer::Printed(_) => true,
-            Outer::Basic => {
-                st.moved_from_basic == FromBasic::UnderG500
-                    || st.moved_from_basic == FromBasic::AtStart && !st.under_g500
-            }
-            Outer::Machine | Outer::Unrelated => false,
-        };
         straight
-            && noted
+            && st.offsets.are_noted()
             && !st.is(Code::G91)
             && !st.is(Code::G93)
-            && !st.per_revolution()
+            && !st.codes.per_revolution()
             && !st.codes.of(Group::FeedType).holds_cutting_speed()
-            && !st.constant_cut
-            && !st.speed_kept
+            && !st.spindles.is_cutting()
             && st.plane() == Plane::Xy
             && st.side() == Side::None
-            && st.tool.edge != Some(0)
+            && st.tool.edge() != Some(0)
             && self.job.settings.machine.diameter_axis.is_none()
             && !self.axis_names.are_given()
             && letters.into_iter().all(named)
@@ -56,25 +48,22 @@ impl Run<'_> {
     /// Nothing in front of a move waits for it, or takes it for something else.
     fn nothing_waits(&self) -> bool {
         !self.iso
-            && self.stored.is_none()
             && self.capture.is_none()
-            && self.pending.is_none()
-            && self.modal.is_none()
-            && self.modal_cycle.is_none()
-            && self.tapping.is_none()
-            && self.thread_chain.is_none()
-            && self.cutter_open.is_none()
-            && self.corner_open.is_none()
-            && self.cut_speed_open.is_none()
-            && !self.compensation_starts
-            && !self.leaving_open
-            && self.st.rndm == 0.0
+            && self.st.stored.is_none()
+            && !self.st.pair.is_open()
+            && !self.st.modal_call.is_on()
+            && !self.st.threads.are_open()
+            && !self.st.spindles.waits_for_cut_speed()
+            && !self.st.compensation.waits()
+            && !self.st.corners.open.is_open()
+            && self.st.corners.rounding() == 0.0
     }
 
     /// Executes a block of X, Y, Z and F while nothing else is on; false if it is another block.
     #[inline]
     pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        if !self.plain || block.stmt != Stmt::Words || block.skip.is_some() || block.comment.is_some() {
+        let words = matches!(block.stmt, Stmt::Words);
+        if !self.plain || !words || block.skip.is_some() || block.comment.is_some() {
             return false;
         }
         let mm = self.st.length_unit();
@@ -103,10 +92,9 @@ impl Run<'_> {
             return false;
         }
         if let Some(feed) = feed {
-            self.st.feed = Some(self.feed_of(feed));
-            self.st.feed_lost = false;
+            self.st.feed.program(self.st.feed_of(feed));
         }
-        let path = if self.st.is(Code::G0) { Path::Rapid } else { Path::straight(self.st.feed) };
+        let path = if self.st.is(Code::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
         self.note_heading(&end, &path);
         self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);

@@ -62,6 +62,15 @@ impl OffsetUse {
         matches!(self.outer, Outer::Machine | Outer::Unrelated)
     }
 
+    /// What a move has to note of them was noted, and it is printed in a work offset.
+    pub fn are_noted(&self) -> bool {
+        match (self.outer, self.moved_from_basic) {
+            (Outer::Printed(_), _) | (Outer::Basic, FromBasic::UnderG500) => true,
+            (Outer::Basic, FromBasic::AtStart) => !self.under_g500,
+            (Outer::Basic, FromBasic::None) | (Outer::Machine | Outer::Unrelated, _) => false,
+        }
+    }
+
     /// A move in machine coordinates is printed.
     pub fn moves_in_machine(&mut self) {
         self.machine_moved = true;

@@ -224,6 +224,10 @@ impl Spindles {
         self.cut_speed_open.get_or_insert(span);
     }
 
+    pub fn waits_for_cut_speed(&self) -> bool {
+        self.cut_speed_open.is_some()
+    }
+
     /// True once, where G96 still waits for its S.
     pub fn close_cut_speed(&mut self) -> bool {
         self.cut_speed_open.take().is_some()

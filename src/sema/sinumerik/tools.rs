@@ -99,6 +99,11 @@ impl CompensationState {
         self.starts = false;
     }
 
+    /// G40, G41 or G42 waits for its move or its D.
+    pub fn waits(&self) -> bool {
+        self.starts || self.leaving_open || self.open.is_some()
+    }
+
     /// G40 waits for a move in the plane.
     #[inline]
     pub fn is_leaving(&self) -> bool {

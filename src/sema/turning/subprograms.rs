@@ -72,7 +72,7 @@ impl Names {
         let mut names = Names::default();
         let Some(mut blocks) = Blocks::<Turning>::open(job, file, from) else { return names };
         let mut symbols = Symbols::default();
-        while let Some(passed) = blocks.next_that(job, &mut symbols, may_be_section) {
+        while let Some(passed) = blocks.next_that(job, &mut symbols, None, may_be_section) {
             let Stmt::Section(Section::Subprogram, rest) = passed.block.stmt else { continue };
             let name = readable(rest.of(passed.text)).trim().trim_matches('"').to_ascii_uppercase();
             let section = passed.site.loc(job, passed.block.span);
