@@ -90,7 +90,7 @@ fn compile_turned(bencher: Bencher<'_, '_>) {
 
 fn parse_all(
     text: &str,
-    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::internals::parser::problem::Problem>),
+    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::internals::parser::problem::Problem>) -> bool,
 ) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {
@@ -116,6 +116,7 @@ fn parse_by_grammar(bencher: Bencher<'_, '_>) {
             if from < line.len() {
                 parse_statement(line, from, block, problems);
             }
+            false
         })
     });
 }

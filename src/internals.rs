@@ -13,7 +13,7 @@ pub mod driver {
 }
 
 pub mod emit {
-    pub use crate::emit::{LineMap, Output, plot, reread};
+    pub use crate::emit::{LineMap, Output, Printer, plot, reread};
 }
 
 pub mod geo {
@@ -30,7 +30,7 @@ pub mod lower {
 
 pub mod machine {
     pub use crate::machine::{
-        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, axis, config, tools, tree,
+        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, axis, config, schema, settings, tools, tree,
     };
 }
 
@@ -47,7 +47,7 @@ pub mod sema {
 }
 
 pub mod target {
-    pub use crate::target::{ALL, Target};
+    pub use crate::target::{ALL, NAMES, Target, find};
 }
 
 pub mod text {

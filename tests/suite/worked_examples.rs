@@ -1,6 +1,6 @@
 //! The worked examples of the SINUMERIK contour reference, number by number.
 //!
-//! The listings are those of the reference, typed off: X in diameters for turning, centres absolute. The moves of the golden
+//! The listings are those of worked examples, computed by hand: X in diameters for turning, centres absolute. The moves of the golden
 //! case are compared with them before they are rounded, so a listing accepted by mistake does not help.
 
 use std::fmt::Write as _;
@@ -13,7 +13,7 @@ use partc::internals::text::{Memory, Opened};
 
 use super::book;
 
-/// Half a unit of the last place of the reference, and what a diameter makes of it.
+/// Half a unit of the last place of the examples, and what a diameter makes of it.
 const NEAR: f64 = 6e-5;
 
 /// One listing and the case that has to make it.
