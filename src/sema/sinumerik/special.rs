@@ -41,7 +41,9 @@ impl Run<'_> {
                 let feed = self.cutting_feed(w)?;
                 let end = self.targets(w)?;
                 self.pending_must_be_done(span)?;
-                self.send(&end, Path::Line(feed));
+                if !end.known().is_empty() {
+                    self.send(&end, Path::Line(feed));
+                }
                 w.beside.left_out.clear();
             }
             Code::G74 | Code::G75 => {
