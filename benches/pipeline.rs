@@ -5,13 +5,13 @@
 use divan::Bencher;
 use divan::counter::{BytesCount, ItemsCount};
 
-use partc::dialect;
-use partc::driver::Session;
-use partc::machine::Settings;
-use partc::parser::klartext::ast::Block;
-use partc::parser::klartext::{parse_block, parse_statement};
-use partc::text::files::NoFiles;
-use partc::text::{Memory, Opened};
+use partc::internals::dialect;
+use partc::internals::driver::Session;
+use partc::internals::machine::Settings;
+use partc::internals::parser::klartext::ast::Block;
+use partc::internals::parser::klartext::{parse_block, parse_statement};
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{Memory, Opened};
 
 const BLOCKS: usize = 100_000;
 
@@ -88,7 +88,10 @@ fn compile_turned(bencher: Bencher<'_, '_>) {
         .bench(|| compile_as("heidenhain-turning", &text));
 }
 
-fn parse_all(text: &str, parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::parser::problem::Problem>)) -> usize {
+fn parse_all(
+    text: &str,
+    parse: impl Fn(&[u8], &mut Block, &mut Vec<partc::internals::parser::problem::Problem>) -> bool,
+) -> usize {
     let (mut block, mut problems, mut words) = (Block::default(), Vec::new(), 0);
     for line in text.as_bytes().split(|b| *b == b'\n') {
         parse(line, &mut block, &mut problems);
@@ -113,6 +116,7 @@ fn parse_by_grammar(bencher: Bencher<'_, '_>) {
             if from < line.len() {
                 parse_statement(line, from, block, problems);
             }
+            false
         })
     });
 }
@@ -138,7 +142,7 @@ fn mtc200_compile_lines(bencher: Bencher<'_, '_>) {
 
 #[divan::bench]
 fn mtc200_parse_fast_path(bencher: Bencher<'_, '_>) {
-    use partc::parser::{mtc200, symbols::Symbols};
+    use partc::internals::parser::{mtc200, symbols::Symbols};
     let text = mtc200_lines();
     bencher.counter(BytesCount::of_str(&text)).counter(ItemsCount::new(BLOCKS)).bench(|| {
         let (mut block, mut symbols, mut problems, mut words) =

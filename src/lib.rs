@@ -1,25 +1,75 @@
 //! partc compiles CNC part programs written in control dialects into plain, fully resolved G-code.
 //!
-//! The library opens no file by itself: programs come through [`text::Files`], output goes to
-//! [`emit::Output`]. A run is a [`driver::Session`]; what it found is in its `diags`, and with an error
-//! among them its output must not be used.
+//! The library opens no file by itself: programs come through [`files::Files`], output goes to [`output::Output`], and what is
+//! wrong with a program is a list of [`diagnostics::Finding`]s. [`compile`], [`check`] and [`trace`] work on a program in
+//! memory; a [`Session`] streams programs of any length, and draws them.
+//!
+//! ```
+//! use partc::{Program, Settings, compile, files::NoFiles};
+//!
+//! let text = b"0 BEGIN PGM A MM\n1 L X+0 Y+0 R0 FMAX\n2 L IX+10 F200\n3 END PGM A MM\n";
+//! let result = compile(&Program::new("A.H", text)?, &Settings::default(), &NoFiles)?;
+//! assert!(result.text.is_some_and(|code| code.contains("G1 X10 F200")));
+//! # Ok::<(), partc::Trouble>(())
+//! ```
 
 #![forbid(unsafe_code)]
+#![cfg_attr(not(test), deny(clippy::unwrap_used))]
 
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod diag;
-pub mod dialect;
-pub mod driver;
-pub mod emit;
-pub mod facade;
-pub mod geo;
-pub mod ir;
-pub mod lexer;
-pub mod lower;
-pub mod machine;
-pub mod parser;
-pub mod sema;
-pub mod standard;
-pub mod target;
-pub mod text;
+mod diag;
+mod dialect;
+mod driver;
+mod emit;
+mod facade;
+mod geo;
+mod ir;
+mod lexer;
+mod lower;
+mod machine;
+mod parser;
+mod sema;
+mod standard;
+mod target;
+mod text;
+
+pub use dialect::Dialect;
+pub use driver::Session;
+pub use facade::{Outcome, Program, Trouble, check, compile, trace};
+pub use machine::Settings;
+
+/// Where programs come from.
+pub mod files {
+    pub use crate::text::files::{FileError, Files, Memory, NoFiles, Opened, ReadAt, Request};
+}
+
+/// What the user can say about a run: `partc.toml` as data.
+pub mod settings {
+    pub use crate::machine::config::from_toml;
+    pub use crate::machine::settings::*;
+    pub use crate::machine::tree::ConfigError;
+}
+
+/// What partc finds.
+pub mod diagnostics {
+    pub use crate::diag::codes::{self, Code};
+    pub use crate::diag::finding::{Finding, Related, Site};
+    pub use crate::diag::render::{JsonReport, concise};
+    pub use crate::diag::{Diagnostic, Diags, Severity, Trail};
+}
+
+/// Where the output goes, and the targets that it is made for.
+pub mod output {
+    pub use crate::emit::{LineMap, Output};
+    pub use crate::target::{ALL as TARGETS, Target};
+}
+
+/// The languages that partc reads.
+pub mod languages {
+    pub use crate::dialect::{ALL, Dialect, find, guess};
+}
+
+/// What tests, benches and fuzz targets of this repository look into. No promise holds for it.
+#[doc(hidden)]
+pub mod internals;

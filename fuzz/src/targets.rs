@@ -1,13 +1,13 @@
 //! What holds for any bytes: plain functions, called by the libFuzzer targets beside this file and by the test suite.
 
-use partc::dialect;
-use partc::driver::Session;
-use partc::emit::reread;
-use partc::machine::{Compensation, Settings, config, tools, tree};
-use partc::parser::symbols::Symbols;
-use partc::parser::{klartext, mtc200, sinumerik, turning};
-use partc::text::files::NoFiles;
-use partc::text::{Memory, Opened, Span};
+use partc::internals::dialect;
+use partc::internals::driver::Session;
+use partc::internals::emit::reread;
+use partc::internals::machine::{Compensation, Settings, config, tools, tree};
+use partc::internals::parser::symbols::Symbols;
+use partc::internals::parser::{klartext, mtc200, sinumerik, turning};
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{Memory, Opened, Span};
 
 /// What a target does with some bytes: nothing, or it panics.
 pub type Target = fn(&[u8]);

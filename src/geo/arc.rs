@@ -137,11 +137,6 @@ pub fn tangent_at(at: Point2, center: Point2, ccw: bool) -> Option<Vec2> {
     (r > 0.0).then(|| if ccw { left(radius) / r } else { -left(radius) / r })
 }
 
-/// Difference of the distances of two points from a centre.
-pub fn radius_difference(from: Point2, to: Point2, center: Point2) -> f64 {
-    distance(to, center) - distance(from, center)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -185,7 +180,7 @@ mod tests {
         fn a_centre_between_has_equal_distances(cx in -50.0f64..50.0, cy in -50.0f64..50.0, x in 1.0f64..9.0) {
             let (a, b) = (Point2::new(0.0, 0.0), Point2::new(x, 2.0));
             let c = centered_between(a, b, Point2::new(cx, cy));
-            prop_assert!(radius_difference(a, b, c).abs() < 1e-9);
+            prop_assert!((distance(b, c) - distance(a, c)).abs() < 1e-9);
         }
     }
 }

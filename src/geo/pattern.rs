@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn circle_of_the_reference() {
+    fn circle_as_computed_by_hand() {
         let circle =
             Circle { center: Point2::new(20.0, 10.0), radius: 25.0, start: Deg(30.0), step: Deg(0.0), count: 5 };
         let wanted = [(41.6506, 22.5), (14.8022, 34.4537), (-4.863, 12.6132), (9.8316, -12.8386), (38.5786, -6.7283)];

@@ -18,8 +18,7 @@ pub use axis::{Axis, AxisSet};
 pub use options::klartext::{CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes};
 pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use settings::{
-    AxisUse, Compensation, Control, LONGEST_AXIS_NAME, Limits, Machine, MachineKind, OutputSettings, Settings, StandIn,
-    Unit,
+    AxisUse, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

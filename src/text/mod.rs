@@ -9,7 +9,7 @@ pub mod files;
 pub mod number;
 pub mod sources;
 
-pub use blocks::{BlockText, Cursor, Next, SplitRules};
+pub use blocks::{Cursor, Next, SplitRules};
 pub use files::{FileError, Files, Memory, Opened, ReadAt, Request};
 pub use sources::{FileId, Sources};
 

@@ -1,6 +1,6 @@
 //! SINUMERIK: the last value that is taken and the first that is not.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
 

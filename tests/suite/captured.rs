@@ -2,14 +2,16 @@
 
 use std::rc::Rc;
 
-use partc::diag::Diags;
-use partc::geo::{Element, Plane, Point2};
-use partc::ir::captured::{Captured, PieceKind, Unfit};
-use partc::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink};
-use partc::ir::undercut::{Undercut, form_f};
-use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
-use partc::lower::Lower;
-use partc::machine::{Axis, Machine, MachineKind, Undercuts};
+use partc::internals::diag::Diags;
+use partc::internals::geo::{Element, Plane, Point2};
+use partc::internals::ir::captured::{Captured, PieceKind, Unfit};
+use partc::internals::ir::contour::{
+    ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink,
+};
+use partc::internals::ir::undercut::{Undercut, form_f};
+use partc::internals::ir::{Feed, Function, Origin, Pos, Side, motion};
+use partc::internals::lower::Lower;
+use partc::internals::machine::{Axis, Machine, MachineKind, Undercuts};
 
 #[derive(Default)]
 struct Travelled(Vec<motion::Move>);

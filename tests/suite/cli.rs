@@ -6,7 +6,7 @@ use std::fs;
 use std::io::Read;
 use std::process::{Command, Stdio};
 
-use partc::diag::codes;
+use partc::internals::diag::codes;
 use serde_json::{Value, json};
 
 use super::cli_run::{Folder, PART, WARNED, WRONG, body, set};

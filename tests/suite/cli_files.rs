@@ -441,6 +441,6 @@ fn the_schema_of_the_configuration() {
     let folder = Folder::new("config_schema");
     let ran = folder.run(&["config", "--schema"]).exits(0).quietly();
     let schema: Value = serde_json::from_str(&ran.out).expect("a JSON document");
-    assert_eq!(schema["properties"]["output"]["properties"]["target"]["enum"], json!(partc::target::NAMES));
+    assert_eq!(schema["properties"]["output"]["properties"]["target"]["enum"], json!(partc::internals::target::NAMES));
     assert_eq!(schema["properties"]["limits"]["properties"]["steps"]["default"], json!(10_000_000));
 }

@@ -1,6 +1,6 @@
 //! How findings and the source map are written.
 
-use partc::diag::codes;
+use partc::internals::diag::codes;
 use serde_json::{Value, json};
 
 use super::cli_run::{Folder, HOLE, PART, WARNED, WRONG};

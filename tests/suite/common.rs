@@ -1,12 +1,12 @@
 //! Compiles a program in memory and keeps everything that came of it.
 
-use partc::diag::{Diagnostic, Severity, render};
-use partc::dialect;
-use partc::driver::Session;
-use partc::emit::LineMap;
-use partc::ir::Origin;
-use partc::machine::{Settings, config, tree};
-use partc::text::{Files, Loc, Memory, Opened, Sources};
+use partc::internals::diag::{Diagnostic, Severity, render};
+use partc::internals::dialect;
+use partc::internals::driver::Session;
+use partc::internals::emit::LineMap;
+use partc::internals::ir::Origin;
+use partc::internals::machine::{Settings, config, tree};
+use partc::internals::text::{Files, Loc, Memory, Opened, Sources};
 
 /// What came of a program.
 pub struct Compiled {
@@ -101,6 +101,6 @@ pub fn check_program(dialect: &str, name: &str, text: &str) -> Vec<Diagnostic> {
     };
     let session = Session::new(main);
     let dialect = dialect::find(dialect).expect("a dialect of this name");
-    session.check(dialect, &Settings::default(), &partc::text::files::NoFiles);
+    session.check(dialect, &Settings::default(), &partc::internals::text::files::NoFiles);
     session.diags.into_sorted()
 }

@@ -1,7 +1,7 @@
 //! In every dialect: under the target's own radius compensation the way to the contour is longer than the radius, and
 //! the way from it not shorter.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
 

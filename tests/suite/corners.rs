@@ -4,8 +4,8 @@
 //! The contour is one corner of 90 degrees at X40 Y0 (X40 Z-30 on a lathe). Each row says what stands where, and in front
 //! of which of the three moves (element, inserted, element) it has to come out; 3 is behind them.
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
 
 use super::common::compile_bytes;
 

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use partc::machine::Settings;
+use partc::internals::machine::Settings;
 
 use super::common::{compile_bytes, settings};
 
@@ -88,7 +88,8 @@ fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
         Settings::default()
     };
     let text = format!("{head}{}\nM30\n", call.replace('#', value));
-    let compiled = compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &partc::text::files::NoFiles);
+    let compiled =
+        compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &partc::internals::text::files::NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     let said = compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect();
     (moves, said)

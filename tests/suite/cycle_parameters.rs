@@ -8,10 +8,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use partc::dialect;
-use partc::machine::Settings;
-use partc::sema::cycle_table::{Rule, Signature, Status};
-use partc::text::files::NoFiles;
+use partc::internals::dialect;
+use partc::internals::machine::Settings;
+use partc::internals::sema::cycle_table::{Rule, Signature, Status};
+use partc::internals::text::files::NoFiles;
 
 use super::book::find;
 use super::common::{Compiled, compile_bytes};

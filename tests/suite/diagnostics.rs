@@ -6,12 +6,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 
-use partc::diag::{Diagnostic, Severity, codes};
-use partc::driver::Session;
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
-use partc::text::sources::{MAX_ALL_CALLED, MAX_CALLED};
-use partc::text::{FileError, Files, Memory, Opened, ReadAt, Request};
+use partc::internals::diag::{Diagnostic, Severity, codes};
+use partc::internals::driver::Session;
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::sources::{MAX_ALL_CALLED, MAX_CALLED};
+use partc::internals::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
 use super::book::{Case, cases, find};
 use super::common::{Compiled, check_klartext, check_program, compile_bytes, settings};
@@ -137,7 +137,7 @@ const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
 /// A SINUMERIK block on a target that says little.
 fn on_grbl(block: &str, configuration: &str) -> Compiled {
     let mut settings = settings(configuration);
-    settings.output.target = partc::target::find("grbl").expect("a target");
+    settings.output.target = partc::internals::target::find("grbl").expect("a target");
     let text = format!("G90 G0 X0 Y0 Z5\nS1000 M3\n{block}\nM30\n");
     compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &NoFiles)
 }
@@ -226,7 +226,7 @@ fn sized(name: &str, size: u64) -> Opened {
 
 fn main_by(main: Opened) -> Compiled {
     let session = Session::new(main);
-    let dialect = partc::dialect::find("klartext").expect("a dialect");
+    let dialect = partc::internals::dialect::find("klartext").expect("a dialect");
     session.check(dialect, &Settings::default(), &NoFiles);
     of_findings(session.diags.into_sorted())
 }

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use partc::machine::Settings;
-use partc::text::{FileError, Files, Memory, Opened, Request};
+use partc::internals::machine::Settings;
+use partc::internals::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{Compiled, compile_bytes, settings};
 

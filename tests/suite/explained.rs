@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use partc::diag::codes;
+use partc::internals::diag::codes;
 
 use super::book::{self, Case};
 

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use partc::parser::symbols::Symbols;
-use partc::parser::{klartext, mtc200, sinumerik, turning};
+use partc::internals::parser::symbols::Symbols;
+use partc::internals::parser::{klartext, mtc200, sinumerik, turning};
 
 use super::book::cases;
 use super::tools::beside_repository;

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
 
 use super::book::cases;
 use super::common::{Compiled, compile_bytes, settings};

@@ -1,6 +1,6 @@
 //! Damaged, absurd and malicious turning programs: no panic, every finding has a place, budgets hold.
 
-use partc::machine::Settings;
+use partc::internals::machine::Settings;
 
 use super::common::{Compiled, settings};
 use super::damage::{Dice, KINDS, damage};

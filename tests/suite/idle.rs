@@ -59,7 +59,7 @@ fn every_golden_case_that_compiles_passes_the_check() {
         }
         let errors: Vec<String> = findings
             .iter()
-            .filter(|found| found.code.severity == partc::diag::Severity::Error)
+            .filter(|found| found.code.severity == partc::internals::diag::Severity::Error)
             .map(|found| format!("{}:{} {}", case.name, found.label.loc.line, found.text()))
             .collect();
         assert!(errors.is_empty(), "{errors:?}");
@@ -156,7 +156,7 @@ fn every_siemens_case_that_compiles_passes_the_check() {
         }
         let errors: Vec<String> = findings
             .iter()
-            .filter(|found| found.code.severity == partc::diag::Severity::Error)
+            .filter(|found| found.code.severity == partc::internals::diag::Severity::Error)
             .map(|found| format!("{} {}", found.code.id, found.text()))
             .collect();
         assert!(errors.is_empty(), "{}: {errors:?}", case.name);

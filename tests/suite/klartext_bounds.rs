@@ -1,7 +1,7 @@
 //! Limits of words and cycles: the last value on this side, and the first one on the other.
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
 
 use super::common::compile_bytes;
 

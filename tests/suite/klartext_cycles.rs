@@ -1,10 +1,10 @@
 //! No parameter of a Klartext cycle is ignored: another value prints something else or is spoken of, and one that has to be
 //! there is missed. The parameters are those of the table that the compiler reads them by.
 
-use partc::dialect;
-use partc::machine::Settings;
-use partc::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
-use partc::text::files::NoFiles;
+use partc::internals::dialect;
+use partc::internals::machine::Settings;
+use partc::internals::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+use partc::internals::text::files::NoFiles;
 
 use super::common::compile_bytes;
 

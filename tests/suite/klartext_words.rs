@@ -1,8 +1,8 @@
 //! No word goes in silence: every M number, every FN number and every statement, each in a program of its own, changes
 //! the output, or is noted, warned of or refused.
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
 

@@ -1,6 +1,6 @@
 //! Line ends, the same for all dialects: LF, CR LF and CR make the same blocks, and a lone CR joins none in silence.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{Compiled, compile_bytes, settings};
 

@@ -1,8 +1,8 @@
 //! A block over 1 MiB, which nobody reads: in every dialect the position is lost behind it, and its finding says how the
 //! program came there.
 
-use partc::diag::{CallPath, Severity};
-use partc::text::files::NoFiles;
+use partc::internals::diag::{CallPath, Severity};
+use partc::internals::text::files::NoFiles;
 
 use super::common::{Compiled, compile_bytes, settings};
 

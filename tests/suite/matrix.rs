@@ -5,9 +5,9 @@
 
 use std::io;
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
-use partc::text::{FileError, Files, Opened, ReadAt, Request};
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{FileError, Files, Opened, ReadAt, Request};
 
 use super::cli_run::Folder;
 use super::common::{Compiled, compile_bytes, settings};
@@ -196,7 +196,8 @@ fn path(compiled: &Compiled) -> Vec<&str> {
 }
 
 fn errors(compiled: &Compiled) -> Vec<&'static str> {
-    let is_error = |found: &&partc::diag::Diagnostic| found.code.severity == partc::diag::Severity::Error;
+    let is_error =
+        |found: &&partc::internals::diag::Diagnostic| found.code.severity == partc::internals::diag::Severity::Error;
     compiled.findings.iter().filter(is_error).map(|found| found.code.id).collect()
 }
 
@@ -228,7 +229,7 @@ fn refuses(compiled: &Compiled, code: &str, what: &str) -> Result<(), String> {
 #[test]
 fn every_dialect_has_a_column() {
     let names: Vec<&str> = COLUMNS.iter().map(|column| column.dialect).collect();
-    let all: Vec<&str> = partc::dialect::ALL.iter().map(|dialect| dialect.id).collect();
+    let all: Vec<&str> = partc::internals::dialect::ALL.iter().map(|dialect| dialect.id).collect();
     assert!(all.iter().all(|name| names.contains(name)), "{names:?} of {all:?}");
     row(|column| {
         let [seven, nine] = column.moves();

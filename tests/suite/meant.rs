@@ -2,11 +2,11 @@
 
 use core::f64::consts::TAU;
 
-use partc::ir::function::{Coolant, CutterData, Spindle, Turn};
-use partc::ir::motion::{self, Path, Sink};
-use partc::ir::{Feed, Function, Origin, Side};
-use partc::machine::Settings;
-use partc::machine::axis::AXES;
+use partc::internals::ir::function::{Coolant, CutterData, Spindle, Turn};
+use partc::internals::ir::motion::{self, Path, Sink};
+use partc::internals::ir::{Feed, Function, Origin, Side};
+use partc::internals::machine::Settings;
+use partc::internals::machine::axis::AXES;
 
 /// Where the machine stands before a program: nowhere that a program names, so that an axis word that is missing shows.
 pub const BEFORE: [f64; AXES] = [-7771.0, -7772.0, -7773.0, -774.0, -775.0, -776.0, -7777.0, -7778.0, -7779.0];

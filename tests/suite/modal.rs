@@ -1,8 +1,8 @@
 //! What one block leaves to the next: nothing leaks out of a described contour, and numbers of one program are none of
 //! the next.
 
-use partc::text::files::NoFiles;
-use partc::text::{FileError, Files, Memory, Opened, Request};
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{Compiled, compile_bytes, settings};
 

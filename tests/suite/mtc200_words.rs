@@ -1,6 +1,6 @@
 //! No word of an MTC200 program goes in silence: it shows in the output, or a finding names it.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{Compiled, compile_bytes, settings};
 

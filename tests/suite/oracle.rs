@@ -1,10 +1,10 @@
 //! Every golden output means to two readers what the compiler meant: to LinuxCNC's interpreter, and to a small reader
 //! of our own, which is always there.
 
-use partc::dialect;
-use partc::driver::Session;
-use partc::machine::Settings;
-use partc::text::{Files, Memory, Opened};
+use partc::internals::dialect;
+use partc::internals::driver::Session;
+use partc::internals::machine::Settings;
+use partc::internals::text::{Files, Memory, Opened};
 
 use super::book;
 use super::common::Compiled;

@@ -4,17 +4,17 @@ use std::fs;
 use std::path::Path;
 use std::rc::Rc;
 
-use partc::diag::Diags;
-use partc::emit::plot::Plot;
-use partc::geo::undercut::{Edge, Shape};
-use partc::geo::{Deg, Plane};
-use partc::ir::contour::{
+use partc::internals::diag::Diags;
+use partc::internals::emit::plot::Plot;
+use partc::internals::geo::undercut::{Edge, Shape};
+use partc::internals::geo::{Deg, Plane};
+use partc::internals::ir::contour::{
     ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path as Way, Sink,
 };
-use partc::ir::undercut::{ThreadForm, Undercut, form_e, form_f, thread};
-use partc::ir::{Feed, Function, Origin, Pos, Side};
-use partc::lower::Lower;
-use partc::machine::{Settings, Undercuts};
+use partc::internals::ir::undercut::{ThreadForm, Undercut, form_e, form_f, thread};
+use partc::internals::ir::{Feed, Function, Origin, Pos, Side};
+use partc::internals::lower::Lower;
+use partc::internals::machine::{Settings, Undercuts};
 
 use super::common::settings;
 
@@ -24,7 +24,7 @@ fn lathe() -> Settings {
 
 fn line(z: f64, x: f64, rapid: bool) -> Move {
     let mut end = Pos::UNKNOWN;
-    end.set_in_plane(Plane::Zx, partc::geo::Point2::new(z, x / 2.0));
+    end.set_in_plane(Plane::Zx, partc::internals::geo::Point2::new(z, x / 2.0));
     let path = if rapid { Way::Rapid } else { Way::Line(Feed::PerRevolution(0.1)) };
     Move { end, path, side: Side::None, coords: Coords::Frame }
 }
@@ -138,15 +138,15 @@ fn undercuts_of_the_documentation() {
 fn what_a_picture_shows() {
     let text = "0 BEGIN PGM P MM\n1 TOOL CALL 3 Z S1000\n2 L X+10 Y+0 Z+5 R0 FMAX\n3 L Z-2 F100\n4 CC X+0 Y+0\n5 C X+10 Y+0 DR+\n\
                 6 CP IPA-720 IZ-4 DR-\n7 TOOL CALL 4 Z S500\n8 L X+30 Y+5 FMAX\n9 L Z-9 F50\n10 L Z+50 FMAX M91\n11 END PGM P MM\n";
-    let main = partc::text::Opened {
+    let main = partc::internals::text::Opened {
         name: "dir/P.H".into(),
         identity: "P".into(),
-        text: Box::new(partc::text::Memory::new(text.as_bytes().to_vec())),
+        text: Box::new(partc::internals::text::Memory::new(text.as_bytes().to_vec())),
     };
-    let session = partc::driver::Session::new(main);
+    let session = partc::internals::driver::Session::new(main);
     let mut out: Vec<u8> = Vec::new();
-    let dialect = partc::dialect::find("klartext").expect("a dialect");
-    session.plot(dialect, &Settings::default(), &partc::text::files::NoFiles, &mut out).expect("a picture");
+    let dialect = partc::internals::dialect::find("klartext").expect("a dialect");
+    session.plot(dialect, &Settings::default(), &partc::internals::text::files::NoFiles, &mut out).expect("a picture");
     let svg = String::from_utf8(out).expect("text");
     assert!(svg.starts_with("<!-- (partc plot) -->\n<svg ") && svg.ends_with("</svg>\n"));
     assert!(svg.contains("<title>P.H</title>") && !svg.contains("dir/"), "the folder is nobody's business");

@@ -2,13 +2,13 @@
 
 use proptest::prelude::*;
 
-use partc::dialect;
-use partc::driver::Session;
-use partc::ir::motion::{Move, Path, Sink};
-use partc::ir::{Function, Origin};
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
-use partc::text::{Memory, Opened};
+use partc::internals::dialect;
+use partc::internals::driver::Session;
+use partc::internals::ir::motion::{Move, Path, Sink};
+use partc::internals::ir::{Function, Origin};
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{Memory, Opened};
 
 use super::common::{compile_bytes, settings};
 use super::meant::{Recorder, compare, tolerance};
@@ -175,7 +175,7 @@ proptest! {
     #[test]
     fn polar_is_cartesian(x in coordinate(), y in coordinate(), r in 1i32..100_000, a in angle()) {
         let r = f64::from(r) / 1000.0;
-        let (sin, cos) = partc::geo::Deg(a).sin_cos();
+        let (sin, cos) = partc::internals::geo::Deg(a).sin_cos();
         let settings = Settings::default();
         let polar = program(&[format!("CC X{x:+} Y{y:+}"), format!("LP PR+{r} PA{a:+} R0 F100")]);
         let cartesian = program(&[
@@ -189,9 +189,9 @@ proptest! {
     /// A rounding touches both neighbours; so do tangential arcs.
     #[test]
     fn roundings_are_tangent(turn in 10i32..170, flip in any::<bool>(), radius in 1i32..3000, a in angle(), arc in any::<bool>()) {
-        let start = partc::geo::Deg(a).unit() * 50.0;
+        let start = partc::internals::geo::Deg(a).unit() * 50.0;
         let side = if flip { -f64::from(turn) } else { f64::from(turn) };
-        let end = partc::geo::Deg(a + 180.0 - side).unit() * 60.0;
+        let end = partc::internals::geo::Deg(a + 180.0 - side).unit() * 60.0;
         let second = if arc {
             // An arc that leaves the corner in the same direction as the line would.
             format!("CR X{:+.4} Y{:+.4} R+200 DR{}", end.x, end.y, if flip { '-' } else { '+' })

@@ -1,6 +1,6 @@
 //! A small reader of our own output, written without the printer: what the machine does, in order.
 
-use partc::machine::axis::AXES;
+use partc::internals::machine::axis::AXES;
 
 use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way};
 

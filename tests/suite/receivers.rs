@@ -5,17 +5,17 @@ use std::path::Path;
 
 use serde_json::json;
 
-use partc::diag::{Diags, Severity};
-use partc::dialect;
-use partc::driver::Session;
-use partc::emit::Printer;
-use partc::ir::motion::{Move, Sink};
-use partc::ir::{Function, Origin, Pos};
-use partc::machine::settings::ToolChange;
-use partc::machine::{Settings, schema};
-use partc::target::{self, Target};
-use partc::text::files::NoFiles;
-use partc::text::{Memory, Opened};
+use partc::internals::diag::{Diags, Severity};
+use partc::internals::dialect;
+use partc::internals::driver::Session;
+use partc::internals::emit::Printer;
+use partc::internals::ir::motion::{Move, Sink};
+use partc::internals::ir::{Function, Origin, Pos};
+use partc::internals::machine::settings::ToolChange;
+use partc::internals::machine::{Settings, schema};
+use partc::internals::target::{self, Target};
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{Memory, Opened};
 
 use super::book::{Case, cases};
 use super::cli_run::Folder;

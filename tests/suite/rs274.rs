@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use partc::machine::axis::AXES;
+use partc::internals::machine::axis::AXES;
 
 use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way};
 use super::tools;

@@ -4,9 +4,9 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
-use partc::text::{FileError, Files, Memory, Opened, Request};
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
+use partc::internals::text::{FileError, Files, Memory, Opened, Request};
 
 use super::book::cases;
 use super::common::{Compiled, compile_bytes, settings};

@@ -3,7 +3,7 @@
 //! Causes and numbers are those of the diagnostics manual of the control. What no compiler can see (limits of the
 //! machine, buffers, run-time collisions) and what is refused as a whole (splines, transformations, measuring) is left out.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
 

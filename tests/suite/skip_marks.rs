@@ -2,7 +2,7 @@
 //!
 //! A mark without a level is the one of the first level, so it is skipped where level 1 is switched on.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
 

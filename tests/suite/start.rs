@@ -1,8 +1,8 @@
 //! `[start]`: where the axes stand before the first block, in all dialects.
 
 use super::common::{Compiled, compile_bytes, settings};
-use partc::machine::{config, tree};
-use partc::text::files::NoFiles;
+use partc::internals::machine::{config, tree};
+use partc::internals::text::files::NoFiles;
 
 /// A program of a dialect, and what to write around the lines of a case.
 struct Form {

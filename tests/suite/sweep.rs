@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use partc::text::{FileError, Files, Memory, Opened, Request};
+use partc::internals::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{compile_bytes, settings};
 use super::oracle::Case;

@@ -1,8 +1,8 @@
 //! Undercuts and recesses of turned contours against a model of the part: every cut along a form lies inside of the part
 //! without the form, or on its surface; where it would lie in the air, the form is refused.
 
-use partc::machine::Settings;
-use partc::text::files::NoFiles;
+use partc::internals::machine::Settings;
+use partc::internals::text::files::NoFiles;
 
 use super::common::compile_bytes;
 

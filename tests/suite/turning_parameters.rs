@@ -1,7 +1,7 @@
 //! No word of a turning cycle is ignored: each stands in a golden program that prints something else without it, or
 //! with another value.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::book::find;
 use super::common::compile_bytes;

@@ -3,7 +3,7 @@
 
 use super::book::{Case, cases};
 use super::common::{Compiled, compile_bytes, settings};
-use partc::sema::cycle_table::Kind;
+use partc::internals::sema::cycle_table::Kind;
 
 /// Letters whose number is a name, not a value.
 const NAMES: &[&str] = &["N", "G", "M", "T", "NS", "NE", "L"];
@@ -250,7 +250,7 @@ fn listed() -> Vec<(u16, Vec<String>)> {
         }
         list.push((number, words));
     }
-    for cycle in (partc::dialect::find("heidenhain-turning").expect("a dialect").cycles)() {
+    for cycle in (partc::internals::dialect::find("heidenhain-turning").expect("a dialect").cycles)() {
         let number = cycle.name.strip_prefix('G').and_then(|number| number.parse().ok()).expect("a G function");
         // ID names a contour.
         let words = cycle.parameters.iter().filter(|known| !matches!(known.kind, Kind::Text));
@@ -264,7 +264,7 @@ fn word_counts(base: &Base, block: &str, word: &str) -> bool {
     let options = settings(base.options);
     let run = |block: &str| {
         let text = base.program.replace("BLOCK", block).into_bytes();
-        outcome(&compile_bytes("A.nc", text, "heidenhain-turning", &options, &partc::text::files::NoFiles))
+        outcome(&compile_bytes("A.nc", text, "heidenhain-turning", &options, &partc::internals::text::files::NoFiles))
     };
     let before = run(block);
     assert!(!before.0.is_empty(), "{block}: {:?}", before.1);

@@ -2,16 +2,16 @@
 
 use std::rc::Rc;
 
-use partc::diag::Diags;
-use partc::geo::undercut::{Allowance, Shape};
-use partc::geo::{Deg, Plane};
-use partc::ir::contour::{
+use partc::internals::diag::Diags;
+use partc::internals::geo::undercut::{Allowance, Shape};
+use partc::internals::geo::{Deg, Plane};
+use partc::internals::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink,
 };
-use partc::ir::undercut::{Surface, Undercut, form_e, form_f, thread_by_contour};
-use partc::ir::{Feed, Function, Origin, Pos, Side, motion};
-use partc::lower::Lower;
-use partc::machine::{Axis, Machine, MachineKind, Undercuts};
+use partc::internals::ir::undercut::{Surface, Undercut, form_e, form_f, thread_by_contour};
+use partc::internals::ir::{Feed, Function, Origin, Pos, Side, motion};
+use partc::internals::lower::Lower;
+use partc::internals::machine::{Axis, Machine, MachineKind, Undercuts};
 
 /// Moves as text: Z and X (radius) of the end, K and I of the centre.
 #[derive(Default)]

@@ -1,6 +1,6 @@
 //! `[undercut]` is one table for the programs of all controls.
 
-use partc::text::files::NoFiles;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{Compiled, compile_bytes, settings};
 

@@ -1,7 +1,7 @@
 //! No word of the language goes in silence: each is used, noted, warned of or refused.
 
-use partc::sema::sinumerik::all_words;
-use partc::text::files::NoFiles;
+use partc::internals::sema::sinumerik::all_words;
+use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
 

@@ -1,19 +1,19 @@
 //! The worked examples of the SINUMERIK contour reference, number by number.
 //!
-//! The listings are those of the reference, typed off: X in diameters for turning, centres absolute. The moves of the golden
+//! The listings are those of worked examples, computed by hand: X in diameters for turning, centres absolute. The moves of the golden
 //! case are compared with them before they are rounded, so a listing accepted by mistake does not help.
 
 use std::fmt::Write as _;
 
-use partc::driver::Session;
-use partc::geo::Plane;
-use partc::ir::{Function, Origin, motion};
-use partc::machine::Axis;
-use partc::text::{Memory, Opened};
+use partc::internals::driver::Session;
+use partc::internals::geo::Plane;
+use partc::internals::ir::{Function, Origin, motion};
+use partc::internals::machine::Axis;
+use partc::internals::text::{Memory, Opened};
 
 use super::book;
 
-/// Half a unit of the last place of the reference, and what a diameter makes of it.
+/// Half a unit of the last place of the examples, and what a diameter makes of it.
 const NEAR: f64 = 6e-5;
 
 /// One listing and the case that has to make it.
@@ -246,7 +246,7 @@ fn moves(case: &str) -> Vec<motion::Move> {
     let case = book::find(&format!("sinumerik/{case}")).unwrap_or_else(|| panic!("{case}"));
     let text = Box::new(Memory::new(case.program.clone()));
     let session = Session::new(Opened { name: case.file.clone(), identity: case.file.clone(), text });
-    let dialect = partc::dialect::find("sinumerik").expect("a dialect");
+    let dialect = partc::internals::dialect::find("sinumerik").expect("a dialect");
     let mut out = Moves::default();
     session.lower(dialect, &case.settings(), case, &mut out);
     assert!(!session.diags.has_errors(), "{} is refused", case.name);
@@ -382,7 +382,7 @@ fn refusals_in_the_heads_of_cases_are_met() {
         let Some((code, part)) = refused(&text) else { continue };
         count += 1;
         let compiled = case.compile();
-        let said = |found: &partc::diag::Diagnostic| {
+        let said = |found: &partc::internals::diag::Diagnostic| {
             found.code.id == code && (found.text().contains(part) || found.help.iter().any(|help| help.contains(part)))
         };
         if !compiled.findings.iter().any(said) {

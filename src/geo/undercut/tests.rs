@@ -48,7 +48,7 @@ fn words(placed: &Placed) -> Vec<String> {
 }
 
 #[test]
-fn form_e_outside_of_the_reference() {
+fn form_e_outside_as_computed_by_hand() {
     let placed = at(&E, &corner((-52.0, 65.0), (-75.0, 65.0), (-75.0, 80.0)));
     assert_eq!(
         words(&placed),
@@ -75,7 +75,7 @@ fn form_e_outside_of_the_reference() {
 }
 
 #[test]
-fn form_e_inside_of_the_reference() {
+fn form_e_inside_as_computed_by_hand() {
     assert_eq!(
         words(&at(&E, &corner((0.0, 40.0), (-30.0, 40.0), (-30.0, 20.0)))),
         [
@@ -89,7 +89,7 @@ fn form_e_inside_of_the_reference() {
 }
 
 #[test]
-fn form_f_in_all_orientations_of_the_reference() {
+fn form_f_in_all_orientations_as_computed_by_hand() {
     let cases = [
         (
             corner((0.0, 50.2), (-50.0, 50.2), (-50.0, 65.0)),
@@ -142,7 +142,7 @@ fn form_f_in_all_orientations_of_the_reference() {
 }
 
 #[test]
-fn thread_undercuts_of_the_reference() {
+fn thread_undercuts_as_computed_by_hand() {
     let thread = |length, depth, entry, radius| Shape::Square {
         length,
         depth,
@@ -198,7 +198,7 @@ fn thread_undercuts_of_the_reference() {
 
 /// Allowance 0.1 on the cylinder: the slope gets longer, all the rest stays on the finished part.
 #[test]
-fn grinding_allowance_of_the_reference() {
+fn grinding_allowance_as_computed_by_hand() {
     let raised = corner((0.0, 72.211), (-31.0, 72.211), (-31.0, 100.0));
     let allowance = Allowance { reference: 0.1, other: 0.0 };
     let lines = words(&place(&F, &raised, Reference::First, allowance).expect("an undercut"));

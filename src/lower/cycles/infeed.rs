@@ -97,20 +97,20 @@ mod tests {
     }
 
     #[test]
-    fn constant_area_of_the_reference() {
+    fn constant_area_as_computed_by_hand() {
         let expected = [19.4, 19.1515, 18.9608, 18.8, 18.6584, 18.5303, 18.4125, 18.3029, 18.2, 18.16];
         assert_eq!(diameters(Infeed::ConstantArea { first: 0.3 }, 0.92), expected);
     }
 
     #[test]
-    fn equal_cuts_of_the_reference() {
+    fn equal_cuts_as_computed_by_hand() {
         assert_eq!(diameters(Infeed::Equal { most: 0.3 }, 0.92), [19.54, 19.08, 18.62, 18.16]);
         assert_eq!(depths(Infeed::Equal { most: 0.4 }, 1.2).len(), 3);
         assert_eq!(depths(Infeed::Equal { most: 0.3 }, 0.9).len(), 3);
     }
 
     #[test]
-    fn remainder_and_split_of_the_reference() {
+    fn remainder_and_split_as_computed_by_hand() {
         let split = [19.96, 19.36, 18.76, 18.46, 18.31, 18.235, 18.16];
         assert_eq!(diameters(Infeed::RemainderSplit { most: 0.3 }, 0.92), split);
         assert_eq!(diameters(Infeed::Remainder { most: 0.3 }, 0.92), [19.96, 19.36, 18.76, 18.16]);
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn numbered_passes_of_the_reference() {
+    fn numbered_passes_as_computed_by_hand() {
         let area = depths(Infeed::AreaPasses { passes: 5 }, 0.87);
         let expected = [0.3891, 0.5502, 0.6739, 0.7782, 0.87];
         assert!(area.iter().zip(expected).all(|(a, b)| (a - b).abs() < 5e-5), "{area:?}");

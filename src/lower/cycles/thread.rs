@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn flank_offsets_of_the_reference() {
+    fn flank_offsets_as_computed_by_hand() {
         let from = Point2::new(5.0, 13.0);
         let angle = Deg::from_radians(libm::atan(0.5 * 1.5 / 0.92));
         assert!((angle.0 - 39.1875).abs() < 5e-5);
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn internal_thread_of_the_reference() {
+    fn internal_thread_as_computed_by_hand() {
         let infeed = Infeed::AreaPasses { passes: 5 };
         let bore = 18.3762 / 2.0;
         let thread = Thread {
@@ -319,12 +319,12 @@ mod tests {
         let starts = cut_starts(&strokes(&thread, thread.park));
         let x = [19.0577, 19.3400, 19.5566, 19.7392, 19.9001, 20.0];
         assert_eq!(starts.len(), 6);
-        // The reference rounds its inputs, so its last digit is off by one.
+        // The example rounds its inputs, so its last digit is off by one.
         assert!(starts.iter().zip(x).all(|(p, x)| (2.0 * p.y - x).abs() < 1.1e-4), "{starts:?}");
     }
 
     #[test]
-    fn taper_of_the_reference() {
+    fn taper_as_computed_by_hand() {
         // X28 at Z2 to X30 at Z-20: the slope is 1 mm of radius on 22 mm.
         let thread = Thread {
             start: Point2::new(2.0, 14.0),
@@ -339,7 +339,7 @@ mod tests {
     }
 
     #[test]
-    fn chain_of_the_reference() {
+    fn chain_as_computed_by_hand() {
         let thread = Thread {
             start: Point2::new(0.0, 15.0),
             parts: vec![

@@ -4,7 +4,7 @@
 //! part. The tool enters on the extension of the entry slope, so that it never touches the cylinder in front.
 
 use crate::diag::codes;
-use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Orientation, Placed, Reference, Shape, place};
+use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Plane, Point2, Vec2};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::Family;
@@ -186,22 +186,10 @@ impl Track<'_> {
     }
 }
 
-/// Position numbers of undercut cycles: the senses in which cylinder and face leave the corner. `0` external +Z,
-/// `1` external -Z, `2` internal +Z, `3` internal -Z (SINUMERIK NC programming 12/2019, CYCLE940).
-pub fn orientation(position: u8) -> Option<Orientation> {
-    let (first, second) = match position {
-        0 => (-1.0, 1.0),
-        1 => (1.0, 1.0),
-        2 => (-1.0, -1.0),
-        3 => (1.0, -1.0),
-        _ => return None,
-    };
-    Some(Orientation { first, second, first_leads: true })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geo::undercut::Orientation;
     use crate::ir::Feed;
     use crate::ir::undercut::{ThreadForm, form_e, form_f, thread};
     use crate::machine::Undercuts;
@@ -247,6 +235,19 @@ mod tests {
         })
         .expect("a path");
         list
+    }
+
+    /// Position numbers of undercut cycles: the senses in which cylinder and face leave the corner. `0` external +Z,
+    /// `1` external -Z, `2` internal +Z, `3` internal -Z (SINUMERIK NC programming 12/2019, CYCLE940).
+    fn orientation(position: u8) -> Option<Orientation> {
+        let (first, second) = match position {
+            0 => (-1.0, 1.0),
+            1 => (1.0, 1.0),
+            2 => (-1.0, -1.0),
+            3 => (1.0, -1.0),
+            _ => return None,
+        };
+        Some(Orientation { first, second, first_leads: true })
     }
 
     #[test]
@@ -331,6 +332,5 @@ mod tests {
         assert_eq!(code(UndercutCycle { finishing: false, ..e }, 0.0), "G3041");
         assert_eq!(code(UndercutCycle { step: Some(1e-9), ..e }, 0.0), "G3040");
         assert_eq!(code(UndercutCycle { corner: Point2::new(f64::NAN, 0.0), ..e }, 0.0), "G3041");
-        assert_eq!(orientation(4), None);
     }
 }

@@ -24,7 +24,7 @@ use build::Build;
 
 /// Largest literal of a formula or a cycle parameter.
 const LARGEST: f64 = 1e9;
-/// Largest literal of a position, a radius, an angle or a spindle speed (reference 1.2).
+/// Largest literal of a position, a radius, an angle or a spindle speed (K 1.2).
 pub const LARGEST_WORD: f64 = 99_999.999_9;
 /// Highest number of an M function.
 pub const MOST_M: u32 = 999;

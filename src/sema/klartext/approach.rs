@@ -1,6 +1,6 @@
 //! APPR and DEP: LT, CT and LCT, onto a contour that the target compensates.
 //!
-//! Source: reference section 2.10. Lengths and radii count on the path of the tool centre, so the printed contour has
+//! Source: K 2.10 (docs/sources.md). Lengths and radii count on the path of the tool centre, so the printed contour has
 //! the radius R ± r. An approach is sent when the first contour element is known: its direction decides where the
 //! approach begins. The last compensated block leads to the end of the contour, the first one from PH.
 

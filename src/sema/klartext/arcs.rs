@@ -1,6 +1,6 @@
 //! Arcs: C about the pole, CR by radius, CT tangential.
 //!
-//! Source: reference sections 2.3 to 2.5.
+//! Source: K 2.3 to 2.5 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};

@@ -1,6 +1,6 @@
 //! BLK FORM: the blank, of which the path needs nothing but the tool axis.
 //!
-//! Source: reference section 1.4.
+//! Source: K 1.4 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::lexer::klartext::Value;

@@ -2,7 +2,7 @@
 //!
 //! Many programs write `TOOL CALL 2 Z S2000`, retract, and then M6: a change at the TOOL CALL would come in the cut.
 //! Others never write M6, and there TOOL CALL is the change. Which of the two a program does is looked up once in its
-//! text; what the run then meets has to fit to it, or is refused. Source: reference section 1.5.
+//! text; what the run then meets has to fit to it, or is refused. Source: K 1.5 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};

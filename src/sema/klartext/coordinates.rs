@@ -1,6 +1,6 @@
 //! Cycles 7, 8, 10, 11, 19, 26, 247 and the TRANS functions: what they do to the coordinate system.
 //!
-//! Source: reference section 3.
+//! Source: K 3 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;

@@ -1,7 +1,7 @@
 //! CYCL DEF and CYCL CALL.
 //!
 //! A definition may go over several blocks (`7.0`, `7.1`, …) or lines; it acts when it is complete.
-//! Source: reference sections 4.4 and 4.5.
+//! Source: K 4.4 and 4.5 (docs/sources.md).
 
 use std::rc::Rc;
 

@@ -1,6 +1,6 @@
 //! The words of CYCL DEF: which of them a definition takes, and what they say.
 //!
-//! Source: reference sections 3.1, 4.4, 4.5, 6.1 and 6.2. A name in a part of an old cycle is decoration in the language
+//! Source: K 3.1, 4.4, 4.5, 6.1 and 6.2 (docs/sources.md). A name in a part of an old cycle is decoration in the language
 //! of the control; every value has to have its place.
 
 use crate::diag::codes;

@@ -1,6 +1,6 @@
 //! Drilling cycles: 1, 2, 17, 200 to 203, 205 to 207, 240. Their parameters become a [`Drilling`].
 //!
-//! Source: reference sections 4.4, 6.0 to 6.2. The parameters Q200 and up stay variables: a call takes what they hold
+//! Source: K 4.4, 6.0 to 6.2 (docs/sources.md). The parameters Q200 and up stay variables: a call takes what they hold
 //! then. The values of the old dotted cycles are those of the definition.
 
 use crate::diag::{Diagnostic, codes};

@@ -1,6 +1,6 @@
 //! Feed: the words, their unit, M103, and what a block means where only rotary axes move.
 //!
-//! Source: reference sections 1.8 and 2.14.
+//! Source: K 1.8 and 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::{Feed, Pos};

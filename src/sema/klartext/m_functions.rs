@@ -1,6 +1,6 @@
 //! M functions: one table says what each does, when it acts, and what it takes.
 //!
-//! Source: reference section 2.14.
+//! Source: K 2.14 (docs/sources.md).
 
 use crate::diag::{Code, Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};

@@ -1,7 +1,7 @@
 //! Runs a HEIDENHAIN Klartext program: an explicit program counter and call stack, parameters, modal state.
 //!
 //! Every block is resolved completely in its turn, so the programmed position is always known here.
-//! Source: `reference/heidenhain-klartext` sections 1 to 5; the order inside a block is: M functions at the
+//! Source: K 1 to 5; the order inside a block is: M functions at the
 //! start, motion, M functions at the end, cycle call (Appendix B).
 
 mod approach;

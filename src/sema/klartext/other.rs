@@ -50,7 +50,7 @@ impl Run<'_> {
                     }
                 }
             }
-            // Values for the machine's own control; the path does not depend on them (reference 5.2).
+            // Values for the machine's own control; the path does not depend on them (K 5.2).
             19 | 29 => {
                 self.report(
                     Diagnostic::new(

@@ -1,6 +1,6 @@
 //! Path blocks: what they have in common, straight lines, single-axis blocks, chamfers and roundings.
 //!
-//! Source: reference sections 2.1, 2.6, 2.7, 2.13, 2.14.
+//! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;

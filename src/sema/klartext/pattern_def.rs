@@ -1,6 +1,6 @@
 //! PATTERN DEF and CYCL CALL PAT.
 //!
-//! Source: reference section 4.6. The order within a grid is not documented: partc goes line by line, to and fro. Between
+//! Source: K 4.6 (docs/sources.md). The order within a grid is not documented: partc goes line by line, to and fro. Between
 //! two places the tool retracts to where it stood in front of CYCL CALL PAT, or to the 2nd set-up clearance where that is
 //! higher.
 

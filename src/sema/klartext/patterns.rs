@@ -1,6 +1,6 @@
 //! Cycles 220 and 221, and CYCL CALL POS: a drilling cycle at many places.
 //!
-//! Source: reference sections 4.4 and 6.4. On the way to the first place the tool goes to the 2nd set-up clearance
+//! Source: K 4.4 and 6.4 (docs/sources.md). On the way to the first place the tool goes to the 2nd set-up clearance
 //! unless it stands higher; Q301 decides how high it goes from place to place; after the last one it stands at the 2nd
 //! set-up clearance.
 

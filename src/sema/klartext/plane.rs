@@ -1,6 +1,6 @@
 //! PLANE functions and cycle 19 that tilt nothing, and what M128 does while no rotary axis moves.
 //!
-//! Source: reference sections 3.4 and 2.14. A tilt by nothing is how CAM posts write 3-axis work for a machine with
+//! Source: K 3.4 and 2.14 (docs/sources.md). A tilt by nothing is how CAM posts write 3-axis work for a machine with
 //! rotary axes; a turn about the tool axis Z stays in the plane. Every real tilt is refused.
 
 use libm::atan2;

@@ -1,6 +1,6 @@
 //! Polar blocks: LP, CTP, CP, and the pole they refer to.
 //!
-//! Source: reference sections 2.2 and 2.8.
+//! Source: K 2.2 and 2.8 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::{self, Closing};

@@ -1,6 +1,6 @@
 //! Touch probe cycles that are left out: what they would have set is unknown from there on.
 //!
-//! Source: reference sections 1.3, 5.6, 6.9. Q115 to Q199 take results in every cycle, further parameters where the block
+//! Source: K 1.3, 5.6, 6.9 (docs/sources.md). Q115 to Q199 take results in every cycle, further parameters where the block
 //! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
 
 use crate::diag::{Diagnostic, codes};

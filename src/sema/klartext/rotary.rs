@@ -1,6 +1,6 @@
 //! Rotary and parallel axes: whole turns, the short way of M126, M94, and what transformations forbid.
 //!
-//! Source: reference section 2.14.
+//! Source: K 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;

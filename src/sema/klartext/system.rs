@@ -1,6 +1,6 @@
 //! FN 18: SYSREAD, for what the program text determines.
 //!
-//! Source: reference section 5.7. It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270; further answers are a reading that
+//! Source: K 5.7 (docs/sources.md). It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270; further answers are a reading that
 //! warns.
 
 use crate::diag::{Diagnostic, codes};

@@ -1,6 +1,6 @@
 //! TOOL DEF, TOOL CALL, and what other blocks ask of the active tool.
 //!
-//! Source: reference section 1.5.
+//! Source: K 1.5 (docs/sources.md).
 
 use super::change::Change;
 use rustc_hash::FxHashMap;

@@ -3,7 +3,7 @@
 //!
 //! The manual describes distances from the start under G91; programs exist that give coordinates under G91, too. An
 //! arc whose start and end lie on one circle in one reading only decides; where both readings fit, the whole program
-//! is looked through once for arcs that speak against G90 or G91. Source: reference 5.2.
+//! is looked through once for arcs that speak against G90 or G91. Source: M 5.2 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};

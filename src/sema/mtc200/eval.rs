@@ -1,6 +1,6 @@
 //! NC variables and formulas.
 //!
-//! Source: reference section 3. Values are plain numbers; unit and diameter come with the word that uses them.
+//! Source: M 3 (docs/sources.md). Values are plain numbers; unit and diameter come with the word that uses them.
 
 use crate::diag::{Diagnostic, codes};
 use crate::lexer::formula::{Function, Operator};

@@ -1,6 +1,6 @@
 //! Program flow: labels, branches, subroutines, called programs, ends.
 //!
-//! Source: reference section 4.
+//! Source: M 4 (docs/sources.md).
 
 use rustc_hash::FxHashMap;
 

@@ -1,6 +1,6 @@
 //! G functions: one table says to which group each belongs and what it does.
 //!
-//! Source: reference sections 5, 6, 7, 9.
+//! Source: M 5, 6, 7, 9 (docs/sources.md).
 
 use crate::geo::Plane;
 use crate::ir::Side;

@@ -1,6 +1,6 @@
 //! What stands around a program in its file: the header of a transfer file, and the `%` of a paper tape.
 //!
-//! Source: reference section 2.1.
+//! Source: M 2.1 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::mtc200::ast::{Block, Stmt};

@@ -1,7 +1,7 @@
 //! G47 and G48: tool length compensation off and on.
 //!
 //! The programmed path is that of the tool tip while G48 is in force, and that of the spindle nose under G47. The
-//! output is a path of the tip, so neither has a word in it. Source: reference section 8.0.
+//! output is a path of the tip, so neither has a word in it. Source: M 8.0 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;

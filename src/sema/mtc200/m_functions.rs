@@ -1,6 +1,6 @@
 //! M functions, spindle, tool, dwell.
 //!
-//! Source: reference sections 5.4, 7, 8. When an M function acts is not documented: what starts something acts
+//! Source: M 5.4, 7, 8 (docs/sources.md). When an M function acts is not documented: what starts something acts
 //! before the move of its block, what ends something behind it.
 
 use crate::diag::{Diagnostic, codes};

@@ -2,7 +2,7 @@
 //!
 //! Every block is resolved completely in its turn, so the programmed position is always known here. The order
 //! inside a block is: modal G functions, S, T, M functions that start something, motion or offset, corner, M
-//! functions that end something, program flow. Source: reference sections 1, 2, 6.5.
+//! functions that end something, program flow. Source: M 1, 2, 6.5 (docs/sources.md).
 
 mod centre;
 mod eval;

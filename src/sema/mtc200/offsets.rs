@@ -1,6 +1,6 @@
 //! Zero offsets and machine positions: G50 to G59, G74.
 //!
-//! Offsets of X are radius values under diameter programming, and all follow G70 and G71. Source: reference 6.4.
+//! Offsets of X are radius values under diameter programming, and all follow G70 and G71. Source: M 6.4 (docs/sources.md).
 
 use std::rc::Rc;
 

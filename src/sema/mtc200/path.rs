@@ -1,6 +1,6 @@
 //! Motion blocks: straight lines, arcs, threads, corners.
 //!
-//! Source: reference sections 5, 6.1, 6.2, 8.
+//! Source: M 5, 6.1, 6.2, 8 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};

@@ -1,6 +1,6 @@
 //! Readings that no manual at hand confirms: each is said once per program, until the configuration confirms it.
 //!
-//! Source: reference section 13.
+//! Source: M 13 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::options::mtc200::Reading;

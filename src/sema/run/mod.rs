@@ -19,13 +19,12 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
-pub use self::budget::Budget;
 pub use self::core::Core;
 pub use self::files::{open_cursor, open_program, refused};
 pub use self::level::{Level, Program};
 pub use self::report::Where;
 pub use self::site::Site;
-pub use self::source::{Cache, Parsed, Read, Source};
+pub use self::source::{Parsed, Read};
 
 /// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
 /// need nothing.

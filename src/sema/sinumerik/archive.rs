@@ -1,6 +1,6 @@
 //! `%` lines: where the programs of an archive begin, and what may stand behind the last one.
 //!
-//! Source: reference section 1.1.
+//! Source: S 1.1 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::sema::run::Where;

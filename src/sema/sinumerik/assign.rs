@@ -1,6 +1,6 @@
 //! Assignments to variables, arrays and system variables; SET and REP.
 //!
-//! Source: reference sections 5.1 and 5.6.
+//! Source: S 5.1 and 5.6 (docs/sources.md).
 
 use std::rc::Rc;
 

@@ -3,7 +3,7 @@
 //! A name stands for a printed axis, or is left out. Two names of one program never end on one printed axis: what
 //! two axes of the machine do cannot be done by one.
 //!
-//! Source: reference section 1.3.
+//! Source: S 1.3 (docs/sources.md).
 
 use rustc_hash::FxHashSet;
 

@@ -1,6 +1,6 @@
 //! Calls of programs: levels, parameters, passes, return.
 //!
-//! Source: reference section 5.6.
+//! Source: S 5.6 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::StandIn;

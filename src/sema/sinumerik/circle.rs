@@ -1,6 +1,6 @@
 //! Circles: G2, G3, CIP and CT with all their words, helices, polar arcs.
 //!
-//! Source: reference sections 2.3 to 2.5.
+//! Source: S 2.3 to 2.5 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::angle::rotated;

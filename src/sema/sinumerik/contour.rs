@@ -1,6 +1,6 @@
 //! Contour definitions: lines by angle, chamfers and roundings.
 //!
-//! Source: reference sections 2.10 and 2.11.
+//! Source: S 2.10 and 2.11 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::open::{Coord, Data, Fault, NOT_FIXED, Rules, Start, solve};

@@ -1,6 +1,6 @@
 //! Declarations: DEF in programs and in definition files.
 //!
-//! Source: reference section 5.1.
+//! Source: S 5.1 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::SPLIT;

@@ -1,6 +1,6 @@
 //! Computes formulas: postfix operations over a stack of values.
 //!
-//! Source: reference section 5.2. Comparisons bind weakest; REAL values are equal within 1e-12 of their size.
+//! Source: S 5.2 (docs/sources.md). Comparisons bind weakest; REAL values are equal within 1e-12 of their size.
 
 use std::borrow::Cow;
 use std::rc::Rc;

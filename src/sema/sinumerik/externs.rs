@@ -1,6 +1,6 @@
 //! EXTERN: what a program says of the parameters of another one, held against its PROC.
 //!
-//! Source: reference sections 5.6, 7.1 and 7.2.
+//! Source: S 5.6, 7.1 and 7.2 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::ast::{Block, TypeName, Variable};

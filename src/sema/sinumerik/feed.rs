@@ -1,6 +1,6 @@
 //! Feed: its kinds, and what a path block takes.
 //!
-//! Source: reference sections 2.1 and 2.15.
+//! Source: S 2.1 and 2.15 (docs/sources.md).
 
 use std::collections::BTreeMap;
 

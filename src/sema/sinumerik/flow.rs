@@ -1,6 +1,6 @@
 //! Program flow inside a program: structures, jumps, repeated sections.
 //!
-//! Source: reference sections 5.3 to 5.5.
+//! Source: S 5.3 to 5.5 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::tree::did_you_mean;

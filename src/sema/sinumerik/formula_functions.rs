@@ -1,6 +1,6 @@
 //! Functions of formulas.
 //!
-//! Source: reference section 5.2; angles are degrees.
+//! Source: S 5.2; angles are degrees (docs/sources.md).
 
 use std::borrow::Cow;
 

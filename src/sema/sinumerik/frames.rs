@@ -1,6 +1,6 @@
 //! Frame values: shift, fine shift, rotation, scale and mirror, and their chains.
 //!
-//! `v = R · S · M · v' + shift + fine`; `A : B` applies B first. Source: reference section 4.
+//! `v = R · S · M · v' + shift + fine`; `A : B` applies B first. Source: S 4 (docs/sources.md).
 
 use std::collections::BTreeMap;
 

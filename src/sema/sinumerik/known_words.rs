@@ -1,6 +1,6 @@
 //! Words of the language that are not compiled: what they are, and what to do about them.
 //!
-//! A word that is built stands in `vocabulary`. Source: reference sections 1.3, 2, 3, 5 and 6.
+//! A word that is built stands in `vocabulary`. Source: S 1.3, 2, 3, 5 and 6 (docs/sources.md).
 
 /// Words of one kind.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Words that have no counterpart in the output and change no move: what is said of them.
 //!
-//! Source: reference sections 1.5, 2.14 and 3.
+//! Source: S 1.5, 2.14 and 3 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::AxisSet;

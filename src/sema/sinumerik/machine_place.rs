@@ -1,7 +1,7 @@
 //! Machine coordinates and the length of the tool: G53, G153, SUPA and SUPD.
 //!
 //! With MD 10760 = 0 the control places the tip of the tool, the target the nose of the spindle: what is printed is a
-//! tool length off unless it is added. Source: reference section 4.8.
+//! tool length off unless it is added. Source: S 4.8 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::{Axis, AxisSet};

@@ -1,6 +1,6 @@
 //! Macros: `DEFINE NAME AS words`.
 //!
-//! Source: reference section 5.6.
+//! Source: S 5.6 (docs/sources.md).
 
 use rustc_hash::FxHashMap;
 

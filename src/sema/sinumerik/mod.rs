@@ -2,7 +2,7 @@
 //!
 //! Every block is resolved completely in its turn; only the first line of a two-line contour definition waits
 //! for the second. Order inside a block: assignments, G codes, F S T D, spindle and coolant, motion, stops and
-//! end, modal call. Source: `reference/sinumerik-core`.
+//! end, modal call. Source: S 0 to 6 (docs/sources.md).
 
 mod archive;
 mod assign;

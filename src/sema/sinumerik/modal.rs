@@ -1,6 +1,6 @@
 //! G codes that hold on, and which of them may stand in one block.
 //!
-//! Source: reference section 3.
+//! Source: S 3 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Side;

@@ -1,6 +1,6 @@
 //! Blocks of words: modal codes, then technology, then the motion, then what acts behind it.
 //!
-//! Source: reference sections 0, 2.1, 2.6, 2.8 and 2.9.
+//! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;

@@ -1,6 +1,6 @@
 //! Moves as they go out: in the frame, in machine coordinates, of single axes.
 //!
-//! Source: reference sections 2.1, 4.8 and 5.6.
+//! Source: S 2.1, 4.8 and 5.6 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::Plane;

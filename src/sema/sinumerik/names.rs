@@ -1,6 +1,6 @@
 //! Words with a name, a number or an index: addresses, calls, spindles, axes by variable.
 //!
-//! Source: reference sections 1.3 and 5.6.
+//! Source: S 1.3 and 5.6 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};

@@ -1,6 +1,6 @@
 //! Work offsets: those of the machine are printed, those that the program writes go into the coordinates.
 //!
-//! Source: reference section 4.7.
+//! Source: S 4.7 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::{Function, Side};

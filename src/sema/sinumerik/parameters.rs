@@ -1,6 +1,6 @@
 //! Arguments of calls and parameters of PROC.
 //!
-//! Source: reference section 5.6.
+//! Source: S 5.6 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Variable};

@@ -1,6 +1,6 @@
 //! Poles and polar end points: G110, G111, G112, AP and RP.
 //!
-//! Source: reference section 2.4.
+//! Source: S 2.4 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::angle::polar_point;

@@ -1,6 +1,6 @@
 //! Blocks with a call: procedures of the language, and programs by name.
 //!
-//! Source: reference sections 1.5, 5.6 and 6.
+//! Source: S 1.5, 5.6 and 6 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::ir::{Function, Pos, Side};

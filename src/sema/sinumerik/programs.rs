@@ -1,6 +1,6 @@
 //! The programs of a run: files, the programs in an archive, and their skeletons for jumps.
 //!
-//! Source: reference sections 1.1, 5.3 and 5.4.
+//! Source: S 1.1, 5.3 and 5.4 (docs/sources.md).
 
 use std::rc::Rc;
 

@@ -1,6 +1,6 @@
 //! End points of rotary axes, those that count modulo 360 degrees among them.
 //!
-//! Source: reference section 2.6.
+//! Source: S 2.6 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::machine::Axis;

@@ -1,6 +1,6 @@
 //! Blocks that are no moves: dwell, reference points, limits, frames, calls and procedures.
 //!
-//! Source: reference sections 1.5, 2.1, 4.2, 5.6 and 6.
+//! Source: S 1.5, 2.1, 4.2, 5.6 and 6 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};

@@ -1,6 +1,6 @@
 //! Spindles: speed, sense of rotation, constant cutting speed.
 //!
-//! Source: reference section 2.15.
+//! Source: S 2.15 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::ir::Function;

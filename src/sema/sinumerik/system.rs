@@ -1,6 +1,6 @@
 //! System variables that a compiler can know, and functions that need the program.
 //!
-//! Source: reference sections 4.7 and 5.7.
+//! Source: S 4.7 and 5.7 (docs/sources.md).
 
 use std::collections::BTreeMap;
 use std::rc::Rc;

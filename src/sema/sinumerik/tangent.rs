@@ -1,6 +1,6 @@
 //! CT: circles that go on in the direction of the block before.
 //!
-//! Source: reference section 2.3.
+//! Source: S 2.3 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::arc::{

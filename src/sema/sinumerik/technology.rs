@@ -1,6 +1,6 @@
 //! Technology: feed, spindle, tool, M functions, compensation, work offsets.
 //!
-//! Source: reference sections 0, 2.12, 2.15, 4.7.
+//! Source: S 0, 2.12, 2.15, 4.7 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::ir::Function;
@@ -14,7 +14,7 @@ use super::{Outcome, Run};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
-/// S words of a block (reference 1.2).
+/// S words of a block (S 1.2).
 const MOST_S: usize = 3;
 
 impl Run<'_> {

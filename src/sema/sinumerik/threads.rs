@@ -1,6 +1,6 @@
 //! Moves in step with the spindle: threads (G33) and rigid tapping (G331, G332).
 //!
-//! Source: reference sections 0, 2.1, 7.2 and 7.3.
+//! Source: S 0, 2.1, 7.2 and 7.3 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;

@@ -1,6 +1,6 @@
 //! Tools: choice, change, cutting edge, radius compensation.
 //!
-//! Source: reference sections 2.12 and 2.15.
+//! Source: S 2.12 and 2.15 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;

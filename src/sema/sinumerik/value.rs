@@ -1,6 +1,6 @@
 //! Values of variables and formulas, their types and conversions.
 //!
-//! Source: reference sections 5.1 and 5.2.
+//! Source: S 5.1 and 5.2 (docs/sources.md).
 
 use std::rc::Rc;
 

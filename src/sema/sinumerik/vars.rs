@@ -1,6 +1,6 @@
 //! Variables: R parameters, DEF in programs, definition files.
 //!
-//! Source: reference section 5.1.
+//! Source: S 5.1 (docs/sources.md).
 
 use std::collections::BTreeMap;
 

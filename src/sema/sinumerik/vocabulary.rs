@@ -1,6 +1,6 @@
 //! The words of the language, as tables: G groups, addresses, procedures, functions.
 //!
-//! Source: reference sections 1.3, 2.14, 3, 5 and 6; group numbers and internal indices as `$P_GG` returns
+//! Source: S 1.3, 2.14, 3, 5 and 6; group numbers and internal indices as `$P_GG` returns
 //! them.
 
 use crate::diag::{self, codes};

@@ -1,6 +1,6 @@
 //! Sorts the words of a block by what they mean. Assignments are carried out on the way.
 //!
-//! Source: reference sections 1.2, 1.3 and 9.18.
+//! Source: S 1.2 and 1.3 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::machine::axis::AXES;

@@ -1,6 +1,6 @@
 //! Cycles and the contours that follow them up to G80.
 //!
-//! Source: reference section 7.
+//! Source: T 7 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::parser::turning::ast::Block;
@@ -159,7 +159,7 @@ impl Run<'_> {
         }
     }
 
-    /// The words of a contour in G80; RI and RK belong to the form of a recess. Source: reference section 12.
+    /// The words of a contour in G80; RI and RK belong to the form of a recess. Source: T 12.
     fn known_words(&self, w: &Words, number: u16) -> Outcome {
         let known = super::g_functions::find(80).map_or(&[][..], |row| row.longs);
         for (addr, num) in w.longs() {

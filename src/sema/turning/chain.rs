@@ -1,7 +1,7 @@
 //! What turning programs say of elements with missing data: rules, and the choice of two solutions by Q.
 //!
 //! Points are (Z, X) with X as a radius. A line stands at `A` to the negative Z axis: it leaves its start along
-//! (-cos A, sin A) or the other way. Source: reference sections 5 and 6.2, "Solving unknowns".
+//! (-cos A, sin A) or the other way. Source: T 5 and 6.2, "Solving unknowns" (docs/sources.md).
 
 use crate::geo::open::{RADIUS_DIFFERS, Rules, Solution, Solutions, Start, TOO_MUCH};
 use crate::geo::{SAME_POINT, distance};

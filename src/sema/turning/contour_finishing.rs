@@ -1,7 +1,7 @@
 //! G89 of the 4110: one cut along the contour behind the cycle, with the nose radius compensated where G41 or G42 stands in
 //! the block after it.
 //!
-//! Source: reference section 7.
+//! Source: T 7 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::Vec2;

@@ -1,6 +1,6 @@
 //! A contour in the words of the G80 that closes a cycle, as smart.Turn units with direct contour input write it.
 //!
-//! A recess has a floor and two walls, a roughed contour two elements. Source: reference sections 8.11 and 12.
+//! A recess has a floor and two walls, a roughed contour two elements. Source: T 8.11 and 12 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};

@@ -1,6 +1,6 @@
 //! G71, G74 and G36: drilling and tapping along Z from where the tool stands.
 //!
-//! Source: reference section 9.
+//! Source: T 9 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::Point2;

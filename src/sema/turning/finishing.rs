@@ -1,6 +1,6 @@
 //! G890, finishing along a contour: its parameters and their defaults.
 //!
-//! Source: reference section 8.10; the letters H, I, K, D, E and O: MANUALplus 620 smart.Turn and DIN, page 119.
+//! Source: T 8.10; the letters H, I, K, D, E and O: MANUALplus 620 smart.Turn and DIN, page 119 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2, cross, left};

@@ -1,6 +1,6 @@
 //! Program flow: IF, WHILE, SWITCH. Branches that are not taken are read and passed.
 //!
-//! Source: reference section 13.3. A CASE that is reached from the one before, which some languages allow, is refused.
+//! Source: T 13.3 (docs/sources.md). A CASE that is reached from the one before, which some languages allow, is refused.
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::turning::ast::{Block, Formula, Stmt};

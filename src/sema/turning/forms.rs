@@ -1,6 +1,6 @@
 //! Recesses on a straight element: G22-Geo and G23-Geo.
 //!
-//! Source: reference section 6.3 and worked example 11.
+//! Source: T 6.3 (docs/sources.md).
 
 use crate::geo::{Element, Point2, SAME_DIRECTION, Vec2, direction, left};
 

@@ -1,6 +1,6 @@
 //! The sections that describe shape: blank, finished part, auxiliary contours. Nothing moves here.
 //!
-//! Source: reference section 6.
+//! Source: T 6 (docs/sources.md).
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;

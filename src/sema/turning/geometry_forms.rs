@@ -1,6 +1,6 @@
 //! Blocks that put a form on an element of a contour: recesses, undercuts, threads.
 //!
-//! Source: reference section 6.3.
+//! Source: T 6.3 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
@@ -19,7 +19,7 @@ use super::words::{Words, letters};
 use super::{Outcome, Reported, Run};
 
 /// Codes by which D of a cycle leaves forms out. A recess of G22 is a sealing ring or a guard ring, which its block does
-/// not say, so both codes are needed. Source: reference section 6.3.
+/// not say, so both codes are needed. Source: T 6.3.
 pub(super) const CODES_OF_G22: u32 = 512 | 1024;
 const CODE_OF_G23: u32 = 256;
 pub(super) const ALL_CODES: u32 = 256 | 512 | 1024 | 2048 | 0x001f_8000;

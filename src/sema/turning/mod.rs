@@ -1,7 +1,7 @@
 //! Runs a HEIDENHAIN turning program: 4110 DIN programs, DIN PLUS and smart.Turn files.
 //!
 //! X words are diameters here and radii in the contour stream; the working plane is ZX, so points are (Z, X).
-//! Source: `reference/heidenhain-turning`, sections 2 to 7 and 13.
+//! Source: T 2 to 7 and 13 (docs/sources.md).
 
 mod capture;
 mod chain;

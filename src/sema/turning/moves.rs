@@ -1,6 +1,6 @@
 //! Path blocks: straight moves, arcs, moves in machine coordinates.
 //!
-//! Source: reference sections 4 and 5.
+//! Source: T 4 and 5 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::open::{Rules, Solution, Solutions, Start};

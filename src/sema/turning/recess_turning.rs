@@ -1,6 +1,6 @@
 //! G869, recess turning along a contour: its parameters and their defaults.
 //!
-//! Source: reference section 8.8, worked example 6.
+//! Source: T 8.8 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::{Element, Point2};

@@ -1,6 +1,6 @@
 //! Roughing in parallel cuts: G81 and G82, G817 to G829 with the contour behind them, G810 and G820 along a contour.
 //!
-//! Source: reference sections 7, 8.1 and 8.2, worked examples 8, 12 and 13.
+//! Source: T 7, 8.1 and 8.2 (docs/sources.md).
 
 use std::f64::consts::PI;
 

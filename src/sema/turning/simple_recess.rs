@@ -1,6 +1,6 @@
 //! G86 of the 4110: a recess with upright flanks, roughed in strokes and finished with a chamfer at each rim.
 //!
-//! The oversize is one length: it counts twice in a diameter. Source: reference section 8.4. A start at X = contour + 2·(1.3 − chamfer) makes the chamfer: so each flank is entered
+//! The oversize is one length: it counts twice in a diameter. Source: T 8.4 (docs/sources.md). A start at X = contour + 2·(1.3 − chamfer) makes the chamfer: so each flank is entered
 //! over a slope of 45 degrees that begins 1.3 mm beside it at the height of the start.
 
 use crate::diag::codes;

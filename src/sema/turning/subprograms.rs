@@ -1,6 +1,6 @@
 //! Subprograms: `L"name"` with values, in the same file or in one of its own.
 //!
-//! Source: reference section 13.4.
+//! Source: T 13.4 (docs/sources.md).
 
 use rustc_hash::FxHashMap;
 

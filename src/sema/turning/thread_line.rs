@@ -1,6 +1,6 @@
 //! Where the thread of a G31 runs: from the tool to an end point, along a contour, across a face.
 //!
-//! Source: reference section 10.1.
+//! Source: T 10.1 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::{Element, Point2};

@@ -1,6 +1,6 @@
 //! G31, the universal thread cycle: its parameters and their defaults.
 //!
-//! Source: reference section 10, worked examples 1 to 5 and 14.
+//! Source: T 10 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::{Deg, Point2};

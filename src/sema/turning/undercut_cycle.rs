@@ -1,7 +1,7 @@
 //! G85 of the 4110: one cut along an undercut, from above the cylinder to above the shoulder; or, where the tool stands on
 //! the cylinder, along that and the undercut.
 //!
-//! Source: reference section 8.7 and the table of G85 in section 6.3.
+//! Source: T 8.7 and the table of G85 in section 6.3 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::geo::{Element, Plane, Point2};

@@ -1,6 +1,6 @@
 //! Undercuts in inside corners (G25-Geo, G85): forms U, DIN 509 E and F, DIN 76, in the corner between two elements.
 //!
-//! Source: reference section 6.3 and worked example 7. All lengths in mm; depths are radius values.
+//! Source: T 6.3 (docs/sources.md). All lengths in mm; depths are radius values.
 
 use crate::geo::undercut::{Allowance, Corner, Fault, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Point2, SAME_DIRECTION, Vec2, direction, distance};

@@ -7,8 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use partc::machine::Settings;
-use partc::text::{FileError, Files, Memory, Opened, Request};
+use partc::internals::machine::Settings;
+use partc::internals::text::{FileError, Files, Memory, Opened, Request};
 
 use super::common::{Compiled, compile_bytes, settings};
 

@@ -57,7 +57,7 @@ fn words(drilling: &Drilling) -> Vec<String> {
     list
 }
 
-/// `CYCLE83(155,150,1,5,0,100,,20,0,0,1,0)` of the reference.
+/// `CYCLE83(155,150,1,5,0,100,,20,0,0,1,0)`.
 #[test]
 fn degression_by_amount() {
     let drilling = hole(levels(155.0, 150.0, 1.0, 5.0), breaking(50.0, Degression::Amount(20.0)));
@@ -70,7 +70,7 @@ fn series(total: f64, first: f64, degression: Degression) -> Vec<String> {
 }
 
 #[test]
-fn other_series_of_the_reference() {
+fn other_series_as_computed_by_hand() {
     assert_eq!(series(100.0, 30.0, Degression::Amount(5.0)), ["-30", "-55", "-75", "-90", "-100"]);
     assert_eq!(series(50.0, 20.0, Degression::Amount(5.0)), ["-20", "-35", "-45", "-50"]);
     assert_eq!(series(100.0, 30.0, Degression::constant(30.0)), ["-30", "-60", "-80", "-100"]);

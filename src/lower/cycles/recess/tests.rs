@@ -43,7 +43,7 @@ fn words(recess: &RecessTurning, from: Point2) -> Vec<String> {
 const FROM: Point2 = Point2::new(-10.0, 31.0);
 
 #[test]
-fn radial_groove_of_the_reference() {
+fn radial_groove_as_computed_by_hand() {
     let expected = [
         "G0 Z-23.1",
         "G1 X56.1333 F0.08",

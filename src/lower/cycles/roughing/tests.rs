@@ -43,7 +43,7 @@ fn words(roughing: &Roughing, from: Point2) -> Vec<String> {
 }
 
 #[test]
-fn contour_roughing_of_the_reference() {
+fn contour_roughing_as_computed_by_hand() {
     let from = Point2::new(2.0, 26.0);
     let expected = [
         "G0 X46.5",
@@ -112,7 +112,7 @@ fn every_cut_may_follow_the_contour() {
 }
 
 #[test]
-fn longitudinal_rectangle_of_the_reference() {
+fn longitudinal_rectangle_as_computed_by_hand() {
     let from = Point2::new(2.0, 31.0);
     let to = Point2::new(-30.0, 25.0);
     let feed = Feed::PerRevolution(0.3);
@@ -138,7 +138,7 @@ fn longitudinal_rectangle_of_the_reference() {
 }
 
 #[test]
-fn transverse_rectangle_of_the_reference() {
+fn transverse_rectangle_as_computed_by_hand() {
     let from = Point2::new(3.0, 31.0);
     let to = Point2::new(0.0, 10.0);
     let roughing = Roughing::rectangle(from, to, Towards::MinusZ, 1.25, 0.0, Feed::PerRevolution(0.3));

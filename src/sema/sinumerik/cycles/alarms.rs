@@ -1,6 +1,6 @@
 //! What the alarms of the standard cycles mean, for programs that raise them by `SETAL`.
 //!
-//! Source: reference section 7.
+//! Source: C 7 (docs/sources.md).
 
 /// The cause of an alarm of the standard cycles, and what to do; `None` for alarms of users and machine builders.
 pub(in super::super) fn meaning(alarm: f64) -> Option<(&'static str, &'static str)> {

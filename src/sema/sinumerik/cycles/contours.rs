@@ -1,7 +1,7 @@
 //! Cycles that take a contour: CYCLE62 calls it, CYCLE95, CYCLE952, CYCLE63, CYCLE64 and CYCLE72 work along it.
 //!
 //! The contour is run and checked, and the arguments are; then the cycle is refused by name, because its tracks are not
-//! published. Source: reference sections 1.12, 5.2 to 5.6 and 7.
+//! published. Source: C 1.12, 5.2 to 5.6 and 7 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::Closing;

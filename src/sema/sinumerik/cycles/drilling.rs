@@ -1,6 +1,6 @@
 //! CYCLE81 to CYCLE89 and CYCLE840.
 //!
-//! Source: reference sections 6.1 to 6.3.
+//! Source: C 6.1 to 6.3 (docs/sources.md).
 
 use crate::diag::codes;
 use crate::ir::Feed;

@@ -1,6 +1,6 @@
 //! Machining cycles of the control: their parameters become the arguments of `ir::cycle`.
 //!
-//! Source: `reference/sinumerik-contours-undercuts-cycles` sections 5 and 6.
+//! Source: C 5 and 6 (docs/sources.md).
 
 mod alarms;
 mod arguments;

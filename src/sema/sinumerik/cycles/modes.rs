@@ -1,6 +1,6 @@
 //! What the coded arguments of drilling cycles say: axis, plane, how the depth is given, how the dwell counts.
 //!
-//! Source: reference sections 6.1 and 6.2.
+//! Source: C 6.1 and 6.2 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane};

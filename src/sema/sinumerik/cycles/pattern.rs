@@ -1,6 +1,6 @@
 //! Hole patterns: HOLES1, HOLES2, CYCLE801, CYCLE802.
 //!
-//! Source: reference section 6.4.
+//! Source: C 6.4 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};

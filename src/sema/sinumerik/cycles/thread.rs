@@ -1,6 +1,6 @@
 //! Thread cycles: CYCLE97, CYCLE98, CYCLE99.
 //!
-//! Source: reference sections 5.8 to 5.10.
+//! Source: C 5.8 to 5.10 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};

@@ -1,6 +1,6 @@
 //! Undercut cycles: CYCLE94, CYCLE96, CYCLE940. What their arguments mean is in `undercut_call`.
 //!
-//! Source: reference sections 4.1, 5.1 and 5.7.
+//! Source: C 4.1, 5.1 and 5.7 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::cycle::undercut::UndercutCycle;

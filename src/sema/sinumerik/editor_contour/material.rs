@@ -1,7 +1,7 @@
 //! On which side of a turned contour its material lies, told by the contour and by the undercuts in it.
 //!
 //! An undercut belongs into an inner corner, so its turn says on which side the material is taken to lie; the corner
-//! alone does not prove it. Source: `reference/sinumerik-contours-undercuts-cycles` sections 4.1 and 4.2.
+//! alone does not prove it. Source: C 4.1 and 4.2 (docs/sources.md).
 
 use crate::geo::{Point2, SAME_POINT, Vec2, cross};
 

@@ -1,7 +1,7 @@
 //! Contours of the contour editor: the NC blocks are what runs, the hidden records behind them are checked against
 //! them. Where the NC blocks are missing they are made from the records.
 //!
-//! Source: `reference/sinumerik-contours-undercuts-cycles` section 1.
+//! Source: C 1 (docs/sources.md).
 
 mod compare;
 mod difference;

@@ -53,7 +53,7 @@ const SHAFT: &str = ";S,EX:0,EY:0,ASE:90
     ;LL,EX:-60";
 
 #[test]
-fn the_whole_contour_of_the_reference() {
+fn the_whole_contour_as_computed_by_hand() {
     assert_eq!(
         words(SHAFT, 2.0),
         [

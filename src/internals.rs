@@ -1,0 +1,57 @@
+//! What tests, benches and fuzz targets of this repository look into, by folder.
+
+pub mod diag {
+    pub use crate::diag::{CallPath, Diagnostic, Diags, Severity, codes, render};
+}
+
+pub mod dialect {
+    pub use crate::dialect::{ALL, Dialect, find};
+}
+
+pub mod driver {
+    pub use crate::driver::Session;
+}
+
+pub mod emit {
+    pub use crate::emit::{LineMap, Output, Printer, plot, reread};
+}
+
+pub mod geo {
+    pub use crate::geo::{Deg, Element, Plane, Point2, undercut};
+}
+
+pub mod ir {
+    pub use crate::ir::{Feed, Function, Origin, Pos, Side, captured, contour, function, motion, undercut};
+}
+
+pub mod lower {
+    pub use crate::lower::Lower;
+}
+
+pub mod machine {
+    pub use crate::machine::{
+        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, axis, config, schema, settings, tools, tree,
+    };
+}
+
+pub mod parser {
+    pub use crate::parser::{klartext, mtc200, problem, sinumerik, symbols, turning};
+}
+
+pub mod sema {
+    pub use crate::sema::cycle_table;
+
+    pub mod sinumerik {
+        pub use crate::sema::sinumerik::all_words;
+    }
+}
+
+pub mod target {
+    pub use crate::target::{ALL, NAMES, Target, find};
+}
+
+pub mod text {
+    pub use crate::text::{
+        FileError, FileId, Files, Loc, Memory, Opened, ReadAt, Request, Sources, Span, files, sources,
+    };
+}
