@@ -93,7 +93,7 @@ pub(super) enum Group {
     SoftwareLimit = 58,
     /// Mode of the path dynamics.
     Dynamics = 59,
-    WorkingAreaGroup = 60,
+    WorkingAreaChoice = 60,
     OrientationContinuity = 61,
     RepositioningPointBlock = 62,
 }
@@ -344,7 +344,7 @@ const TABLE: &[Row] = &[
     row(Group::CornerDeceleration, 1, "FENDNORM G62 G621"),
     row(Group::SoftwareLimit, 1, "RELIEVEON RELIEVEOF"),
     row(Group::Dynamics, 1, "DYNNORM DYNPOS DYNROUGH DYNSEMIFIN DYNFINISH DYNPREC"),
-    row(Group::WorkingAreaGroup, 1, "WALCS0 WALCS1 WALCS2 WALCS3 WALCS4 WALCS5 WALCS6 WALCS7 WALCS8 WALCS9 WALCS10"),
+    row(Group::WorkingAreaChoice, 1, "WALCS0 WALCS1 WALCS2 WALCS3 WALCS4 WALCS5 WALCS6 WALCS7 WALCS8 WALCS9 WALCS10"),
     row(Group::OrientationContinuity, 1, "ORISOF ORISON"),
     row(Group::RepositioningPointBlock, 0, "RMBBL RMIBL RMEBL RMNBL"),
 ];

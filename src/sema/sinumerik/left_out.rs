@@ -54,7 +54,7 @@ impl Run<'_> {
                 let found = Diagnostic::new(codes::S8102, self.loc(span), message);
                 self.report(found.help("check that both ways are free, or program RTLION"));
             }
-            Group::WorkingArea | Group::WorkingAreaGroup => self.limits_are_left_out(span),
+            Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
             Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
             Group::FineToolOffset if code == Code::FTOCON => {
                 self.tool_data_differ(code, "lets other programs shift the tool", span);
