@@ -167,12 +167,8 @@ impl<'a> Reader<'a> {
                 170 => self.plane = [0, 1, 2],
                 180 => self.plane = [2, 0, 1],
                 190 => self.plane = [1, 2, 0],
-                930 | 940 => {
-                    // The feed is undefined behind a change of its kind.
-                    if std::mem::replace(&mut self.by_time, g == 930) != (g == 930) {
-                        self.feed = None;
-                    }
-                }
+                // The feed is undefined after a change of its kind.
+                930 | 940 if std::mem::replace(&mut self.by_time, g == 930) != (g == 930) => self.feed = None,
                 _ => {}
             }
         }
@@ -197,7 +193,7 @@ impl<'a> Reader<'a> {
         if other {
             events.push(Event::Words(code.to_owned()));
         }
-        values.retain(|letter, _| !"NST".contains(*letter) && !(g.contains(&40) && *letter == 'P'));
+        values.retain(|letter, _| !("NST".contains(*letter) || g.contains(&40) && *letter == 'P'));
         match values.keys().next() {
             Some(letter) => Err(format!("error 36: {letter} is not used")),
             None => Ok(()),

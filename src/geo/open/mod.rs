@@ -312,7 +312,7 @@ impl Data {
     }
 
     /// Centres and radius of an arc that are known without its start.
-    fn fixed_circles(&self, rules: &Rules) -> Option<([(Point2, Option<Tag>); 2], f64)> {
+    fn fixed_circles(&self, rules: &Rules) -> Option<(Centers, f64)> {
         self.arc?;
         let center = Some(self.center).filter(|center| center.absolute)?;
         let end = self.absolute_end();
@@ -332,6 +332,9 @@ impl Data {
         tag.is_none().then_some((center, radius))
     }
 }
+
+/// Two centres, each with the situation that it comes from; the same twice where there is one only.
+type Centers = [(Point2, Option<Tag>); 2];
 
 /// Directions whose part across is less run along an axis.
 const FLAT: f64 = 1e-9;

@@ -6,7 +6,7 @@ pub mod build;
 pub mod literal;
 pub mod problem;
 
-#[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
+#[allow(clippy::all, clippy::pedantic, clippy::unwrap_used, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
     include!(concat!(env!("PARTC_GRAMMARS"), "/mtc200.rs"));
 }

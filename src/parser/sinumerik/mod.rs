@@ -8,7 +8,7 @@ pub mod problem;
 pub mod records;
 pub mod scan;
 
-#[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
+#[allow(clippy::all, clippy::pedantic, clippy::unwrap_used, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
     include!(concat!(env!("PARTC_GRAMMARS"), "/sinumerik.rs"));
 }

@@ -7,7 +7,7 @@ pub mod literal;
 pub mod problem;
 pub mod sections;
 
-#[allow(clippy::all, clippy::pedantic, unreachable_pub, missing_debug_implementations, unused)]
+#[allow(clippy::all, clippy::pedantic, clippy::unwrap_used, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {
     include!(concat!(env!("PARTC_GRAMMARS"), "/turning.rs"));
 }

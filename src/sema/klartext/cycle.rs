@@ -377,7 +377,7 @@ impl Run<'_> {
             Some(Defined::Machining { cycle, refused }) => {
                 let (number, loc, again) = (cycle.number, cycle.loc, std::mem::replace(refused, true));
                 if !again {
-                    let what = find(number).name();
+                    let what = find(number).called();
                     self.report(
                         Diagnostic::new(codes::K9001, here, format!("cycle {number} {what} is not supported yet"))
                             .here("called here")

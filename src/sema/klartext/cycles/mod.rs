@@ -131,7 +131,7 @@ impl Row {
     }
 
     /// How the manuals call it.
-    pub fn name(&self) -> &'static str {
+    pub fn called(&self) -> &'static str {
         self.signature.what
     }
 }
