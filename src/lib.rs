@@ -70,6 +70,10 @@ pub mod languages {
     pub use crate::dialect::{ALL, Dialect, find, guess};
 }
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// What tests, benches and fuzz targets of this repository look into. No promise holds for it.
 #[doc(hidden)]
 pub mod internals;

@@ -22,6 +22,7 @@ mod diagnostics;
 mod documents;
 mod endless;
 mod explained;
+mod facade;
 mod fast_path;
 mod fuzz;
 mod golden;

@@ -30,15 +30,13 @@ pub const KEYS: &[Key] = &[
     key(
         "thread_length",
         Kind::Choice(&["middle", "shortest", "longest"]),
-        "length of a thread undercut between g1 and g2",
+        "length of a thread undercut between g1 and g2; if not given, what the control does (SINUMERIK: middle)",
         |s, v| s.undercut.set("thread_length", v),
-    )
-    .or(r#""middle""#),
+    ),
     key(
         "internal_depth",
         Kind::Choice(&["core", "bore"]),
-        "what the contour is at an internal thread undercut",
+        "what the contour is at an internal thread undercut; if not given, what the control does (SINUMERIK: core)",
         |s, v| s.undercut.set("internal_depth", v),
-    )
-    .or(r#""core""#),
+    ),
 ];
