@@ -52,6 +52,7 @@ pub fn readable(bytes: &[u8]) -> Cow<'_, str> {
 }
 
 /// A whole text whose lines are kept.
+#[cfg(feature = "cli")]
 pub fn readable_lines(bytes: &[u8]) -> String {
     bytes.split(|b| *b == b'\n').map(|line| readable(line).into_owned() + "\n").collect()
 }
