@@ -350,7 +350,11 @@ impl Finish<'_> {
                     }
                     self.out.movement(&mv, &step.origin);
                 }
-                Err((code, message, help)) => self.diags.push(at(code, step.origin, message).help(help)),
+                Err((code, message, help)) => {
+                    self.diags.push(at(code, step.origin, message).help(help));
+                    // The move is missing, so the next one does not start where the last one ended.
+                    self.out.lost(&step.origin);
+                }
             },
             Event::Function(function, origin) => self.out.function(function, &origin),
         }

@@ -238,6 +238,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
         if !self.line_lane(block) {
+            // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
+            self.plain = false;
             self.execute_any(block, text);
             self.plain = self.is_plain();
         }
@@ -249,6 +251,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn unread_block(&mut self) {
+        self.plain = false;
         self.lose_all();
     }
 
