@@ -10,6 +10,7 @@ pub mod crossing;
 pub mod element;
 pub mod gap;
 pub mod intersect;
+pub mod joint;
 pub mod offset;
 pub mod open;
 pub mod pattern;

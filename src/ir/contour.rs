@@ -11,7 +11,7 @@ use crate::machine::Axis;
 use super::captured::{Captured, Unfit};
 use super::cycle::Cycle;
 use super::undercut::Undercut;
-use super::{Feed, Frame, Function, Origin, Pos, Side};
+use super::{Compensation, Feed, Frame, Function, Origin, Pos, Side};
 
 /// State that holds for many items; a new one is made only when something in it changes.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -19,6 +19,8 @@ pub struct Ctx {
     /// Working plane.
     pub plane: Plane,
     pub frame: Frame,
+    /// How the compiler compensates moves with a side; `None` leaves them to the target.
+    pub compensation: Option<Compensation>,
 }
 
 pub type CtxRef = Rc<Ctx>;

@@ -5,6 +5,7 @@
 #![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
 
 pub mod captured;
+pub mod compensation;
 pub mod contour;
 pub mod cycle;
 pub mod frame;
@@ -17,6 +18,7 @@ pub mod verify;
 use crate::diag::CallPath;
 use crate::text::Loc;
 
+pub use compensation::Compensation;
 pub use frame::Frame;
 pub use function::Function;
 pub use pos::Pos;

@@ -1,12 +1,14 @@
 //! Geometry: from what was programmed to what the machine shall do.
 //!
 //! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
-//! look-ahead), [`frames`] map to workpiece coordinates, [`limits`] are checked.
+//! look-ahead), [`frames`] map to workpiece coordinates, the radius of the tool is compensated ([`compensation`]),
+//! [`limits`] are checked.
 
 #![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
 
 pub mod arcs;
 pub mod capture;
+pub mod compensation;
 pub mod corner;
 pub mod cycles;
 pub mod frames;
@@ -25,8 +27,9 @@ use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, Last};
 use capture::{Before, Recording};
+use compensation::{Compensator, Out};
 use corner::{Corners, Event};
-use step::Checked;
+use step::{Checked, Step};
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.
 const ARC: u64 = 3;
@@ -46,6 +49,7 @@ pub struct Lower<'a> {
     corners: Corners,
     /// What the steps behind the corners led to, for their check.
     chain: Checked,
+    compensator: Compensator,
     /// A contour that is described now.
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
@@ -74,6 +78,7 @@ impl<'a> Lower<'a> {
             adjusted: Adjusted::default(),
             corners: Corners::default(),
             chain: Checked::default(),
+            compensator: Compensator::default(),
             recording: None,
             start: Pos::UNKNOWN,
             moves: 0,
@@ -84,6 +89,8 @@ impl<'a> Lower<'a> {
     /// Everything was sent: what is held back goes out.
     pub fn finish(mut self) {
         self.flush();
+        let (compensator, mut out) = self.compensator();
+        compensator.finish(&mut out);
         self.adjusted.report(self.diags);
     }
 
@@ -99,9 +106,14 @@ impl<'a> Lower<'a> {
     }
 
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
+        let out = Out { diags: self.diags, machine: self.machine, sink: &mut *self.out };
         let recording = self.recording.as_deref_mut();
-        let chain = &mut self.chain;
-        (&mut self.corners, Finish { diags: self.diags, machine: self.machine, out: &mut *self.out, chain, recording })
+        let (chain, compensator) = (&mut self.chain, &mut self.compensator);
+        (&mut self.corners, Finish { diags: self.diags, out, chain, compensator, recording })
+    }
+
+    fn compensator(&mut self) -> (&mut Compensator, Out<'_>) {
+        (&mut self.compensator, Out { diags: self.diags, machine: self.machine, sink: &mut *self.out })
     }
 
     /// The frame changed: the tool stays, its programmed position does not.
@@ -186,10 +198,11 @@ impl<'a> Lower<'a> {
     /// The moves do not say any more where the tool is.
     fn position_lost(&mut self, origin: &Origin) {
         self.chain.lost();
-        match &mut self.recording {
-            Some(recording) => recording.reported(),
-            None => self.out.lost(origin),
+        if let Some(recording) = &mut self.recording {
+            return recording.reported();
         }
+        let (compensator, mut out) = self.compensator();
+        compensator.lost(origin, &mut out);
     }
 
     /// Some functions change where the tool tip is in workpiece coordinates.
@@ -327,9 +340,9 @@ impl Sink for Lower<'_> {
 /// The last passes, which need no memory.
 struct Finish<'a> {
     diags: &'a Diags,
-    machine: &'a Machine,
-    out: &'a mut dyn motion::Sink,
+    out: Out<'a>,
     chain: &'a mut Checked,
+    compensator: &'a mut Compensator,
     recording: Option<&'a mut Recording>,
 }
 
@@ -344,20 +357,24 @@ impl Finish<'_> {
         }
         match event {
             Event::Step(step) => match frames::workpiece(step) {
-                Ok(mv) => {
-                    if !self.machine.limits.is_empty() && !mv.machine {
-                        limits::check(&mv, &self.machine.limits, step.origin, self.diags);
-                    }
-                    self.out.movement(&mv, &step.origin);
-                }
+                Ok(mv) if self.compensator.is_idle(mv.side) => self.out.movement(&mv, &step.origin),
+                Ok(mv) => self.beside(step, &mv),
                 Err((code, message, help)) => {
                     self.diags.push(at(code, step.origin, message).help(help));
                     // The move is missing, so the next one does not start where the last one ended.
-                    self.out.lost(&step.origin);
+                    self.compensator.lost(&step.origin, &mut self.out);
                 }
             },
-            Event::Function(function, origin) => self.out.function(function, &origin),
+            Event::Function(function, origin) => self.compensator.function(function, &origin, &mut self.out),
         }
+    }
+
+    /// A move on one side of a contour, or the first one behind it.
+    #[cold]
+    fn beside(&mut self, step: &Step, mv: &motion::Move) {
+        let start = step.ctx.frame.apply(&step.start);
+        let rules = step.ctx.compensation.as_ref();
+        self.compensator.movement(mv, &start, rules, &step.origin, &mut self.out);
     }
 }
 

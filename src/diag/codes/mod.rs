@@ -3,6 +3,7 @@
 //! Letter: `P` general, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
 //! `O` output. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
 
+mod compensation;
 mod general;
 mod geometry;
 mod klartext;
@@ -12,6 +13,7 @@ mod output;
 mod sinumerik;
 mod turning;
 
+pub use compensation::*;
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
@@ -91,6 +93,7 @@ pub fn all() -> Vec<&'static Code> {
         klartext::KLARTEXT,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
+        compensation::COMPENSATION,
         output::OUTPUT,
         sinumerik::SINUMERIK,
         turning::TURNING,

@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{self, Point2, SAME_DIRECTION, SAME_POINT, Vec2, arc, distance, left, length};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
-use crate::machine::{Axis, Compensation, Generation};
+use crate::machine::{Axis, Generation};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::sema::run::Site;
 use crate::text::Span;
@@ -173,14 +173,7 @@ impl Run<'_> {
 
     /// The radius of the tool in the programmed frame, and what compensation needs besides.
     fn approach_radius(&mut self, span: Span) -> Outcome<f64> {
-        if self.job.settings.output.compensation == Compensation::Resolve {
-            return self.fail_help(
-                codes::K9007,
-                span,
-                "radius compensation cannot be computed yet",
-                "set `[output] compensation = \"control\"` to print G41/G42",
-            );
-        }
+        self.compute_compensation(span)?;
         self.check_cutter(span)?;
         let radius = self.tool_radius(span)?;
         let scale = self.st.ctx.frame.uniform_scale();

@@ -208,17 +208,19 @@ impl Run<'_> {
                     "program a straight block with R0 between them",
                 );
             }
-            if self.job.settings.output.compensation == Compensation::Resolve {
-                return self.fail_help(
-                    codes::K9007,
-                    w.comp_span,
-                    "radius compensation cannot be computed yet",
-                    "set `[output] compensation = \"control\"` to print G41/G42",
-                );
-            }
+            self.compute_compensation(w.comp_span)?;
             self.check_cutter(w.comp_span)?;
         }
         self.st.compensation.select(side);
+        Ok(())
+    }
+
+    /// The compiler itself computes the path of the tool centre, unless the target shall.
+    pub(super) fn compute_compensation(&mut self, span: Span) -> Outcome {
+        if self.job.settings.output.compensation == Compensation::Resolve {
+            let radius = self.tool_radius(span)?;
+            self.st.compensate(crate::ir::Compensation { radius, ..Default::default() });
+        }
         Ok(())
     }
 

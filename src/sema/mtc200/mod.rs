@@ -447,7 +447,7 @@ impl Run<'_> {
         self.length_acts_along_z(plane, span)?;
         self.st.plane = plane;
         self.st.corners.cannot_follow();
-        self.st.ctx = Rc::new(Ctx { plane, frame: self.st.ctx.frame.clone() });
+        self.st.ctx = Rc::new(Ctx { plane, ..(*self.st.ctx).clone() });
         Ok(())
     }
 

@@ -196,7 +196,7 @@ impl State {
         };
         let plane = [Plane::Xy, Plane::Zx, Plane::Yz].into_iter().find(fits).unwrap_or(self.ctx.plane);
         if plane != self.ctx.plane {
-            self.ctx = Rc::new(Ctx { plane, frame: self.ctx.frame.clone() });
+            self.ctx = Rc::new(Ctx { plane, ..(*self.ctx).clone() });
             self.polar.plane_changed();
         }
     }
@@ -250,7 +250,7 @@ impl Run<'_> {
             self.st.heading = self.st.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
             self.st.position.keep_programmed();
             self.st.position.through_frame(&self.st.ctx.frame, &frame);
-            self.st.ctx = Rc::new(Ctx { plane: self.st.ctx.plane, frame });
+            self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });
         }
     }
 }

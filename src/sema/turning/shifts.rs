@@ -86,7 +86,7 @@ impl Run<'_> {
         };
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
         self.st.last = None;
-        self.st.ctx = Rc::new(Ctx { plane: Plane::Zx, frame });
+        self.st.ctx = Rc::new(Ctx { plane: Plane::Zx, frame, ..Ctx::default() });
         Ok(())
     }
 }

@@ -1,0 +1,49 @@
+//! `G32`: radius compensation that the compiler computes.
+
+super::codes! { COMPENSATION:
+
+G3201 Error "compensation-arc" "arc is smaller than the tool"
+"A hollow arc of the contour has a smaller radius than the tool, so the tool cannot lie in it. Controls stop with \"tool radius too large\" or leave \
+the arc out, which changes the part. Take a smaller tool, or make the radius of the arc at least that of the tool; with the same radius the corner gets sharp."
+
+G3202 Error "compensation-room" "tool does not fit into a corner of the contour"
+"The paths of the tool centre along two neighbouring elements do not cross: an element is shorter than the radius needs, such as a step or a short side \
+at an inside corner. Controls stop here, unless they are told to leave elements out (HEIDENHAIN `M120 LA`, SINUMERIK `CDON`), or to prolong the \
+elements at an outside corner (HEIDENHAIN `M97`). Take a smaller tool, or make the elements longer."
+
+G3203 Error "compensation-start" "radius compensation begins or ends where it cannot"
+"The way to a compensated contour, and the way from it, are straight lines that move in the working plane: the tool goes from beside the contour to the \
+point that lies at a right angle beside its first element. On an arc, or without a move in the plane, there is no such way. Program a straight block with RL, RR, \
+R0, G41, G42 or G40."
+
+G3204 Error "compensation-open" "compensated contour has no end or no element"
+"Where the tool stands beside a contour depends on the direction of its elements. Here the compensation ends before there was one, or a tool change, a work \
+offset, another plane or the end of the program comes while it is on. End it in a straight block that leads away from the contour."
+
+G3205 Error "compensation-inside" "what may not stand inside a compensated contour"
+"Machine coordinates, threads, arcs outside the working plane and a change of plane, side or radius cannot stand between the first and the last block of a \
+compensated contour: the path beside it would have no meaning. End the compensation in front of the block, and begin it again behind it."
+
+G3206 Error "compensation-feed" "arc about an outside corner has no feed"
+"At an outside corner the tool travels on an arc about the corner. Between two blocks at rapid traverse there is no feed for it. Program the contour at a feed."
+
+G3207 Error "compensation-length" "elements are prolonged too far at an outside corner"
+"The length by which both elements are to be prolonged (M197 DL) is larger than the way after which they meet, so that no arc is left between them. Make it smaller."
+
+G3208 Error "compensation-behind" "way around the start or end of a contour is not known"
+"The tool stands on the other side of the contour point, and the control leads it around (KONT). With G450 that is a circle of the tool radius about the point, for \
+which the tool has to stand outside of it; the ways of other settings are not published. Start or end beside the contour."
+
+G3210 Warning "compensation-left-out" "elements are left out where the tool does not fit"
+"A corner of the contour is too narrow for the tool. The program asks for the collision search of the control (HEIDENHAIN M120, SINUMERIK CDON and CDOF), \
+so the elements that are named were left out, and the path goes on where it meets a later one. Material stays there. The functions of their blocks happen at that point."
+
+G3211 Warning "compensation-damage" "tool damages the contour at a narrow place"
+"The path beside one element comes nearer to another element than the radius of the tool, although neighbours fit: a bottleneck. HEIDENHAIN controls \
+do not look for it without M120, SINUMERIK controls not without CDON. The path is printed as the control travels it. Take a smaller tool."
+
+G3212 Warning "compensation-stays" "tool stays beside the contour"
+"The block that ends the radius compensation does not move in the working plane. The tool stays where it is, beside the contour, and the next block in the plane starts there and moves \
+both axes. No manual at hand says so. End the compensation in a block that leads away from the contour in the plane."
+
+}

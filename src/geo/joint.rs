@@ -1,0 +1,312 @@
+//! What lies between the parallels of two contour elements: the joints of radius compensation.
+//!
+//! `d` is the signed distance of the parallel, positive to the left of the direction of travel.
+
+use core::f64::consts::{PI, TAU};
+
+use super::intersect::{circles, line_circle, lines};
+use super::{Element, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction, distance, left, turned};
+
+/// Parallels whose ends are closer than this, in mm, meet there, if the contour hardly turns.
+const MEETS: f64 = 1e-3;
+/// Turns up to this angle, in rad (0.01 degrees), are no corner but the rounding of a tangential joint.
+const NO_CORNER: f64 = 1.745e-4;
+/// Turns this close to half a turn, in rad, are reversals.
+const REVERSAL: f64 = 1e-6;
+/// How far a crossing may lie beyond the end of an element, in mm: what double arithmetic loses.
+const BEYOND: f64 = 1e-6;
+/// What touching circles may miss each other by, in mm.
+const TOUCH: f64 = 1e-7;
+
+/// What the parallels of two neighbours do at the point where the contour elements meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Joint {
+    /// They meet end to end.
+    Tangential(Point2),
+    /// They cross: both end here.
+    Inside(Point2),
+    /// The contour turns away from the parallel by this angle in rad: the gap is the control's to fill.
+    Outside { turn: f64 },
+    /// The contour turns towards the parallel, and they do not cross.
+    NoRoom,
+}
+
+/// The parallel of an element. A hollow arc of the radius `d` becomes a line of no length in its centre; `None` for an
+/// element of no length, and for an arc in which the parallel has no room.
+pub fn parallel(element: &Element, d: f64) -> Option<Element> {
+    match *element {
+        Element::Line { from, to } => {
+            let by = left(direction(to - from, 0.0)?) * d;
+            Some(Element::Line { from: from + by, to: to + by })
+        }
+        Element::Arc { from, to, center, sweep } => {
+            let radius = distance(from, center);
+            let other = radius - sweep.signum() * d;
+            if other.abs() <= SAME_POINT {
+                return Some(Element::Line { from: center, to: center });
+            }
+            let place = |p: Point2| Some(center + direction(p - center, 0.0)? * other);
+            (other > 0.0).then_some(Element::Arc { from: place(from)?, to: place(to)?, center, sweep })
+        }
+    }
+}
+
+/// By how much the contour turns between two elements, in rad: positive to the left, half a turn for a reversal.
+pub fn turn(before: &Element, after: &Element) -> Option<f64> {
+    let (a, b) = (before.end_direction()?, after.start_direction()?);
+    Some(libm::atan2(cross(a, b), a.dot(&b)))
+}
+
+/// The joint of the parallels `a` and `b` of two neighbours between which the contour turns by `turn`. `a` may have lost
+/// its beginning, `b` is whole.
+pub fn joint(a: &Element, b: &Element, turn: f64, d: f64) -> Joint {
+    if turn.abs() <= SAME_DIRECTION || turn.abs() < NO_CORNER && distance(a.to(), b.from()) < MEETS {
+        return Joint::Tangential(Point2::from((a.to().coords + b.from().coords) / 2.0));
+    }
+    if PI - turn.abs() <= REVERSAL || turn * d < 0.0 {
+        let turn = if PI - turn.abs() <= REVERSAL { -turn.abs() * d.signum() } else { turn };
+        return Joint::Outside { turn };
+    }
+    first_crossing(a, b).map_or(Joint::NoRoom, Joint::Inside)
+}
+
+/// Where `a` and `b` cross; of two points the one nearest to the start of `b`.
+pub fn first_crossing(a: &Element, b: &Element) -> Option<Point2> {
+    let on_both = |p: &Point2| {
+        let (of_a, of_b) = (way_to_end(a, *p), way_from_start(b, *p));
+        (-BEYOND..=a.length() + BEYOND).contains(&of_a) && (-BEYOND..=b.length() + BEYOND).contains(&of_b)
+    };
+    let found = carriers_cross(a, b).into_iter().flatten().filter(on_both);
+    found.min_by(|p, q| way_from_start(b, *p).total_cmp(&way_from_start(b, *q)))
+}
+
+/// Where the parallels meet if both are prolonged, lines as lines and circles as circles, as near to the gap as
+/// possible.
+pub fn prolonged(a: &Element, b: &Element) -> Option<Point2> {
+    let beyond = |p: &Point2| {
+        let (of_a, of_b) = (prolongation(a, *p, true), prolongation(b, *p, false));
+        of_a.zip(of_b).map(|(x, y)| x + y)
+    };
+    let found = carriers_cross(a, b).into_iter().flatten().filter_map(|p| Some((p, beyond(&p)?)));
+    found.min_by(|p, q| p.1.total_cmp(&q.1)).map(|(p, _)| p)
+}
+
+/// How far `p`, a point of the line or circle of `element`, lies beyond its end, or in front of its start: less than half
+/// a turn of a circle.
+fn prolongation(element: &Element, p: Point2, at_end: bool) -> Option<f64> {
+    let far = match *element {
+        Element::Line { .. } if at_end => -way_to_end(element, p),
+        Element::Line { .. } => -way_from_start(element, p),
+        Element::Arc { from, to, center, sweep } => {
+            let radius = distance(from, center);
+            let angle = if at_end { angle_on(to, p, center, sweep) } else { angle_on(p, from, center, sweep) };
+            if angle < PI { angle * radius } else { return None }
+        }
+    };
+    (far >= -BEYOND).then_some(far)
+}
+
+/// Points that the lines or circles of both elements share.
+fn carriers_cross(a: &Element, b: &Element) -> [Option<Point2>; 2] {
+    let pair = |hits: Option<[Point2; 2]>| hits.map_or([None; 2], |[p, q]| [Some(p), Some(q)]);
+    match (*a, *b) {
+        (Element::Line { from: p, to }, Element::Line { from: q, to: end }) => {
+            match (direction(to - p, 0.0), direction(end - q, 0.0)) {
+                (Some(u), Some(w)) => [lines(p, u, q, w, SAME_DIRECTION).map(|(along, _)| p + u * along), None],
+                // A hollow arc that shrank to a point.
+                (None, _) => [Some(p), None],
+                (_, None) => [Some(q), None],
+            }
+        }
+        (Element::Line { from, to }, Element::Arc { from: start, center, .. })
+        | (Element::Arc { from: start, center, .. }, Element::Line { from, to }) => match direction(to - from, 0.0) {
+            Some(u) => pair(line_circle(from, u, center, distance(start, center), TOUCH)),
+            None => [Some(from), None],
+        },
+        (Element::Arc { from: p, center: c, .. }, Element::Arc { from: q, center: e, .. }) => {
+            pair(circles(c, distance(p, c), e, distance(q, e), TOUCH))
+        }
+    }
+}
+
+/// Angle from the direction of `p` to that of `q` in the sense of `sweep`, in rad; what is nearly a turn is none.
+fn angle_on(p: Point2, q: Point2, center: Point2, sweep: f64) -> f64 {
+    let angle = super::arc::sweep(p, q, center, sweep > 0.0).abs();
+    let slack = BEYOND / distance(p, center).max(BEYOND);
+    if angle >= TAU - slack { angle - TAU } else { angle }
+}
+
+/// Way from the start of an element to `p`, a point of its line or circle; a little below zero in front of it.
+pub fn way_from_start(element: &Element, p: Point2) -> f64 {
+    match *element {
+        Element::Line { from, to } => match direction(to - from, 0.0) {
+            Some(u) => (p - from).dot(&u),
+            None => distance(p, from),
+        },
+        Element::Arc { from, center, sweep, .. } => angle_on(from, p, center, sweep) * distance(from, center),
+    }
+}
+
+/// Way from `p`, a point of the line or circle of an element, to its end.
+pub fn way_to_end(element: &Element, p: Point2) -> f64 {
+    match *element {
+        Element::Line { from, to } => match direction(to - from, 0.0) {
+            Some(u) => (to - p).dot(&u),
+            None => distance(p, to),
+        },
+        Element::Arc { from, to, center, sweep } => angle_on(p, to, center, sweep) * distance(from, center),
+    }
+}
+
+/// The part of an element from `p` on; its circle is kept.
+pub fn from_point(element: &Element, p: Point2) -> Element {
+    match *element {
+        Element::Line { to, .. } => Element::Line { from: p, to },
+        Element::Arc { from, to, center, sweep } => {
+            let rest = sweep - sweep.signum() * angle_on(from, p, center, sweep);
+            Element::Arc { from: p, to, center, sweep: rest }
+        }
+    }
+}
+
+/// The part of an element up to `p`; its circle is kept.
+pub fn up_to_point(element: &Element, p: Point2) -> Element {
+    match *element {
+        Element::Line { from, .. } => Element::Line { from, to: p },
+        Element::Arc { from, to, center, sweep } => {
+            let rest = sweep - sweep.signum() * angle_on(p, to, center, sweep);
+            Element::Arc { from, to: p, center, sweep: rest }
+        }
+    }
+}
+
+/// The same element prolonged to `p`, a point beyond its end.
+pub fn prolonged_to(element: &Element, p: Point2) -> Element {
+    match *element {
+        Element::Line { from, .. } => Element::Line { from, to: p },
+        Element::Arc { from, to, center, sweep } => {
+            let more = sweep.signum() * angle_on(to, p, center, sweep);
+            Element::Arc { from, to: p, center, sweep: sweep + more }
+        }
+    }
+}
+
+/// The same element begun at `p`, a point in front of its start.
+pub fn prolonged_from(element: &Element, p: Point2) -> Element {
+    match *element {
+        Element::Line { to, .. } => Element::Line { from: p, to },
+        Element::Arc { from, to, center, sweep } => {
+            let more = sweep.signum() * angle_on(p, from, center, sweep);
+            Element::Arc { from: p, to, center, sweep: sweep + more }
+        }
+    }
+}
+
+/// Point from which a line runs tangentially into the circle about `center`, seen from `from`: the circle is travelled on
+/// from there in the sense of `ccw`. `None` inside of the circle.
+pub fn tangent_point(from: Point2, center: Point2, radius: f64, ccw: bool) -> Option<Point2> {
+    let out = from - center;
+    let far = super::length(out);
+    if far < radius || far <= 0.0 {
+        return None;
+    }
+    let angle = libm::acos((radius / far).min(1.0));
+    Some(center + turned(out / far, if ccw { angle } else { -angle }) * radius)
+}
+
+/// The direction from the contour to the parallel at a point that is passed in `heading`.
+pub fn towards(heading: Vec2, d: f64) -> Vec2 {
+    left(heading) * d.signum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(from: (f64, f64), to: (f64, f64)) -> Element {
+        Element::Line { from: Point2::new(from.0, from.1), to: Point2::new(to.0, to.1) }
+    }
+
+    fn arc(from: (f64, f64), to: (f64, f64), center: (f64, f64), ccw: bool) -> Element {
+        let (from, to, center) = (Point2::new(from.0, from.1), Point2::new(to.0, to.1), Point2::new(center.0, center.1));
+        Element::Arc { from, to, center, sweep: super::super::arc::sweep(from, to, center, ccw) }
+    }
+
+    fn at(p: Point2, x: f64, y: f64) -> bool {
+        distance(p, Point2::new(x, y)) < 6e-5
+    }
+
+    fn made(a: &Element, b: &Element, d: f64) -> Joint {
+        joint(&parallel(a, d).unwrap(), &parallel(b, d).unwrap(), turn(a, b).unwrap(), d)
+    }
+
+    #[test]
+    fn inside_corners() {
+        let (a, b) = (line((0.0, 0.0), (50.0, 0.0)), line((50.0, 0.0), (21.7157, 28.2843)));
+        assert!(matches!(made(&a, &b, 5.0), Joint::Inside(p) if at(p, 37.9289, 5.0)));
+        let (a, b) = (line((0.0, 0.0), (30.0, 0.0)), arc((30.0, 0.0), (56.0954, -3.8697), (42.0, -9.0), false));
+        assert!(matches!(made(&a, &b, 4.0), Joint::Inside(p) if at(p, 28.1436, 4.0)));
+        let lens = [
+            arc((-5.0, 0.0), (42.6667, 10.5462), (20.0, 0.0), false),
+            arc((42.6667, 10.5462), (73.0, 0.0), (56.0, 0.0), false),
+        ];
+        assert!(matches!(made(&lens[0], &lens[1], 6.0), Joint::Inside(p) if at(p, 44.0, 19.6214)));
+    }
+
+    #[test]
+    fn outside_corners_prolonged() {
+        let (a, b) = (line((0.0, 0.0), (40.0, 0.0)), line((40.0, 0.0), (60.0, -34.6410)));
+        assert!(matches!(made(&a, &b, 5.0), Joint::Outside { turn } if (turn + PI / 3.0).abs() < 1e-5));
+        let p = prolonged(&parallel(&a, 5.0).unwrap(), &parallel(&b, 5.0).unwrap()).unwrap();
+        assert!(at(p, 42.8868, 5.0));
+        let (a, b) = (line((0.0, 0.0), (30.0, 0.0)), arc((30.0, 0.0), (51.9904, 19.5), (39.0, 12.0), true));
+        let (pa, pb) = (parallel(&a, 4.0).unwrap(), parallel(&b, 4.0).unwrap());
+        let p = prolonged(&pa, &pb).unwrap();
+        assert!(at(p, 31.4502, 4.0));
+        let longer = prolonged_from(&pb, p);
+        assert!(longer.length() > pb.length() && longer.length() < 2.0 * pb.length());
+        let (a, b) = (
+            arc((12.0, -16.0), (12.0, 16.0), (0.0, 0.0), true),
+            arc((12.0, 16.0), (12.0, -16.0), (24.0, 0.0), true),
+        );
+        let p = prolonged(&parallel(&a, -5.0).unwrap(), &parallel(&b, -5.0).unwrap()).unwrap();
+        assert!(at(p, 12.0, 21.9317));
+        let (a, b) = (
+            arc((-5.0, 0.0), (42.6667, 10.5462), (20.0, 0.0), false),
+            arc((42.6667, 10.5462), (73.0, 0.0), (56.0, 0.0), false),
+        );
+        assert_eq!(prolonged(&parallel(&a, -6.0).unwrap(), &parallel(&b, -6.0).unwrap()), None);
+    }
+
+    #[test]
+    fn reversals_are_outside_on_either_side() {
+        let (a, b) = (line((0.0, 0.0), (40.0, 0.0)), line((40.0, 0.0), (0.0, 0.0)));
+        assert!(matches!(made(&a, &b, 5.0), Joint::Outside { turn } if turn < 0.0));
+        assert!(matches!(made(&a, &b, -5.0), Joint::Outside { turn } if turn > 0.0));
+    }
+
+    #[test]
+    fn a_hollow_arc_of_the_radius_is_a_point() {
+        let round = arc((32.0, 0.0), (40.0, 8.0), (32.0, 8.0), true);
+        let point = parallel(&round, 8.0).unwrap();
+        assert_eq!(point.length(), 0.0);
+        let before = line((0.0, 0.0), (32.0, 0.0));
+        assert!(matches!(made(&before, &round, 8.0), Joint::Tangential(p) if at(p, 32.0, 8.0)));
+        assert_eq!(parallel(&round, 9.0), None);
+        assert!(parallel(&round, -9.0).is_some());
+    }
+
+    #[test]
+    fn full_circles_keep_their_turn() {
+        let circle = Element::Arc {
+            from: Point2::new(50.0, 30.0),
+            to: Point2::new(50.0, 30.0),
+            center: Point2::new(30.0, 30.0),
+            sweep: TAU,
+        };
+        let inner = parallel(&circle, 5.0).unwrap();
+        assert_eq!(inner.from(), Point2::new(45.0, 30.0));
+        assert_eq!(up_to_point(&inner, inner.to()), inner);
+        assert_eq!(from_point(&inner, inner.from()), inner);
+    }
+}

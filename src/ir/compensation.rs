@@ -1,0 +1,110 @@
+//! What a control decides about the radius of its tool. What is done with it is done in one place, after the corners.
+
+use crate::geo::{Deg, Vec2};
+
+/// How the radius of the tool is compensated by the compiler. A block may have its own: what it says about a joint counts
+/// for the end of its element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Compensation {
+    /// Radius of the tool with its oversizes in mm, not below zero. No frame scales it.
+    pub radius: f64,
+    /// Way from the programmed point to the centre of the nose, in the working plane of the workpiece; zero for a
+    /// milling cutter.
+    pub nose: Vec2,
+    pub approach: Border,
+    pub retract: Border,
+    pub outside: Outside,
+    pub inside: Inside,
+    pub search: Search,
+    /// What becomes of a border element that does not meet its neighbour.
+    pub ends: Ends,
+    /// Elements keep the last offset instead of one of their own.
+    pub constant: bool,
+    pub alarms: Alarms,
+}
+
+impl Default for Compensation {
+    fn default() -> Compensation {
+        Compensation {
+            radius: 0.0,
+            nose: Vec2::zeros(),
+            approach: Border::default(),
+            retract: Border::default(),
+            outside: Outside::default(),
+            inside: Inside::default(),
+            search: Search::default(),
+            ends: Ends::default(),
+            constant: false,
+            alarms: Alarms::default(),
+        }
+    }
+}
+
+/// The way to the first contour element, or from the last one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Border {
+    /// Straight to the point beside the start of the element, at a right angle to its direction there.
+    #[default]
+    Perpendicular,
+    /// The same, but around the start of the contour on a circle where the tool stands behind it.
+    Around,
+    /// Around it in another way, which the compiler does not make.
+    AroundOtherwise,
+}
+
+/// A corner that turns away from the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Outside {
+    /// Up to this turn of the contour both offsets are prolonged until they meet, beyond it an arc leads about the
+    /// corner.
+    pub prolonged: Deg,
+    /// Both offsets are prolonged by this length in mm, and a smaller arc leads from one to the other.
+    pub by: Option<f64>,
+}
+
+/// A corner that turns towards the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Inside {
+    /// Both elements end where their offsets cross.
+    #[default]
+    Crossing,
+    /// Both are cut to their ends, and a line leads from one to the other.
+    Open,
+}
+
+/// What is done where neighbours do not meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Search {
+    /// Elements that may be left out; none: the contour is refused.
+    pub elements: u32,
+    /// A bottleneck between elements that are no neighbours is an error, too.
+    pub bottlenecks: bool,
+}
+
+/// How the border element of a contour is prolonged where it does not meet its neighbour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Ends {
+    /// Not at all.
+    #[default]
+    AsTheyAre,
+    /// By the circle of the tool about the programmed border point.
+    Circle,
+    /// By the tangent.
+    Tangent,
+}
+
+/// Numbers of the control's own alarms, for reports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Alarms {
+    /// Neighbours do not meet.
+    pub no_room: Option<u32>,
+    /// Elements were left out.
+    pub left_out: Option<u32>,
+    /// The tool stands inside of the circle about the border point.
+    pub start_inside: Option<u32>,
+    pub end_inside: Option<u32>,
+    /// The plane changes.
+    pub plane: Option<u32>,
+    /// The compensation begins or ends on an arc, or without a move in the plane.
+    pub no_line: Option<u32>,
+}

@@ -1,0 +1,143 @@
+//! Pieces of the path of the tool centre while their ends are not settled.
+
+use crate::geo::{Element, Point2, Vec2, joint};
+use crate::ir::compensation::Compensation;
+use crate::ir::motion::{Arc, Move, Path};
+use crate::ir::{Function, Origin, Pos};
+use crate::machine::AxisSet;
+
+use super::super::step::plane_axes;
+
+/// What a piece is of the contour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// The way to the contour; its curve is what a search may meet, and is not travelled.
+    Entry,
+    /// An element of the contour.
+    Element,
+    /// An element that leaves no room for the tool: nothing of it is left.
+    Gone,
+    /// What is put between two elements.
+    Joint,
+    /// The end of the contour prolonged; never travelled.
+    Exit,
+}
+
+impl Kind {
+    pub fn is_of_contour(self) -> bool {
+        matches!(self, Kind::Element | Kind::Gone)
+    }
+}
+
+/// What happens where a piece ends.
+#[derive(Debug, Clone)]
+pub enum Item {
+    Function(Function, Origin),
+    /// A move that leaves the plane alone.
+    Move(Move, Origin),
+}
+
+#[derive(Debug, Clone)]
+pub struct Piece {
+    pub kind: Kind,
+    /// The programmed element; a joint has its corner.
+    pub contour: Element,
+    /// The path of the centre: its start is settled.
+    pub curve: Element,
+    /// Where the path leaves it; `None` for its end.
+    pub stop: Option<Point2>,
+    /// The move that is printed, with the curve put in.
+    pub mv: Move,
+    pub origin: Origin,
+    pub rules: Compensation,
+    pub items: Vec<Item>,
+}
+
+impl Piece {
+    /// What is travelled of it.
+    pub fn travelled(&self) -> Element {
+        match self.stop {
+            Some(p) => joint::up_to_point(&self.curve, p),
+            None => self.curve,
+        }
+    }
+
+    pub fn end(&self) -> Point2 {
+        self.stop.unwrap_or_else(|| self.curve.to())
+    }
+
+    /// The printed move from `at` along `curve`.
+    pub fn printed(&self, curve: &Element, at: &Pos) -> Move {
+        let (plane, shift) = (self.mv.plane, self.rules.nose);
+        let mut mv = self.mv;
+        if self.kind == Kind::Joint {
+            mv.end = *at;
+        }
+        mv.end.set_in_plane(plane, curve.to() - shift);
+        mv.axes = mv.axes.union(plane_axes(plane));
+        mv.side = crate::ir::Side::None;
+        let feed = self.mv.path.feed();
+        mv.path = match (*curve, feed) {
+            (Element::Arc { from, center, sweep, .. }, Some(feed)) => {
+                Path::Arc(Arc { plane, from: from - shift, center: center - shift, sweep }, feed)
+            }
+            // An arc without a feed is refused before it becomes a piece.
+            _ => Path::straight(feed),
+        };
+        mv
+    }
+
+    /// A piece between this one and `next`, which it takes its feed from.
+    pub fn joint_to(&self, next: &Piece, curve: Element) -> Piece {
+        let corner = self.contour.to();
+        let plane = self.mv.plane;
+        let feed = next.mv.path.feed().or(self.mv.path.feed());
+        let mv = Move { axes: plane_axes(plane), path: Path::straight(feed), ..self.mv };
+        Piece {
+            kind: Kind::Joint,
+            contour: Element::Line { from: corner, to: corner },
+            curve,
+            stop: None,
+            mv,
+            origin: next.origin,
+            rules: next.rules,
+            items: Vec::new(),
+        }
+    }
+
+    pub fn has_feed(&self) -> bool {
+        self.mv.path.feed().is_some()
+    }
+}
+
+/// `mv` at the place in the plane where the tool stands in truth.
+pub fn aside(mv: &Move, at: &Pos) -> Move {
+    let mut mv = *mv;
+    mv.side = crate::ir::Side::None;
+    if !mv.machine && let Some(p) = at.in_plane(mv.plane) {
+        mv.end.set_in_plane(mv.plane, p);
+    }
+    mv
+}
+
+/// `mv` moved by `by` in its plane.
+pub fn moved(mv: &Move, by: Vec2) -> Move {
+    let mut mv = *mv;
+    let plane = mv.plane;
+    if let Some(p) = mv.end.in_plane(plane) {
+        mv.end.set_in_plane(plane, p + by);
+    }
+    mv.axes = mv.axes.union(plane_axes(plane));
+    mv.side = crate::ir::Side::None;
+    if let Path::Arc(arc, _) = &mut mv.path {
+        arc.from += by;
+        arc.center += by;
+    }
+    mv
+}
+
+/// Both axes of the plane belong to `mv`, as far as their places are known.
+pub fn with_plane(mv: &Move) -> Move {
+    let both: AxisSet = plane_axes(mv.plane).common(mv.end.known());
+    Move { axes: mv.axes.union(both), ..*mv }
+}
