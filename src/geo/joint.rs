@@ -228,7 +228,8 @@ mod tests {
     }
 
     fn arc(from: (f64, f64), to: (f64, f64), center: (f64, f64), ccw: bool) -> Element {
-        let (from, to, center) = (Point2::new(from.0, from.1), Point2::new(to.0, to.1), Point2::new(center.0, center.1));
+        let (from, to, center) =
+            (Point2::new(from.0, from.1), Point2::new(to.0, to.1), Point2::new(center.0, center.1));
         Element::Arc { from, to, center, sweep: super::super::arc::sweep(from, to, center, ccw) }
     }
 
@@ -265,10 +266,8 @@ mod tests {
         assert!(at(p, 31.4502, 4.0));
         let longer = prolonged_from(&pb, p);
         assert!(longer.length() > pb.length() && longer.length() < 2.0 * pb.length());
-        let (a, b) = (
-            arc((12.0, -16.0), (12.0, 16.0), (0.0, 0.0), true),
-            arc((12.0, 16.0), (12.0, -16.0), (24.0, 0.0), true),
-        );
+        let (a, b) =
+            (arc((12.0, -16.0), (12.0, 16.0), (0.0, 0.0), true), arc((12.0, 16.0), (12.0, -16.0), (24.0, 0.0), true));
         let p = prolonged(&parallel(&a, -5.0).unwrap(), &parallel(&b, -5.0).unwrap()).unwrap();
         assert!(at(p, 12.0, 21.9317));
         let (a, b) = (

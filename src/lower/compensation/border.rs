@@ -97,7 +97,14 @@ impl Compensator {
     }
 
     /// The circle about the border point between a tangent from or to `far` and `edge`.
-    fn around(&self, far: Point2, corner: Point2, edge: Point2, border: &Piece, leaves: bool) -> Result<Piece, Refused> {
+    fn around(
+        &self,
+        far: Point2,
+        corner: Point2,
+        edge: Point2,
+        border: &Piece,
+        leaves: bool,
+    ) -> Result<Piece, Refused> {
         let rules = &border.rules;
         let kind = if leaves { rules.retract } else { rules.approach };
         if kind == Border::AroundOtherwise {
@@ -217,9 +224,12 @@ impl Compensator {
         let (edge, corner) = (last.curve.to(), last.contour.to());
         let curve = match last.rules.ends {
             Ends::AsTheyAre => return None,
-            Ends::Circle => {
-                Element::Arc { from: edge, to: edge, center: corner, sweep: arc::sweep(edge, edge, corner, self.d < 0.0) }
-            }
+            Ends::Circle => Element::Arc {
+                from: edge,
+                to: edge,
+                center: corner,
+                sweep: arc::sweep(edge, edge, corner, self.d < 0.0),
+            },
             Ends::Tangent => Element::Line { from: edge, to: edge + last.contour.end_direction()? * LONG },
         };
         Some(Piece { kind: Kind::Exit, curve, stop: None, items: Vec::new(), ..last.clone() })
@@ -228,7 +238,8 @@ impl Compensator {
     /// The offset from now on: that of the end of the last element, which is printed.
     pub(super) fn hold_offset(&mut self, out: &mut Out<'_>) -> Result<Vec2, Refused> {
         self.close(out)?;
-        let offset = self.path.back().map_or(Vec2::zeros(), |last| last.curve.to() - last.contour.to() - last.rules.nose);
+        let offset =
+            self.path.back().map_or(Vec2::zeros(), |last| last.curve.to() - last.contour.to() - last.rules.nose);
         self.print_all(out);
         Ok(offset)
     }

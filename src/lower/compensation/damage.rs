@@ -65,9 +65,7 @@ impl Ring {
 
     /// The one that `known` comes too near to.
     fn hit(&self, known: &Known, r: f64) -> Option<Origin> {
-        let near = |other: &&Known| {
-            !known.is_far(other, r) && gap::between(&known.element, &other.element) < r
-        };
+        let near = |other: &&Known| !known.is_far(other, r) && gap::between(&known.element, &other.element) < r;
         self.known.iter().find(near).map(|other| other.origin)
     }
 }

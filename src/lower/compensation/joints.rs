@@ -1,7 +1,7 @@
 //! What is put between two elements.
 
-use crate::geo::{Element, Point2, arc, distance, joint};
 use crate::geo::joint::Joint;
+use crate::geo::{Element, Point2, arc, distance, joint};
 use crate::ir::compensation::Inside;
 
 use super::piece::{Kind, Piece};

@@ -93,7 +93,14 @@ impl Compensator {
     }
 
     /// A move in workpiece coordinates from `start`.
-    pub fn movement(&mut self, mv: &Move, start: &Pos, rules: Option<&Compensation>, origin: &Origin, out: &mut Out<'_>) {
+    pub fn movement(
+        &mut self,
+        mv: &Move,
+        start: &Pos,
+        rules: Option<&Compensation>,
+        origin: &Origin,
+        out: &mut Out<'_>,
+    ) {
         let done = match (mv.side, rules) {
             (Side::None, _) => self.uncompensated(mv, start, origin, out),
             (_, Some(rules)) if rules.radius > 0.0 => self.compensated(mv, start, rules, origin, out),
@@ -299,7 +306,8 @@ impl Compensator {
             None if rules.search.elements > 0 => (Kind::Gone, contour),
             None => return Err(reports::arc_too_small(&contour, rules, origin)),
         };
-        let piece = Piece { kind, contour, curve, stop: None, mv: *mv, origin: *origin, rules: *rules, items: Vec::new() };
+        let piece =
+            Piece { kind, contour, curve, stop: None, mv: *mv, origin: *origin, rules: *rules, items: Vec::new() };
         Ok(piece)
     }
 

@@ -114,7 +114,9 @@ impl Piece {
 pub fn aside(mv: &Move, at: &Pos) -> Move {
     let mut mv = *mv;
     mv.side = crate::ir::Side::None;
-    if !mv.machine && let Some(p) = at.in_plane(mv.plane) {
+    if !mv.machine
+        && let Some(p) = at.in_plane(mv.plane)
+    {
         mv.end.set_in_plane(mv.plane, p);
     }
     mv

@@ -71,7 +71,8 @@ pub fn no_line(begins: bool, arc: bool, rules: &Compensation, origin: &Origin) -
 
 pub fn leaves_on_arc(arc: bool, origin: &Origin) -> Refused {
     let what = if arc { "an arc" } else { "a thread" };
-    let message = format!("{what} follows a compensated contour: the tool stands beside it, where the block does not start");
+    let message =
+        format!("{what} follows a compensated contour: the tool stands beside it, where the block does not start");
     Box::new(at(codes::G3203, *origin, message).help("put a straight block without compensation in between"))
 }
 
@@ -155,13 +156,15 @@ pub fn too_long(last: &Piece, next: &Piece, by: f64, most: f64) -> Refused {
 
 pub fn around_otherwise(leaves: bool, origin: &Origin) -> Refused {
     let what = if leaves { "leaves" } else { "comes to" };
-    let message = format!("the tool {what} the contour from behind, and the control's way around the corner is not known");
-    Box::new(at(codes::G3208, *origin, message).help("program the way around, or let it lead around on a circle (G450)"))
+    let message =
+        format!("the tool {what} the contour from behind, and the control's way around the corner is not known");
+    Box::new(
+        at(codes::G3208, *origin, message).help("program the way around, or let it lead around on a circle (G450)"),
+    )
 }
 
 pub fn inside_circle(leaves: bool, rules: &Compensation, origin: &Origin) -> Refused {
-    let (what, alarm) =
-        if leaves { ("end", rules.alarms.end_inside) } else { ("start", rules.alarms.start_inside) };
+    let (what, alarm) = if leaves { ("end", rules.alarms.end_inside) } else { ("start", rules.alarms.start_inside) };
     let message = format!(
         "the {what} of the way lies nearer to the contour point than the radius of the tool, {} mm",
         length(rules.radius)
@@ -181,7 +184,9 @@ pub fn left_out<'p>(gone: impl Iterator<Item = &'p Piece>, last: &Piece, next: &
     for piece in gone.iter().take(8) {
         found = found.also(piece.origin.loc, "left out");
     }
-    Box::new(found.also(last.origin.loc, "element before").help("check that the material may stay, or take a smaller tool"))
+    Box::new(
+        found.also(last.origin.loc, "element before").help("check that the material may stay, or take a smaller tool"),
+    )
 }
 
 pub fn damaged(path: &Origin, contour: &Origin, radius: f64) -> Refused {
@@ -196,11 +201,12 @@ pub fn damaged(path: &Origin, contour: &Origin, radius: f64) -> Refused {
 pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> Refused {
     let (first, second, _) = plane.axes();
     let names = ["X", "Y", "Z"];
-    let place = at_point.map_or(String::new(), |p| {
-        format!(" ({}{} {}{})", names[first], length(p.x), names[second], length(p.y))
-    });
+    let place = at_point
+        .map_or(String::new(), |p| format!(" ({}{} {}{})", names[first], length(p.x), names[second], length(p.y)));
     let message = format!(
         "radius compensation ends in a block that leaves the plane alone: the tool stays beside the contour{place} until the next block in the plane"
     );
-    Box::new(at(codes::G3212, *origin, message).help("end the compensation in a block that leads away from the contour"))
+    Box::new(
+        at(codes::G3212, *origin, message).help("end the compensation in a block that leads away from the contour"),
+    )
 }

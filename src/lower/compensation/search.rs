@@ -103,8 +103,10 @@ impl Compensator {
         let (before, behind) = (joint::up_to_point(&last.curve, p), joint::from_point(&next.curve, p));
         let point = Element::Line { from: p, to: p };
         let free = clear(&point, &mut self.path.iter().chain(&self.ahead))
-            && (last.kind == Kind::Entry || clear(&before, &mut self.path.iter().skip(i + 1).chain(self.ahead.iter().take(j + 1))))
-            && (next.kind == Kind::Exit || clear(&behind, &mut self.path.iter().skip(i).chain(self.ahead.iter().take(j))));
+            && (last.kind == Kind::Entry
+                || clear(&before, &mut self.path.iter().skip(i + 1).chain(self.ahead.iter().take(j + 1))))
+            && (next.kind == Kind::Exit
+                || clear(&behind, &mut self.path.iter().skip(i).chain(self.ahead.iter().take(j))));
         free.then_some(p)
     }
 }

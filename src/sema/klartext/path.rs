@@ -216,7 +216,7 @@ impl Run<'_> {
     }
 
     /// The compiler itself computes the path of the tool centre, unless the target shall.
-    pub(super) fn compute_compensation(&mut self, span: Span) -> Outcome {
+    pub(super) fn compute_compensation(&mut self, span: crate::text::Span) -> Outcome {
         if self.job.settings.output.compensation == Compensation::Resolve {
             let radius = self.tool_radius(span)?;
             self.st.compensate(crate::ir::Compensation { radius, ..Default::default() });
