@@ -45,7 +45,7 @@ impl Compensator {
                 self.path.extend(pieces);
             }
             Made::NoRoom => {
-                if next.rules.search.elements == 0 {
+                if next.rules.search.elements == 0 && !next.may_grow() {
                     return Err(reports::no_room(last, &next));
                 }
                 self.ahead.push_back(next);

@@ -280,8 +280,8 @@ impl Compensator {
             }
             _ => {
                 let next = self.piece(mv, contour, rules, origin)?;
-                self.damage.contour(&next, self.d, out.diags);
                 self.join(next, out)?;
+                self.damage.contour(&contour, origin, self.d, out.diags);
                 self.settle(rules.search.elements, out);
                 Ok(())
             }
