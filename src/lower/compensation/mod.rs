@@ -257,6 +257,7 @@ impl Compensator {
             };
         }
         let Some(contour) = element(mv, start) else { return Err(reports::start_unknown(origin)) };
+        out.sink.programmed(mv, start);
         match self.stage {
             Stage::Entering => {
                 if rules.constant {
