@@ -4,7 +4,7 @@
 //! is what it is. What a control decides comes with the elements ([`Compensation`]); what it does is here. The path of an
 //! element is printed when its end is settled: one element of look-ahead, more where the control may leave elements out.
 //!
-//! Geometry: `docs/compensation.md`.
+//! Geometry: docs/compensation.md.
 
 mod border;
 mod damage;
