@@ -263,7 +263,7 @@ impl Compensator {
                 if rules.constant {
                     return Err(reports::constant_at_start(origin));
                 }
-                self.enter(self.piece(mv, contour, rules, origin)?)
+                self.enter(self.piece(mv, contour, rules, origin)?, out)
             }
             Stage::Contour if rules.constant => {
                 let by = self.hold_offset(out)?;
