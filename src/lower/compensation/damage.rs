@@ -90,10 +90,10 @@ impl Damage {
     }
 
     /// An element of the contour.
-    pub fn contour(&mut self, piece: &Piece, d: f64, diags: &Diags) {
-        let known = Known::new(&piece.contour, piece.origin);
+    pub fn contour(&mut self, element: &Element, origin: &Origin, d: f64, diags: &Diags) {
+        let known = Known::new(element, *origin);
         if let Some(of) = self.path.hit(&known, d.abs() - NEARER) {
-            self.report(&of, &piece.origin, d, diags);
+            self.report(&of, origin, d, diags);
         }
         self.contour.add(known);
     }

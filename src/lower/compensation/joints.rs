@@ -42,10 +42,13 @@ impl Compensator {
                 if last.rules.inside == Inside::Open {
                     self.damage.is_wanted();
                 }
+                if !pieces.is_empty() && !last.rules.joints_are_documented {
+                    reports::reading(last, &next, out.diags);
+                }
                 self.path.extend(pieces);
             }
             Made::NoRoom => {
-                if next.rules.search.elements == 0 {
+                if next.rules.search.elements == 0 && !next.may_grow() {
                     return Err(reports::no_room(last, &next));
                 }
                 self.ahead.push_back(next);

@@ -1,7 +1,7 @@
 //! Pieces of the path of the tool centre while their ends are not settled.
 
 use crate::geo::{Element, Point2, Vec2, joint};
-use crate::ir::compensation::Compensation;
+use crate::ir::compensation::{Compensation, Outside};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::AxisSet;
@@ -103,6 +103,11 @@ impl Piece {
             rules: next.rules,
             items: Vec::new(),
         }
+    }
+
+    /// May its end be prolonged at the next joint?
+    pub fn may_grow(&self) -> bool {
+        self.rules.outside != Outside::default()
     }
 
     pub fn has_feed(&self) -> bool {

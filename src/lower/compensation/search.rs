@@ -29,7 +29,7 @@ impl Compensator {
         let Some((of_path, of_ahead, p)) = self.meeting(most) else {
             let waiting = self.ahead.iter().filter(|piece| piece.kind.is_of_contour()).count();
             let (Some(last), Some(first)) = (self.path.back(), self.ahead.front()) else { return Ok(()) };
-            if waiting as u64 > u64::from(most) {
+            if waiting as u64 > u64::from(most) + u64::from(first.may_grow()) {
                 return Err(reports::no_room(last, first));
             }
             return Ok(());
