@@ -67,7 +67,8 @@ impl Contour {
                 _ => real(dice, -2.0, 2.0),
             };
             heading += turn;
-            let curve = if dice.roll(2) == 0 { line(dice, at, heading, digits) } else { arc(dice, at, heading, digits) };
+            let curve =
+                if dice.roll(2) == 0 { line(dice, at, heading, digits) } else { arc(dice, at, heading, digits) };
             let Some(curve) = curve else { continue };
             let rise = if dice.roll(6) == 0 { number(real(dice, -3.0, 3.0), 3) } else { 0.0 };
             let plunge = (dice.roll(12) == 0).then(|| number(real(dice, -3.0, 3.0), 3));
@@ -76,7 +77,12 @@ impl Contour {
             elements.push(Element { curve, rise, corner: None, plunge });
         }
         if elements.is_empty() {
-            elements.push(Element { curve: Curve::line(at, [at[0] + 10.0, at[1]]), rise: 0.0, corner: None, plunge: None });
+            elements.push(Element {
+                curve: Curve::line(at, [at[0] + 10.0, at[1]]),
+                rise: 0.0,
+                corner: None,
+                plunge: None,
+            });
         }
         corners(dice, &mut elements);
         let transformed = dice.roll(3) == 0;
@@ -261,7 +267,11 @@ fn arc(dice: &mut Dice, from: P, heading: f64, digits: usize) -> Option<Curve> {
         let out = sub(from, center);
         let (sin, cos) = sweep.sin_cos();
         let to = rounded([center[0] + out[0] * cos - out[1] * sin, center[1] + out[0] * sin + out[1] * cos], digits);
-        return (apart(from, to) > 0.02).then(|| Curve { from, to, arc: Some((center, swept(from, to, center, side))) });
+        return (apart(from, to) > 0.02).then(|| Curve {
+            from,
+            to,
+            arc: Some((center, swept(from, to, center, side))),
+        });
     }
     // By its radius: the centre follows from what is written.
     let radius = number(radius, digits);
@@ -294,7 +304,12 @@ fn corners(dice: &mut Dice, elements: &mut [Element]) {
         taken = 0.0;
         let fits = before.arc.is_none() && after.arc.is_none() && (0.2..2.6).contains(&angle) && room > 0.5;
         // A plunge stands behind the corner, not in front of it.
-        if !fits || elements[i - 1].plunge.is_some() || elements[i - 1].rise != 0.0 || elements[i].rise != 0.0 || dice.roll(3) > 0 {
+        if !fits
+            || elements[i - 1].plunge.is_some()
+            || elements[i - 1].rise != 0.0
+            || elements[i].rise != 0.0
+            || dice.roll(3) > 0
+        {
             continue;
         }
         let cut = room * real(dice, 0.2, 0.9);

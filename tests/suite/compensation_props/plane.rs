@@ -156,46 +156,54 @@ pub fn turn(before: &Curve, after: &Curve) -> f64 {
     dot(left(a), b).atan2(dot(a, b))
 }
 
-/// Are all neighbours of the contour joined, and nothing else comes near, when the tool has a little more or less radius?
-/// Each element has to keep one piece of its path, which only its neighbours cut.
+/// Does the tool go round the whole contour, also with a little more radius? Each element has to keep one piece of its path
+/// that only its neighbours cut, and these have to meet.
 pub fn is_wide(contour: &[Curve], d: f64) -> bool {
-    let r = d.abs();
-    let margin = 0.02 * r + 2e-3;
-    let others = |i: usize, near: bool| {
-        contour.iter().enumerate().filter(move |(j, _)| *j != i && (i.abs_diff(*j) == 1) == near).map(|(_, c)| *c)
-    };
-    contour.iter().enumerate().all(|(i, element)| {
-        if element.room(d) < margin {
+    let margin = 0.02 * d.abs() + 2e-3;
+    let mut last: Option<(P, f64)> = None;
+    for (i, element) in contour.iter().enumerate() {
+        let Some((first, end, step)) = kept(contour, i, d, margin) else { return false };
+        let inside = last.is_some_and(|_| turn(&contour[i - 1], element) * d > 0.0);
+        if inside && last.is_some_and(|(before, other)| apart(before, first) > 3.0 * (step + other)) {
             return false;
         }
-        let steps = (element.length() / (0.1 * r)).ceil().clamp(24.0, 4000.0);
-        let far: Vec<Curve> = others(i, false).collect();
-        let samples = |k: f64| element.beside(k / steps, d);
-        // Cut at the start, free, cut at the end: each once.
-        let mut part = 0;
-        let mut free = 0;
-        for k in 0..=steps as u32 {
-            let p = samples(f64::from(k));
-            if nearest(&far, p) < r + margin {
-                return false;
-            }
-            let cut = |j: Option<usize>| j.and_then(|j| contour.get(j)).is_some_and(|c| c.distance(p) < r - 1e-9);
-            let (by_last, by_next) = (cut(i.checked_sub(1)), cut(Some(i + 1)));
-            let now = match (by_last, by_next) {
-                (false, false) => 1,
-                (true, false) => 0,
-                (false, true) => 2,
-                (true, true) => return false,
-            };
-            if now < part {
-                return false;
-            }
-            part = now;
-            free += u32::from(now == 1);
+        if contour.get(i + 1).is_some_and(|next| !corner_is_wide(contour, i, next, d, margin)) {
+            return false;
         }
-        let joint = contour.get(i + 1).is_none_or(|next| corner_is_wide(contour, i, next, d, margin));
-        free >= 4 && joint
-    })
+        last = Some((end, step));
+    }
+    true
+}
+
+/// The part of its path that an element keeps: its first and last point, and how exactly they are known.
+fn kept(contour: &[Curve], i: usize, d: f64, margin: f64) -> Option<(P, P, f64)> {
+    let (element, r) = (&contour[i], d.abs());
+    if element.room(d) < margin {
+        return None;
+    }
+    let far: Vec<Curve> = (0..contour.len()).filter(|j| i.abs_diff(*j) > 1).map(|j| contour[j]).collect();
+    let steps = (element.length() / (0.05 * r)).ceil().clamp(24.0, 4000.0);
+    let cut = |j: Option<usize>, p: P| j.and_then(|j| contour.get(j)).is_some_and(|c| c.distance(p) < r - 1e-9);
+    // Cut at the start, free, cut at the end: each once.
+    let (mut part, mut free) = (0, Vec::new());
+    for k in 0..=steps as u32 {
+        let p = element.beside(f64::from(k) / steps, d);
+        let now = match (cut(i.checked_sub(1), p), cut(Some(i + 1), p)) {
+            (false, false) => 1,
+            (true, false) => 0,
+            (false, true) => 2,
+            (true, true) => return None,
+        };
+        if now < part || nearest(&far, p) < r + margin {
+            return None;
+        }
+        part = now;
+        if now == 1 {
+            free.push(p);
+        }
+    }
+    let step = apart(element.beside(0.5, d), element.beside(0.5 + 1.0 / steps, d)).max(1e-6);
+    (free.len() >= 4).then(|| (free[0], free[free.len() - 1], step))
 }
 
 /// The way about an outside corner is free, and an inside corner is no needle.
