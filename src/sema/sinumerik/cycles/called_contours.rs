@@ -13,7 +13,7 @@ use crate::text::Span;
 
 use super::super::capture::ContourCall;
 use super::super::value::{Val, to_text, whole};
-use super::super::{Outcome, Reported, Run};
+use super::super::{Core, Outcome, Reported, Run};
 use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
 use super::table::{Source, Unpublished, Variant};
 
@@ -98,7 +98,7 @@ impl Run<'_> {
             Err(error) => return self.fail(codes::P0105, args.span, format!("the file cannot be read: {error}")),
         };
         let mut find = |label: &str, from: u32| {
-            let name = self.core.symbols.intern(label.as_bytes());
+            let name = self.channel.core.symbols.intern(label.as_bytes());
             skeleton
                 .label(name, from, Search::Forward)
                 .or_else(|| skeleton.label(name, from, Search::Backward).filter(|mark| mark.place.at >= from))
@@ -208,7 +208,9 @@ impl Run<'_> {
             }
         }
     }
+}
 
+impl Core<'_> {
     fn check_contour(
         &mut self,
         args: &Arguments,
