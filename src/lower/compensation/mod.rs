@@ -78,6 +78,8 @@ pub struct Compensator {
     path: VecDeque<Piece>,
     /// Elements behind one that the path does not meet.
     ahead: VecDeque<Piece>,
+    /// What comes between two elements, while they are joined.
+    made: Vec<Piece>,
     /// Elements of the contour in `path`.
     elements: u32,
     /// Where the printed path stands.
@@ -125,6 +127,7 @@ impl Compensator {
         self.entry = None;
         self.path.clear();
         self.ahead.clear();
+        self.made.clear();
         self.elements = 0;
         self.at.clear();
         self.damage.forget();
