@@ -4,7 +4,9 @@ use crate::geo::{Element, Point2, Vec2, arc, distance, joint};
 use crate::ir::compensation::{Border, Compensation, Ends};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, Side};
+use std::rc::Rc;
 
+use super::super::step::plane_axes;
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
 use super::{Compensator, Out, Stage, moves_in_plane};
@@ -18,7 +20,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: &Compensation,
+        rules: &Rc<Compensation>,
         origin: &Origin,
     ) -> Result<(), Refused> {
         reports::admit(mv, origin)?;
@@ -41,7 +43,7 @@ impl Compensator {
             stop: None,
             mv: *mv,
             origin: *origin,
-            rules: *rules,
+            rules: Rc::clone(rules),
             items: Vec::new(),
         }));
         Ok(())
@@ -53,7 +55,7 @@ impl Compensator {
         self.stage = Stage::Contour;
         let edge = first.curve.from();
         let corner = first.contour.from();
-        let rules = first.rules;
+        let rules = Rc::clone(&first.rules);
         let Some(heading) = first.contour.start_direction() else { return Err(reports::start_unknown(&first.origin)) };
         if first.kind == Kind::Gone {
             return Err(reports::arc_too_small(&first.contour, &rules, &first.origin));
@@ -124,13 +126,7 @@ impl Compensator {
     }
 
     /// A move without compensation.
-    pub(super) fn uncompensated(
-        &mut self,
-        mv: &Move,
-        start: &Pos,
-        origin: &Origin,
-        out: &mut Out<'_>,
-    ) -> Result<(), Refused> {
+    pub(super) fn uncompensated(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         match self.stage {
             Stage::Off => {
                 out.movement(mv, origin);
@@ -148,16 +144,16 @@ impl Compensator {
             Stage::Contour => self.end_of_contour(mv, origin, out)?,
             Stage::Constant(_) | Stage::Leaving => {}
         }
-        self.leave(mv, start, origin, out)
+        self.leave(mv, origin, out)
     }
 
     /// The tool leaves the contour, or changes its place beside it.
-    fn leave(&mut self, mv: &Move, start: &Pos, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
+    fn leave(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         let arc = matches!(mv.path, Path::Arc(..));
         if !mv.machine && (arc || matches!(mv.path, Path::Thread { .. })) {
             return Err(reports::leaves_on_arc(arc, origin));
         }
-        if mv.machine || !moves_in_plane(mv, start) && mv.plane == self.plane {
+        if mv.machine || !names_plane(mv) && mv.plane == self.plane {
             if self.stage != Stage::Leaving && !mv.machine {
                 out.diags.push(*reports::offset_stays(self.at.in_plane(self.plane), self.plane, origin));
             }
@@ -274,6 +270,11 @@ impl Compensator {
         self.append(first);
         Ok(())
     }
+}
+
+/// Is the move about an axis of its plane? The end is where the tool goes, even if the contour ends there.
+fn names_plane(mv: &Move) -> bool {
+    !plane_axes(mv.plane).common(mv.axes).is_empty()
 }
 
 /// Farther than any machine moves, in mm.

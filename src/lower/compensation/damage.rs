@@ -7,7 +7,7 @@ use crate::ir::Origin;
 use super::piece::{Kind, Piece};
 use super::reports;
 
-/// Elements looked back upon, a power of two.
+/// Elements looked back upon.
 const DEPTH: usize = 16;
 /// How much nearer than the radius a path may come, in mm: what a source rounded to three decimals loses.
 const NEARER: f64 = 2e-3;

@@ -24,8 +24,7 @@ impl Compensator {
 
     /// Does the path meet one of the pieces that wait?
     pub(super) fn search(&mut self, out: &mut Out<'_>) -> Result<(), Refused> {
-        let Some(rules) = self.ahead.back().map(|last| last.rules) else { return Ok(()) };
-        let most = rules.search.elements;
+        let Some(most) = self.ahead.back().map(|last| last.rules.search.elements) else { return Ok(()) };
         let Some((of_path, of_ahead, p)) = self.meeting(most) else {
             let waiting = self.ahead.iter().filter(|piece| piece.kind.is_of_contour()).count();
             let (Some(last), Some(first)) = (self.path.back(), self.ahead.front()) else { return Ok(()) };
