@@ -46,4 +46,8 @@ G3212 Warning "compensation-stays" "tool stays beside the contour"
 "The block that ends the radius compensation does not move in the working plane. The tool stays where it is, beside the contour, and the next block in the plane starts there and moves \
 both axes. No manual at hand says so. End the compensation in a block that leads away from the contour in the plane."
 
+G3213 Note "compensation-limit" "limit of the control decides an outside corner"
+"Controls prolong the paths at flat outside corners until they meet, and go around sharp ones on an arc. Where one becomes the other is machine data (SINUMERIK MD 20210 with \
+G451, MD 20230 with G450); their defaults are not confirmed, so 100 degrees and 0 are taken. Both ways keep the contour. Give the values of the machine by `[control] g451_limit` and `g450_flat`."
+
 }

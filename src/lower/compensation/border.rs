@@ -52,7 +52,8 @@ impl Compensator {
         self.stage = Stage::Contour;
         let edge = first.curve.from();
         let corner = first.contour.from();
-        let rules = first.rules;
+        // What the block says that begins the compensation.
+        let rules = entry.rules;
         let Some(heading) = first.contour.start_direction() else { return Err(reports::start_unknown(&first.origin)) };
         if first.kind == Kind::Gone {
             return Err(reports::arc_too_small(&first.contour, &rules, &first.origin));
@@ -64,7 +65,8 @@ impl Compensator {
             && self.is_behind(start + rules.nose, edge, heading)
         {
             let from = start + rules.nose;
-            around = Some(self.around(from, corner, edge, &first, false)?);
+            let border = Piece { rules, ..first.clone() };
+            around = Some(self.around(from, corner, edge, &border, false)?);
         }
         match rules.ends {
             Ends::AsTheyAre => {}
@@ -124,6 +126,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
+        rules: Option<&Compensation>,
         origin: &Origin,
         out: &mut Out<'_>,
     ) -> Result<(), Refused> {
@@ -141,7 +144,10 @@ impl Compensator {
                 let of = self.last_origin();
                 return Err(reports::no_contour(&of, origin));
             }
-            Stage::Contour => self.end_of_contour(mv, origin, out)?,
+            Stage::Contour => {
+                self.end_as(rules);
+                self.end_of_contour(mv, origin, out)?;
+            }
             Stage::Constant(_) | Stage::Leaving => {}
         }
         self.leave(mv, start, origin, out)
@@ -165,10 +171,20 @@ impl Compensator {
             }
             return Ok(());
         }
+        // Both axes of the plane in which it stands beside the contour go to their programmed places.
+        let beside = super::super::step::plane_axes(self.plane).common(mv.end.known());
         let mv = with_plane(mv);
+        let mv = Move { axes: mv.axes.union(beside), ..mv };
         self.send(&mv, origin, out);
         self.forget();
         Ok(())
+    }
+
+    /// What the block says that ends the compensation.
+    fn end_as(&mut self, rules: Option<&Compensation>) {
+        if let (Some(rules), Some(last)) = (rules, self.ahead.back_mut().or(self.path.back_mut())) {
+            (last.rules.retract, last.rules.ends) = (rules.retract, rules.ends);
+        }
     }
 
     /// Settles and prints the contour; `mv` leads away from it.

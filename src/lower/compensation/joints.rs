@@ -33,7 +33,8 @@ impl Compensator {
             self.append(next);
             return Ok(());
         };
-        match between(last, &mut next, self.d)? {
+        let made = between(last, &mut next, self.d, &mut self.open)?;
+        match made {
             Made::At(p) => {
                 last.stop = Some(p);
                 next.curve = joint::from_point(&next.curve, p);
@@ -41,6 +42,9 @@ impl Compensator {
             Made::Between(pieces) => {
                 if last.rules.inside == Inside::Open {
                     self.damage.is_wanted();
+                }
+                if let Some(turn) = self.open.take() {
+                    reports::turn_is_open(turn, last, &next, out.diags);
                 }
                 self.path.extend(pieces);
             }
@@ -63,7 +67,9 @@ impl Compensator {
 }
 
 /// Joins two neighbours; both may get longer.
-pub fn between(last: &mut Piece, next: &mut Piece, d: f64) -> Result<Made, Refused> {
+///
+/// `open` is the turn of a corner that a datum decides which nobody gave.
+pub fn between(last: &mut Piece, next: &mut Piece, d: f64, open: &mut Option<f64>) -> Result<Made, Refused> {
     if last.kind == Kind::Gone || next.kind == Kind::Gone {
         return Ok(Made::NoRoom);
     }
@@ -76,12 +82,18 @@ pub fn between(last: &mut Piece, next: &mut Piece, d: f64) -> Result<Made, Refus
         }
         Joint::Inside(p) => Ok(Made::At(p)),
         Joint::NoRoom => Ok(Made::NoRoom),
-        Joint::Outside { turn } => outside(last, next, turn, d),
+        Joint::Outside { turn } => outside(last, next, turn, d, open),
     }
 }
 
-fn outside(last: &mut Piece, next: &mut Piece, turn: f64, d: f64) -> Result<Made, Refused> {
+fn outside(last: &mut Piece, next: &mut Piece, turn: f64, d: f64, open: &mut Option<f64>) -> Result<Made, Refused> {
     let rules = last.rules.outside;
+    if let Some((above, up_to)) = rules.open
+        && turn.abs() > above.radians()
+        && turn.abs() <= up_to.radians()
+    {
+        *open = Some(turn.abs());
+    }
     if let Some(by) = rules.by {
         return shortened(last, next, turn, d, by);
     }

@@ -83,6 +83,8 @@ pub struct Compensator {
     /// Where the printed path stands.
     at: Pos,
     damage: Damage,
+    /// Turn of a corner that a machine datum decides which nobody gave, to be told.
+    open: Option<f64>,
 }
 
 impl Compensator {
@@ -102,11 +104,11 @@ impl Compensator {
         out: &mut Out<'_>,
     ) {
         let done = match (mv.side, rules) {
-            (Side::None, _) => self.uncompensated(mv, start, origin, out),
+            (Side::None, _) => self.uncompensated(mv, start, rules, origin, out),
             (_, Some(rules)) if rules.radius > 0.0 => self.compensated(mv, start, rules, origin, out),
             // The target compensates, or there is nothing to compensate.
             (_, None) => return out.movement(mv, origin),
-            (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, start, origin, out),
+            (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, start, rules, origin, out),
         };
         if let Err(found) = done {
             self.refuse(found, origin, out);

@@ -1,6 +1,6 @@
 //! What is said about a contour that the tool cannot follow.
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Element, Plane, Point2, distance};
 use crate::ir::compensation::Compensation;
 use crate::ir::motion::{Move, Path};
@@ -209,4 +209,23 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
     Box::new(
         at(codes::G3212, *origin, message).help("end the compensation in a block that leads away from the contour"),
     )
+}
+
+/// Said once.
+pub fn turn_is_open(turn: f64, last: &Piece, next: &Piece, diags: &Diags) {
+    if !diags.first_time(codes::G3213) {
+        return;
+    }
+    let way = if turn <= last.rules.outside.prolonged.radians() {
+        "both paths are prolonged until they meet"
+    } else {
+        "the tool goes around it on an arc"
+    };
+    let message = format!(
+        "at this outside corner of {} degrees a limit decides that is machine data of the control: {way}",
+        length(turn.to_degrees())
+    );
+    diags.push(at(codes::G3213, last.origin, message).also(next.origin.loc, "element after").help(
+        "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
+    ));
 }

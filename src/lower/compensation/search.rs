@@ -14,7 +14,7 @@ impl Compensator {
     /// Adds an element behind those that wait.
     pub(super) fn look_ahead(&mut self, mut next: Piece) -> Result<(), Refused> {
         if let Some(last) = self.ahead.back_mut()
-            && let Made::Between(pieces) = between(last, &mut next, self.d)?
+            && let Made::Between(pieces) = between(last, &mut next, self.d, &mut self.open)?
         {
             self.ahead.extend(pieces);
         }

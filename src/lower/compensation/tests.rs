@@ -24,7 +24,11 @@ impl motion::Sink for Paper {
         assert_eq!(mv.side, Side::None);
         let to = mv.end.in_plane(Plane::Xy).expect("a place");
         let z = mv.axes.iter().any(|axis| axis == crate::machine::Axis::Z);
-        let z = if z { format!(" Z{}", number(mv.end.get(crate::machine::Axis::Z).expect("a height"))) } else { String::new() };
+        let z = if z {
+            format!(" Z{}", number(mv.end.get(crate::machine::Axis::Z).expect("a height")))
+        } else {
+            String::new()
+        };
         let (x, y) = (number(to.x), number(to.y));
         self.lines.push(match &mv.path {
             Path::Arc(arc, _) => {
@@ -85,7 +89,8 @@ impl Program {
         for (to, change, side) in steps.chain([(self.end, same as fn(&mut Compensation), Side::None)]) {
             let mut rules = self.rules;
             change(&mut rules);
-            let mut mv = Move { end: at, plane: Plane::Xy, side, path: Path::Line(Feed::PerMinute(100.0)), ..Move::default() };
+            let mut mv =
+                Move { end: at, plane: Plane::Xy, side, path: Path::Line(Feed::PerMinute(100.0)), ..Move::default() };
             let from = at.in_plane(Plane::Xy).expect("a place");
             match to {
                 Line(x, y) => {
@@ -117,14 +122,8 @@ impl Program {
     }
 }
 
-const STEP: &[To] = &[
-    Line(0.0, 0.0),
-    Line(50.0, 0.0),
-    Line(50.0, -0.5),
-    Line(150.0, -0.5),
-    Line(150.0, 0.0),
-    Line(200.0, 0.0),
-];
+const STEP: &[To] =
+    &[Line(0.0, 0.0), Line(50.0, 0.0), Line(50.0, -0.5), Line(150.0, -0.5), Line(150.0, 0.0), Line(200.0, 0.0)];
 
 #[test]
 fn a_step_smaller_than_the_tool() {
@@ -148,7 +147,8 @@ fn a_step_smaller_than_the_tool() {
     let prolonged: fn(&mut Compensation) = |rules| rules.outside.prolonged = crate::geo::Deg(180.0);
     program.contour = STEP.iter().map(|to| (*to, same as fn(&mut Compensation))).collect();
     (program.contour[1].1, program.contour[4].1) = (prolonged, prolonged);
-    let stepped = ["G1 X0 Y20", "G1 X70 Y20", "G1 X70 Y19.5", "G1 X130 Y19.5", "G1 X130 Y20", "G1 X200 Y20", "G1 X250 Y20"];
+    let stepped =
+        ["G1 X0 Y20", "G1 X70 Y20", "G1 X70 Y19.5", "G1 X130 Y19.5", "G1 X130 Y20", "G1 X200 Y20", "G1 X250 Y20"];
     assert_eq!(program.path(), stepped);
 }
 
@@ -208,7 +208,8 @@ fn border_elements_prolonged() {
     let contour = [Line(20.0, -5.0), Line(30.0, 0.0), Line(50.0, 0.0), Line(50.0, 5.0)];
     let mut back = Program::new(Side::Left, 10.0, (0.0, 0.0), &contour, Line(0.0, 20.0));
     back.rules = Compensation { ends: Ends::Circle, ..program.rules };
-    let path = ["G1 X15.5279 Y3.9443", "G1 X25.5279 Y8.9443", "G2 X30 Y10 I4.4721 J-8.9443", "G1 X41.3397 Y10", "G1 X0 Y20"];
+    let path =
+        ["G1 X15.5279 Y3.9443", "G1 X25.5279 Y8.9443", "G2 X30 Y10 I4.4721 J-8.9443", "G1 X41.3397 Y10", "G1 X0 Y20"];
     assert_eq!(back.path(), path);
 }
 

@@ -183,7 +183,7 @@ impl Run<'_> {
                     plane,
                     rest: end,
                     path,
-                    side: self.st.side(),
+                    side: self.st.side_of_move(),
                     corner: corner.copied(),
                     origin: self.here.origin,
                     functions: Vec::new(),

@@ -55,6 +55,7 @@ impl Run<'_> {
                 self.report(found.help("check that both ways are free, or program RTLION"));
             }
             Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
+            Group::ConstantCompensation | Group::SoftApproach | Group::SoftApproachPath if self.resolves() => {}
             Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
             Group::FineToolOffset if code == Code::FTOCON => {
                 self.tool_data_differ(code, "lets other programs shift the tool", span);
@@ -76,9 +77,9 @@ impl Run<'_> {
             | Group::Punching
             | Group::PunchingDelay
             | Group::PunchingOutput
-            | Group::ConstantCompensation
             | Group::ThreadInterruption
             | Group::ToolCarrier
+            | Group::ConstantCompensation
             | Group::SoftApproach
             | Group::SoftApproachPath
             | Group::RetractionPlane

@@ -10,6 +10,7 @@ mod axis_names;
 mod calls;
 mod capture;
 mod circle;
+mod compensation;
 mod contour;
 mod cycles;
 mod declare;

@@ -110,7 +110,7 @@ impl Run<'_> {
             Code { group: Group::ToolCarrier, index: 2.. } => "an orientable tool carrier",
             Code { group: Group::Punching, index: 2.. } => "punching",
             Code { group: Group::Builder1 | Group::Builder2, .. } => "a code of the machine builder",
-            Code::CUTCONON => "compensation with a constant offset",
+            Code::CUTCONON if !self.resolves() => "compensation with a constant offset",
             _ => return Ok(()),
         };
         let message = format!("{} is {what}, which cannot be printed", code.word());
