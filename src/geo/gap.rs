@@ -50,7 +50,7 @@ pub fn between(a: &Element, b: &Element) -> f64 {
         return 0.0;
     }
     let ends = [point_to(a.from(), b), point_to(a.to(), b), point_to(b.from(), a), point_to(b.to(), a)];
-    ends.into_iter().chain(inner(a, b)).fold(f64::INFINITY, f64::min)
+    ends.into_iter().fold(inner(a, b), f64::min)
 }
 
 /// Does the direction from the centre of the arc to `p` lie within the arc?
@@ -73,10 +73,10 @@ fn on_line(line: &Element, p: Point2) -> bool {
     })
 }
 
-fn on(element: &Element, p: Point2) -> bool {
+fn on(element: &Element, p: &Point2) -> bool {
     match element {
-        Element::Line { .. } => on_line(element, p),
-        Element::Arc { .. } => on_arc(element, p),
+        Element::Line { .. } => on_line(element, *p),
+        Element::Arc { .. } => on_arc(element, *p),
     }
 }
 
@@ -94,50 +94,47 @@ fn circle(arc: &Element) -> Option<(Point2, f64)> {
     }
 }
 
-/// The points that the whole lines and circles of two elements share.
-pub(super) fn crossings(a: &Element, b: &Element) -> Vec<Point2> {
+/// The points that the whole lines and circles of two elements share; what touches within `tol` counts. A line of no
+/// length is a point.
+pub(super) fn crossings(a: &Element, b: &Element, tol: f64) -> [Option<Point2>; 2] {
+    let pair = |hits: Option<[Point2; 2]>| hits.map_or([None; 2], |[p, q]| [Some(p), Some(q)]);
     match (ray(a), ray(b), circle(a), circle(b)) {
         (Some((p, u)), Some((q, w)), _, _) => {
-            intersect::lines(p, u, q, w, super::SAME_DIRECTION).map(|(s, _)| p + u * s).into_iter().collect()
+            [intersect::lines(p, u, q, w, super::SAME_DIRECTION).map(|(s, _)| p + u * s), None]
         }
         (Some((p, u)), _, _, Some((c, r))) | (_, Some((p, u)), Some((c, r)), _) => {
-            intersect::line_circle(p, u, c, r, 0.0).map(Vec::from).unwrap_or_default()
+            pair(intersect::line_circle(p, u, c, r, tol))
         }
-        (_, _, Some((a, ra)), Some((b, rb))) => {
-            intersect::circles(a, ra, b, rb, 0.0).map(Vec::from).unwrap_or_default()
-        }
-        _ => Vec::new(),
+        (_, _, Some((a, ra)), Some((b, rb))) => pair(intersect::circles(a, ra, b, rb, tol)),
+        (None, _, None, _) => [Some(a.from()), None],
+        _ => [Some(b.from()), None],
     }
 }
 
 fn meet(a: &Element, b: &Element) -> bool {
-    crossings(a, b).into_iter().any(|p| on(a, p) && on(b, p))
+    crossings(a, b, 0.0).into_iter().flatten().any(|p| on(a, &p) && on(b, &p))
 }
 
-/// Distances at places inside of both elements.
-fn inner(a: &Element, b: &Element) -> Vec<f64> {
+/// Least distance at places inside of both elements; infinite if there are none.
+fn inner(a: &Element, b: &Element) -> f64 {
     match (ray(a), ray(b), circle(a), circle(b)) {
-        (Some((p, u)), _, _, Some((c, r))) => foot(a, b, (p, u), (c, r)).into_iter().collect(),
-        (_, Some((p, u)), Some((c, r)), _) => foot(b, a, (p, u), (c, r)).into_iter().collect(),
+        (Some(line), _, _, Some(arc)) => foot(a, b, line, arc),
+        (_, Some(line), Some(arc), _) => foot(b, a, line, arc),
         (_, _, Some((ca, ra)), Some((cb, rb))) => {
-            let Some(u) = direction(cb - ca, SAME_POINT) else {
-                // About one centre: their ends tell, or they run side by side.
-                return Vec::new();
-            };
+            // About one centre: their ends tell, or they run side by side.
+            let Some(u) = direction(cb - ca, SAME_POINT) else { return f64::INFINITY };
             let places = |c: Point2, r: f64| [c + u * r, c - u * r];
-            let mut found = Vec::new();
-            for p in places(ca, ra).into_iter().filter(|p| on(a, *p)) {
-                found.extend(places(cb, rb).into_iter().filter(|q| on(b, *q)).map(|q| distance(p, q)));
-            }
-            found
+            let of_b = places(cb, rb).map(|q| on(b, &q).then_some(q));
+            let least = |p: Point2| of_b.iter().flatten().map(|q| distance(p, *q)).fold(f64::INFINITY, f64::min);
+            places(ca, ra).into_iter().filter(|p| on(a, p)).map(least).fold(f64::INFINITY, f64::min)
         }
-        _ => Vec::new(),
+        _ => f64::INFINITY,
     }
 }
 
-fn foot(line: &Element, arc: &Element, (p, u): (Point2, Vec2), (c, r): (Point2, f64)) -> Option<f64> {
+fn foot(line: &Element, arc: &Element, (p, u): (Point2, Vec2), (c, r): (Point2, f64)) -> f64 {
     let foot = p + u * (c - p).dot(&u);
-    (on_line(line, foot) && on_arc(arc, foot)).then(|| (distance(foot, c) - r).abs())
+    if on_line(line, foot) && on_arc(arc, foot) { (distance(foot, c) - r).abs() } else { f64::INFINITY }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::intersect::{circles, line_circle, lines};
+use super::gap::crossings;
 use super::{Element, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction, distance, left, turned};
 
 /// Parallels whose ends are closer than this, in mm, meet there, if the contour hardly turns.
@@ -76,7 +76,7 @@ pub fn first_crossing(a: &Element, b: &Element) -> Option<Point2> {
         let (of_a, of_b) = (way_to_end(a, *p), way_from_start(b, *p));
         (-BEYOND..=a.length() + BEYOND).contains(&of_a) && (-BEYOND..=b.length() + BEYOND).contains(&of_b)
     };
-    let found = carriers_cross(a, b).into_iter().flatten().filter(on_both);
+    let found = crossings(a, b, TOUCH).into_iter().flatten().filter(on_both);
     found.min_by(|p, q| way_from_start(b, *p).total_cmp(&way_from_start(b, *q)))
 }
 
@@ -87,7 +87,7 @@ pub fn prolonged(a: &Element, b: &Element) -> Option<Point2> {
         let (of_a, of_b) = (prolongation(a, *p, true), prolongation(b, *p, false));
         of_a.zip(of_b).map(|(x, y)| x + y)
     };
-    let found = carriers_cross(a, b).into_iter().flatten().filter_map(|p| Some((p, beyond(&p)?)));
+    let found = crossings(a, b, TOUCH).into_iter().flatten().filter_map(|p| Some((p, beyond(&p)?)));
     found.min_by(|p, q| p.1.total_cmp(&q.1)).map(|(p, _)| p)
 }
 
@@ -104,29 +104,6 @@ fn prolongation(element: &Element, p: Point2, at_end: bool) -> Option<f64> {
         }
     };
     (far >= -BEYOND).then_some(far)
-}
-
-/// Points that the lines or circles of both elements share.
-fn carriers_cross(a: &Element, b: &Element) -> [Option<Point2>; 2] {
-    let pair = |hits: Option<[Point2; 2]>| hits.map_or([None; 2], |[p, q]| [Some(p), Some(q)]);
-    match (*a, *b) {
-        (Element::Line { from: p, to }, Element::Line { from: q, to: end }) => {
-            match (direction(to - p, 0.0), direction(end - q, 0.0)) {
-                (Some(u), Some(w)) => [lines(p, u, q, w, SAME_DIRECTION).map(|(along, _)| p + u * along), None],
-                // A hollow arc that shrank to a point.
-                (None, _) => [Some(p), None],
-                (_, None) => [Some(q), None],
-            }
-        }
-        (Element::Line { from, to }, Element::Arc { from: start, center, .. })
-        | (Element::Arc { from: start, center, .. }, Element::Line { from, to }) => match direction(to - from, 0.0) {
-            Some(u) => pair(line_circle(from, u, center, distance(start, center), TOUCH)),
-            None => [Some(from), None],
-        },
-        (Element::Arc { from: p, center: c, .. }, Element::Arc { from: q, center: e, .. }) => {
-            pair(circles(c, distance(p, c), e, distance(q, e), TOUCH))
-        }
-    }
 }
 
 /// Angle from the direction of `p` to that of `q` in the sense of `sweep`, in rad; what is nearly a turn is none.

@@ -121,7 +121,11 @@ fn inner_corner(last: &Element, next: &Element) -> Option<Point2> {
         gap::point_to(*p, e) <= NEARER && way > 0.0 && way <= e.length() + NEARER
     };
     let touching = |p: &Point2| inside(last, p) && gap::point_to(*p, next) <= NEARER && next.way_to(*p) < next.length();
-    gap::crossings(last, next).into_iter().filter(touching).max_by(|a, b| last.way_to(*a).total_cmp(&last.way_to(*b)))
+    gap::crossings(last, next, 0.0)
+        .into_iter()
+        .flatten()
+        .filter(touching)
+        .max_by(|a, b| last.way_to(*a).total_cmp(&last.way_to(*b)))
 }
 
 /// An arc so short that it might be taken for a full circle becomes a line.

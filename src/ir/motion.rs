@@ -71,6 +71,8 @@ pub trait Sink {
     /// What the target believes of its position no longer holds: an error was reported, or the program moves in a way that
     /// is not in the stream.
     fn lost(&mut self, origin: &Origin);
+    /// The contour that the next moves run beside, element by element: for pictures. `start` is where the element begins.
+    fn programmed(&mut self, _: &Move, _start: &Pos) {}
     /// Axes stand here although no move said so.
     fn begins_at(&mut self, _: &Pos) {}
     /// What comes now is not taken any more, which was reported: the run may stop.

@@ -54,6 +54,10 @@ pub struct Plot<'a> {
     tools: Vec<Option<u32>>,
     open: Option<(Pen, usize)>,
     in_path: u32,
+    /// The programmed contour beside which the tool travels, not yet drawn, and where it ends.
+    contour: Vec<u8>,
+    contour_at: Option<Point2>,
+    contours: bool,
     extents: Extents,
     undrawn: u64,
     rapids: bool,
@@ -85,6 +89,9 @@ impl<'a> Plot<'a> {
             tools: vec![None],
             open: None,
             in_path: 0,
+            contour: Vec::new(),
+            contour_at: None,
+            contours: false,
             extents: Extents::default(),
             undrawn: 0,
             rapids: false,
@@ -100,7 +107,7 @@ impl<'a> Plot<'a> {
     /// # Errors
     /// The first error of the output.
     pub fn finish(mut self) -> std::io::Result<()> {
-        self.close();
+        self.draw_contour();
         let scene = scene::Scene {
             title: &self.title,
             view: self.view.unwrap_or(View::new(Default::default(), self.lathe)),
@@ -109,6 +116,7 @@ impl<'a> Plot<'a> {
             tools: &self.tools,
             rapids: self.rapids,
             threads: self.threads,
+            contours: self.contours,
             undrawn: self.undrawn,
         };
         let head = scene.head();
@@ -147,6 +155,17 @@ impl<'a> Plot<'a> {
         }
         if self.text.len() > CHUNK {
             self.send();
+        }
+    }
+
+    /// Draws the programmed contour so far.
+    fn draw_contour(&mut self) {
+        self.close();
+        if !self.contour.is_empty() {
+            self.text.extend_from_slice(b"<path class=\"p\" d=\"");
+            self.text.append(&mut self.contour);
+            self.text.extend_from_slice(b"\"/>\n");
+            self.contour_at = None;
         }
     }
 
@@ -282,6 +301,30 @@ impl Sink for Plot<'_> {
             for axis in mv.axes.iter() {
                 self.at.forget(axis);
             }
+        }
+    }
+
+    fn programmed(&mut self, mv: &Move, start: &Pos) {
+        let view = *self.view.get_or_insert(View::new(mv.plane, self.lathe));
+        let (Some(from), Some(to)) = (view.point(start), view.point(&mv.end)) else { return };
+        // Only the path counts as cut.
+        let cut = self.extents.cut;
+        std::mem::swap(&mut self.text, &mut self.contour);
+        if self.contour_at.is_none_or(|at| distance(at, from) > SAME_POINT) {
+            self.text.push(b'M');
+            self.point(from);
+            self.extents.take(from, true);
+        }
+        match &mv.path {
+            Path::Arc(arc, _) if view.shows(arc.plane) => self.arc(view, arc, from, to, mv),
+            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } => self.line(to, Pen::Rapid),
+        }
+        std::mem::swap(&mut self.text, &mut self.contour);
+        self.extents.cut = cut;
+        self.contour_at = Some(to);
+        self.contours = true;
+        if self.contour.len() > CHUNK {
+            self.draw_contour();
         }
     }
 

@@ -24,7 +24,7 @@ const GRID: f64 = 24.0;
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Extents {
     all: Option<(Point2, Point2)>,
-    cut: Option<(Point2, Point2)>,
+    pub(super) cut: Option<(Point2, Point2)>,
 }
 
 impl Extents {
@@ -74,6 +74,7 @@ pub(super) struct Scene<'a> {
     pub(super) tools: &'a [Option<u32>],
     pub(super) rapids: bool,
     pub(super) threads: bool,
+    pub(super) contours: bool,
     pub(super) undrawn: u64,
 }
 
@@ -185,7 +186,8 @@ impl Scene<'_> {
              .c{{stroke-width:{line};stroke-linejoin:round;stroke-linecap:round}}\n\
              .r{{stroke-width:{rapid};stroke-dasharray:{dash};stroke-opacity:.75}}\n\
              .d{{stroke-width:{dot};stroke-linecap:round}}\n\
-             .h{{stroke-width:{line};stroke-dasharray:{thread}}}\n",
+             .h{{stroke-width:{line};stroke-dasharray:{thread}}}\n\
+             {contour}",
             f = show(font),
             small = show(font * 0.8),
             axis = show(font * 0.08),
@@ -193,6 +195,11 @@ impl Scene<'_> {
             dot = show(font * 0.6),
             centre = centre,
             thread = thread,
+            contour = if self.contours {
+                ".p{stroke:#888;stroke-width:".to_owned() + &show(font * 0.07) + "}\n"
+            } else {
+                String::new()
+            },
         );
         for (i, colour) in COLOURS.iter().enumerate() {
             let _ = write!(s, ".t{i}{{stroke:{colour}}} ");
@@ -313,6 +320,9 @@ impl Scene<'_> {
         }
         if self.threads {
             entry(s, "h t0", "thread");
+        }
+        if self.contours {
+            entry(s, "p", "contour");
         }
         if self.rapids {
             entry(s, "r t0", "rapid");

@@ -148,6 +148,10 @@ impl Sink for Motion<'_> {
         self.out.begins_at(at);
     }
 
+    fn programmed(&mut self, mv: &Move, start: &Pos) {
+        self.out.programmed(mv, start);
+    }
+
     fn full(&self) -> bool {
         self.out.full()
     }

@@ -47,7 +47,7 @@ impl Compensator {
     }
 
     /// The first element of the contour is known, and with it where the path begins.
-    pub(super) fn enter(&mut self, first: Piece) -> Result<(), Refused> {
+    pub(super) fn enter(&mut self, first: Piece, out: &mut Out<'_>) -> Result<(), Refused> {
         let Some(mut entry) = self.entry.take() else { return Ok(()) };
         self.stage = Stage::Contour;
         let edge = first.curve.from();
@@ -67,6 +67,9 @@ impl Compensator {
             let from = start + rules.nose;
             let border = Piece { rules, ..first.clone() };
             around = Some(self.around(from, corner, edge, &border, false)?);
+            if (from - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
+                out.diags.push(*reports::nearly_behind(false, &entry.origin));
+            }
         }
         match rules.ends {
             Ends::AsTheyAre => {}
@@ -198,6 +201,9 @@ impl Compensator {
                     (Some(to), Some(heading))
                         if distance(to, corner) > NOTHING && self.is_behind(to, edge, heading) =>
                     {
+                        if (to - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
+                            out.diags.push(*reports::nearly_behind(true, origin));
+                        }
                         Some(self.around(to, corner, edge, last, true)?)
                     }
                     _ => None,

@@ -46,6 +46,9 @@ impl Compensator {
                 if let Some(turn) = self.open.take() {
                     reports::turn_is_open(turn, last, &next, out.diags);
                 }
+                if !pieces.is_empty() && !last.rules.joints_are_documented {
+                    reports::reading(last, &next, out.diags);
+                }
                 self.path.extend(pieces);
             }
             Made::NoRoom => {

@@ -4,7 +4,7 @@
 //! is what it is. What a control decides comes with the elements ([`Compensation`]); what it does is here. The path of an
 //! element is printed when its end is settled: one element of look-ahead, more where the control may leave elements out.
 //!
-//! Geometry: `docs/compensation.md`.
+//! Geometry: docs/compensation.md.
 
 mod border;
 mod damage;
@@ -259,12 +259,13 @@ impl Compensator {
             };
         }
         let Some(contour) = element(mv, start) else { return Err(reports::start_unknown(origin)) };
+        out.sink.programmed(mv, start);
         match self.stage {
             Stage::Entering => {
                 if rules.constant {
                     return Err(reports::constant_at_start(origin));
                 }
-                self.enter(self.piece(mv, contour, rules, origin)?)
+                self.enter(self.piece(mv, contour, rules, origin)?, out)
             }
             Stage::Contour if rules.constant => {
                 let by = self.hold_offset(out)?;

@@ -7,7 +7,7 @@ use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin};
 
 use super::super::at;
-use super::piece::Piece;
+use super::piece::{Item, Piece};
 
 /// Why a contour is refused.
 pub type Refused = Box<Diagnostic>;
@@ -213,7 +213,7 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
 
 /// Said once.
 pub fn turn_is_open(turn: f64, last: &Piece, next: &Piece, diags: &Diags) {
-    if !diags.first_time(codes::G3213) {
+    if !diags.first_time(codes::G3215) {
         return;
     }
     let way = if turn <= last.rules.outside.prolonged.radians() {
@@ -225,7 +225,37 @@ pub fn turn_is_open(turn: f64, last: &Piece, next: &Piece, diags: &Diags) {
         "at this outside corner of {} degrees a limit decides that is machine data of the control: {way}",
         length(turn.to_degrees())
     );
-    diags.push(at(codes::G3213, last.origin, message).also(next.origin.loc, "element after").help(
+    diags.push(at(codes::G3215, last.origin, message).also(next.origin.loc, "element after").help(
         "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
     ));
+}
+
+/// What no manual says about the joint in front of `next`.
+pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
+    let (before, behind) = (last.mv.path.feed(), next.mv.path.feed());
+    let moves = last.items.iter().any(|item| !matches!(item, Item::Function(Function::Comment(_), _)));
+    let message = match (before != behind, moves) {
+        (false, false) => return,
+        (true, _) => {
+            "the arc about the corner in front of this element takes its feed; the element before has another one"
+        }
+        (false, true) => {
+            "what stands between this element and the one before happens in front of the arc about the corner"
+        }
+    };
+    if diags.first_text(codes::G3213, message) {
+        let found = at(codes::G3213, next.origin, message).also(last.origin.loc, "element before");
+        diags.push(found.help("program the same feed for both elements, and nothing between them"));
+    }
+}
+
+/// The start or end of the way lies between the contour and its path, where controls may see it as behind or not.
+pub fn nearly_behind(leaves: bool, origin: &Origin) -> Refused {
+    let what = if leaves { "end" } else { "start" };
+    let message = format!(
+        "the {what} of the way lies less than the tool radius beside the contour: it is taken to be behind it, so a circle leads around the contour point"
+    );
+    Box::new(
+        at(codes::G3214, *origin, message).help("start or end farther away from the contour, or clearly behind it"),
+    )
 }

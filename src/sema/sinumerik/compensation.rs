@@ -207,6 +207,7 @@ impl Run<'_> {
             Err(reported) => {
                 self.st.codes.activate(Code::G40);
                 self.st.compensation.begins_no_more();
+                self.st.path.cutter = None;
                 Err(reported)
             }
         }
@@ -263,6 +264,7 @@ impl Run<'_> {
             search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == Code::CDON },
             ends,
             constant: codes_on.is(Code::CUTCONON),
+            joints_are_documented: true,
             alarms: ALARMS,
         })
     }
