@@ -35,6 +35,7 @@ impl Compensator {
         let point = Element::Line { from: to, to };
         self.entry = Some(Box::new(Piece {
             kind: Kind::Entry,
+            index: 0,
             contour: point,
             curve: point,
             stop: None,

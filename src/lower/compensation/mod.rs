@@ -309,9 +309,17 @@ impl Compensator {
             None if rules.search.elements > 0 => (Kind::Gone, contour),
             None => return Err(reports::arc_too_small(&contour, rules, origin)),
         };
-        let piece =
-            Piece { kind, contour, curve, stop: None, mv: *mv, origin: *origin, rules: *rules, items: Vec::new() };
-        Ok(piece)
+        Ok(Piece {
+            kind,
+            index: self.damage.next_index(),
+            contour,
+            curve,
+            stop: None,
+            mv: *mv,
+            origin: *origin,
+            rules: *rules,
+            items: Vec::new(),
+        })
     }
 
     /// Prints what no search reaches any more.

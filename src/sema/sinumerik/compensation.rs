@@ -15,12 +15,12 @@ use crate::machine::Compensation;
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::value::Val;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// The control's own alarms.
 const ALARMS: Alarms = Alarms {
@@ -92,13 +92,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
-    /// Does the compiler compute the path?
-    #[inline]
-    pub(super) fn resolves(&self) -> bool {
-        self.job.settings.output.compensation == Compensation::Resolve
-    }
-
+impl Channel<'_> {
     /// OFFN and DISC; in front of G41 and G42 of the block.
     pub(super) fn shape_words(&mut self, w: &mut Words) -> Outcome {
         if let Some(offn) = w.take(Address::Offn) {
@@ -162,9 +156,9 @@ impl Run<'_> {
     }
 
     /// G41 or G42 while one of them is on.
-    pub(super) fn begins_again(&mut self, code: Code, span: Span) -> Outcome {
+    pub(super) fn begins_again(&mut self, code: GCode, span: Span) -> Outcome {
         let old = self.st.codes.of(Group::Compensation);
-        if old == Code::G40 {
+        if old == GCode::G40 {
             // G40 has had no move at all: the contour goes on.
             let open = self.st.compensation.waits() && self.st.path.is_computed();
             return if open {
@@ -205,7 +199,7 @@ impl Run<'_> {
                 Ok(())
             }
             Err(reported) => {
-                self.st.codes.activate(Code::G40);
+                self.st.codes.activate(GCode::G40);
                 self.st.compensation.begins_no_more();
                 self.st.path.cutter = None;
                 Err(reported)
@@ -218,16 +212,16 @@ impl Run<'_> {
         let codes_on = &self.st.codes;
         let round = codes_on.of(Group::Corner).index == 1;
         let border = match codes_on.of(Group::Approach) {
-            Code::NORM => Border::Perpendicular,
-            Code::KONT if round => Border::Around,
-            Code::KONT => Border::AroundOtherwise,
+            GCode::NORM => Border::Perpendicular,
+            GCode::KONT if round => Border::Around,
+            GCode::KONT => Border::AroundOtherwise,
             code => {
                 let message =
                     format!("{} leads to the contour and from it on a polynomial, which is not published", code.word());
                 return self.fail_help(codes::S9010, place, message, "program NORM or KONT, or the approach by arcs");
             }
         };
-        let keys = &self.job.settings.control.siemens.compensation;
+        let keys = &self.job.settings.control.sinumerik.compensation;
         if self.st.path.overshoot > 0.0 {
             if !keys.disc_as_circle {
                 let message = format!(
@@ -261,9 +255,9 @@ impl Run<'_> {
             retract: border,
             outside,
             inside: Inside::Crossing,
-            search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == Code::CDON },
+            search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == GCode::CDON },
             ends,
-            constant: codes_on.is(Code::CUTCONON),
+            constant: codes_on.is(GCode::CUTCONON),
             joints_are_documented: true,
             alarms: ALARMS,
         })
@@ -300,13 +294,13 @@ impl Run<'_> {
     fn nose(&self, number: u32, edge: u32, radius: f64, span: Span) -> Outcome<Vec2> {
         let written = |parameter: u8| {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
-            self.vars.system.get(&key).and_then(Val::number)
+            self.st.system.get(&key).and_then(Val::number)
         };
         let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
         let turns = match (written(1), tool.and_then(|tool| tool.kind.as_deref())) {
             (Some(kind), _) => kind >= TURNING_TOOLS,
             (None, Some(kind)) => !matches!(kind, "mill" | "drill" | "tap"),
-            (None, None) => self.st.channel.lathe && self.st.plane() == Plane::Zx,
+            (None, None) => self.st.machine.lathe && self.st.plane() == Plane::Zx,
         };
         if !turns || radius == 0.0 {
             return Ok(Vec2::zeros());
@@ -342,6 +336,14 @@ impl Run<'_> {
             self.report(found.help("compare it with the position in the tool data of the control"));
         }
         Ok(way * radius)
+    }
+}
+
+impl Core<'_> {
+    /// Does the compiler compute the path?
+    #[inline]
+    pub(super) fn resolves(&self) -> bool {
+        self.job.settings.output.compensation == Compensation::Resolve
     }
 }
 
