@@ -4,6 +4,7 @@ use crate::geo::{Element, Point2, Vec2, arc, distance, joint};
 use crate::ir::compensation::{Border, Compensation, Ends};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, Side};
+use std::rc::Rc;
 
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
@@ -18,7 +19,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: &Compensation,
+        rules: &Rc<Compensation>,
         origin: &Origin,
     ) -> Result<(), Refused> {
         reports::admit(mv, origin)?;
@@ -41,7 +42,7 @@ impl Compensator {
             stop: None,
             mv: *mv,
             origin: *origin,
-            rules: *rules,
+            rules: Rc::clone(rules),
             items: Vec::new(),
         }));
         Ok(())
@@ -54,7 +55,7 @@ impl Compensator {
         let edge = first.curve.from();
         let corner = first.contour.from();
         // What the block says that begins the compensation.
-        let rules = entry.rules;
+        let rules = Rc::clone(&entry.rules);
         let Some(heading) = first.contour.start_direction() else { return Err(reports::start_unknown(&first.origin)) };
         if first.kind == Kind::Gone {
             return Err(reports::arc_too_small(&first.contour, &rules, &first.origin));
@@ -66,7 +67,7 @@ impl Compensator {
             && self.is_behind(start + rules.nose, edge, heading)
         {
             let from = start + rules.nose;
-            let border = Piece { rules, ..first.clone() };
+            let border = Piece { rules: Rc::clone(&rules), ..first.clone() };
             around = Some(self.around(from, corner, edge, &border, false)?);
             if (from - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
                 out.diags.push(*reports::nearly_behind(false, &entry.origin));
@@ -130,7 +131,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: Option<&Compensation>,
+        rules: Option<&Rc<Compensation>>,
         origin: &Origin,
         out: &mut Out<'_>,
     ) -> Result<(), Refused> {
@@ -185,9 +186,12 @@ impl Compensator {
     }
 
     /// What the block says that ends the compensation.
-    fn end_as(&mut self, rules: Option<&Compensation>) {
+    fn end_as(&mut self, rules: Option<&Rc<Compensation>>) {
         if let (Some(rules), Some(last)) = (rules, self.ahead.back_mut().or(self.path.back_mut())) {
-            (last.rules.retract, last.rules.ends) = (rules.retract, rules.ends);
+            if (last.rules.retract, last.rules.ends) != (rules.retract, rules.ends) {
+                let own = Rc::make_mut(&mut last.rules);
+                (own.retract, own.ends) = (rules.retract, rules.ends);
+            }
         }
     }
 

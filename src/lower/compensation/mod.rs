@@ -16,6 +16,7 @@ mod search;
 mod tests;
 
 use std::collections::VecDeque;
+use std::rc::Rc;
 
 use crate::diag::Diags;
 use crate::geo::{Element, Plane, SAME_POINT, Vec2, distance, joint};
@@ -78,13 +79,13 @@ pub struct Compensator {
     path: VecDeque<Piece>,
     /// Elements behind one that the path does not meet.
     ahead: VecDeque<Piece>,
+    /// What comes between two elements, while they are joined.
+    made: Vec<Piece>,
     /// Elements of the contour in `path`.
     elements: u32,
     /// Where the printed path stands.
     at: Pos,
     damage: Damage,
-    /// Turn of a corner that a machine datum decides which nobody gave, to be told.
-    open: Option<f64>,
 }
 
 impl Compensator {
@@ -99,7 +100,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: Option<&Compensation>,
+        rules: Option<&Rc<Compensation>>,
         origin: &Origin,
         out: &mut Out<'_>,
     ) {
@@ -127,6 +128,7 @@ impl Compensator {
         self.entry = None;
         self.path.clear();
         self.ahead.clear();
+        self.made.clear();
         self.elements = 0;
         self.at.clear();
         self.damage.forget();
@@ -238,7 +240,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: &Compensation,
+        rules: &Rc<Compensation>,
         origin: &Origin,
         out: &mut Out<'_>,
     ) -> Result<(), Refused> {
@@ -292,7 +294,7 @@ impl Compensator {
     }
 
     /// What may not stand in a contour.
-    fn admit(&self, mv: &Move, rules: &Compensation, origin: &Origin) -> Result<(), Refused> {
+    fn admit(&self, mv: &Move, rules: &Rc<Compensation>, origin: &Origin) -> Result<(), Refused> {
         if mv.plane != self.plane {
             return Err(reports::plane_changes(rules, origin));
         }
@@ -303,7 +305,7 @@ impl Compensator {
     }
 
     /// The element with its path, before it is joined to anything.
-    fn piece(&self, mv: &Move, contour: Element, rules: &Compensation, origin: &Origin) -> Result<Piece, Refused> {
+    fn piece(&self, mv: &Move, contour: Element, rules: &Rc<Compensation>, origin: &Origin) -> Result<Piece, Refused> {
         let (kind, curve) = match joint::parallel(&contour, self.d) {
             Some(curve) => (Kind::Element, curve),
             None if rules.search.elements > 0 => (Kind::Gone, contour),
@@ -317,7 +319,7 @@ impl Compensator {
             stop: None,
             mv: *mv,
             origin: *origin,
-            rules: *rules,
+            rules: Rc::clone(rules),
             items: Vec::new(),
         })
     }
@@ -336,32 +338,48 @@ impl Compensator {
     }
 
     fn print_first(&mut self, out: &mut Out<'_>) {
-        let Some(first) = self.path.pop_front() else { return };
-        if first.kind.is_of_contour() {
+        let Some(first) = self.path.front_mut() else { return };
+        let items = std::mem::take(&mut first.items);
+        let (kind, origin) = (first.kind, first.origin);
+        if kind.is_of_contour() {
             self.elements -= 1;
         }
-        let way = match first.kind {
+        let mv = match kind {
             // The way to the contour leads to where the path begins.
-            Kind::Entry => Some(Element::Line { from: first.end(), to: first.end() }),
+            Kind::Entry => Some(first.printed(&Element::Line { from: first.end(), to: first.end() }, &self.at)),
             Kind::Exit | Kind::Gone => None,
-            Kind::Element | Kind::Joint => Some(first.travelled()),
-        };
-        if let Some(way) = way {
-            let rests = first.kind != Kind::Entry && way.length() <= SAME_POINT;
-            let mv = first.printed(&way, &self.at);
-            let others = mv.axes.without(super::step::plane_axes(mv.plane));
-            let still = others.iter().all(|axis| self.at.get(axis) == mv.end.get(axis));
-            if !(rests && still) {
-                if first.kind != Kind::Entry {
-                    self.damage.path(&first, &way, self.d, out.diags);
+            Kind::Element | Kind::Joint => {
+                let way = first.travelled();
+                let mv = first.printed(&way, &self.at);
+                if is_nothing(&way) && leaves_others(&mv, &self.at) {
+                    None
+                } else {
+                    self.damage.path(first, &way, self.d, out.diags);
+                    Some(mv)
                 }
-                self.send(&mv, &first.origin, out);
             }
+        };
+        self.path.pop_front();
+        if let Some(mv) = mv {
+            self.send(&mv, &origin, out);
         }
-        if !first.items.is_empty() {
-            self.send_items(first.items, out);
+        if !items.is_empty() {
+            self.send_items(items, out);
         }
     }
+}
+
+fn is_nothing(way: &Element) -> bool {
+    match *way {
+        Element::Line { from, to } => (to - from).norm_squared() <= SAME_POINT * SAME_POINT,
+        Element::Arc { .. } => way.length() <= SAME_POINT,
+    }
+}
+
+/// Do all axes outside of the plane stay where they are?
+fn leaves_others(mv: &Move, at: &Pos) -> bool {
+    let others = mv.axes.without(super::step::plane_axes(mv.plane));
+    others.iter().all(|axis| at.get(axis) == mv.end.get(axis))
 }
 
 /// Does `mv` change the place in its plane?

@@ -1,7 +1,7 @@
 //! What is said about a contour that the tool cannot follow.
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
-use crate::geo::{Element, Plane, Point2, distance};
+use crate::geo::{Element, Plane, Point2, distance, joint};
 use crate::ir::compensation::Compensation;
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin};
@@ -211,9 +211,11 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
     )
 }
 
-/// Said once.
-pub fn turn_is_open(turn: f64, last: &Piece, next: &Piece, diags: &Diags) {
-    if !diags.first_time(codes::G3215) {
+/// Says once that a machine datum decides the corner which nobody gave.
+pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
+    let Some((above, up_to)) = last.rules.outside.open else { return };
+    let Some(turn) = joint::turn(&last.contour, &next.contour).map(f64::abs) else { return };
+    if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215) {
         return;
     }
     let way = if turn <= last.rules.outside.prolonged.radians() {

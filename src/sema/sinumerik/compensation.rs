@@ -5,6 +5,8 @@
 //!
 //! Source: S 2.12 (docs/sources.md), and the reference on radius compensation.
 
+use std::rc::Rc;
+
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};
 use crate::ir;
@@ -86,8 +88,8 @@ impl State {
 
     /// How the compiler compensates from now on.
     pub(super) fn compensate(&mut self, rules: ir::Compensation) {
-        if self.ctx.compensation != Some(rules) {
-            self.ctx = std::rc::Rc::new(Ctx { compensation: Some(rules), ..(*self.ctx).clone() });
+        if self.ctx.compensation.as_deref() != Some(&rules) {
+            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
         }
     }
 }
