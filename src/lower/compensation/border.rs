@@ -6,6 +6,7 @@ use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, Side};
 use std::rc::Rc;
 
+use super::super::step::plane_axes;
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
 use super::{Compensator, Out, Stage, moves_in_plane};
@@ -130,7 +131,6 @@ impl Compensator {
     pub(super) fn uncompensated(
         &mut self,
         mv: &Move,
-        start: &Pos,
         rules: Option<&Rc<Compensation>>,
         origin: &Origin,
         out: &mut Out<'_>,
@@ -155,16 +155,16 @@ impl Compensator {
             }
             Stage::Constant(_) | Stage::Leaving => {}
         }
-        self.leave(mv, start, origin, out)
+        self.leave(mv, origin, out)
     }
 
     /// The tool leaves the contour, or changes its place beside it.
-    fn leave(&mut self, mv: &Move, start: &Pos, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
+    fn leave(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         let arc = matches!(mv.path, Path::Arc(..));
         if !mv.machine && (arc || matches!(mv.path, Path::Thread { .. })) {
             return Err(reports::leaves_on_arc(arc, origin));
         }
-        if mv.machine || !moves_in_plane(mv, start) && mv.plane == self.plane {
+        if mv.machine || !names_plane(mv) && mv.plane == self.plane {
             if self.stage != Stage::Leaving && !mv.machine {
                 out.diags.push(*reports::offset_stays(self.at.in_plane(self.plane), self.plane, origin));
             }
@@ -294,6 +294,11 @@ impl Compensator {
         self.append(first);
         Ok(())
     }
+}
+
+/// Is the move about an axis of its plane? The end is where the tool goes, even if the contour ends there.
+fn names_plane(mv: &Move) -> bool {
+    !plane_axes(mv.plane).common(mv.axes).is_empty()
 }
 
 /// Farther than any machine moves, in mm.
