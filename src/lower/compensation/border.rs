@@ -158,28 +158,30 @@ impl Compensator {
         self.leave(mv, origin, out)
     }
 
+    /// Is the move about an axis of the plane? Its end is where the tool goes, even if the contour ends there.
+    fn names_plane(&self, mv: &Move) -> bool {
+        !plane_axes(self.plane).common(mv.axes).is_empty()
+    }
+
     /// The tool leaves the contour, or changes its place beside it.
     fn leave(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         let arc = matches!(mv.path, Path::Arc(..));
         if !mv.machine && (arc || matches!(mv.path, Path::Thread { .. })) {
             return Err(reports::leaves_on_arc(arc, origin));
         }
-        if mv.machine || !names_plane(mv) && mv.plane == self.plane {
+        if mv.machine || !self.names_plane(mv) {
             if self.stage != Stage::Leaving && !mv.machine {
                 out.diags.push(*reports::offset_stays(self.at.in_plane(self.plane), self.plane, origin));
             }
             self.stage = Stage::Leaving;
-            let mv = aside(mv, &self.at);
+            let mv = aside(mv, &self.at, self.plane);
             self.send(&mv, origin, out);
             if mv.machine {
                 mv.axes.iter().for_each(|axis| self.at.forget(axis));
             }
             return Ok(());
         }
-        // Both axes of the plane in which it stands beside the contour go to their programmed places.
-        let beside = super::super::step::plane_axes(self.plane).common(mv.end.known());
-        let mv = with_plane(mv);
-        let mv = Move { axes: mv.axes.union(beside), ..mv };
+        let mv = with_plane(mv, self.plane);
         self.send(&mv, origin, out);
         self.forget();
         Ok(())
@@ -294,11 +296,6 @@ impl Compensator {
         self.append(first);
         Ok(())
     }
-}
-
-/// Is the move about an axis of its plane? The end is where the tool goes, even if the contour ends there.
-fn names_plane(mv: &Move) -> bool {
-    !plane_axes(mv.plane).common(mv.axes).is_empty()
 }
 
 /// Farther than any machine moves, in mm.

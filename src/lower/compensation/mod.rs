@@ -228,7 +228,7 @@ impl Compensator {
             match item {
                 Item::Function(function, origin) => out.sink.function(&function, &origin),
                 Item::Move(mv, origin) => {
-                    let mv = aside(&mv, &self.at);
+                    let mv = aside(&mv, &self.at, self.plane);
                     self.send(&mv, &origin, out);
                 }
             }
@@ -253,7 +253,7 @@ impl Compensator {
         if !moves_in_plane(mv, start) {
             return match self.stage {
                 Stage::Constant(_) => {
-                    let mv = aside(mv, &self.at);
+                    let mv = aside(mv, &self.at, self.plane);
                     self.send(&mv, origin, out);
                     Ok(())
                 }
