@@ -151,13 +151,24 @@ fn judge(
         }
     }
     touches(&curves, path, d, 3.0 * unit + 1e-4)?;
-    let wanted = contour.heights();
-    let same = wanted.len() == heights.len() && wanted.iter().zip(heights).all(|(a, b)| (a - b).abs() <= unit);
-    if !same {
-        return Err(format!("the tool axis goes {heights:?} instead of {wanted:?}"));
-    }
+    climbs(&contour.heights(), heights, unit)?;
     let share = |kind: usize| if wide { lost[kind] / unit } else { 0.0 };
     Ok(([share(0), share(1)], wide))
+}
+
+/// The tool axis goes to each height in turn, and nowhere else but in between: a small helix is printed in parts.
+fn climbs(wanted: &[f64], heights: &[f64], unit: f64) -> Result<(), String> {
+    let near = |a: f64, b: f64| (a - b).abs() <= unit;
+    let mut next = 0;
+    for height in heights {
+        let between = |low: f64, high: f64| (low.min(high)..=low.max(high)).contains(height);
+        if wanted.get(next).is_some_and(|z| near(*z, *height)) {
+            next += 1;
+        } else if !(next > 0 && wanted.get(next).is_some_and(|z| between(wanted[next - 1], *z))) {
+            return Err(format!("the tool axis goes {heights:?} instead of {wanted:?}"));
+        }
+    }
+    if next == wanted.len() { Ok(()) } else { Err(format!("the tool axis ends {heights:?} instead of {wanted:?}")) }
 }
 
 /// Everything that a tool can reach from beside an element is reached.
