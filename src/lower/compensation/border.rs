@@ -166,7 +166,9 @@ impl Compensator {
             return Ok(());
         }
         let mv = with_plane(mv);
-        self.send(&mv, origin, out);
+        if !self.stands_at_end(&mv) {
+            self.send(&mv, origin, out);
+        }
         self.forget();
         Ok(())
     }

@@ -219,6 +219,12 @@ impl Compensator {
         self.at.update(&mv.end);
     }
 
+    /// Is the tool where `mv` leads already? An approach on an arc ends beside the contour.
+    fn stands_at_end(&self, mv: &Move) -> bool {
+        let close = |(from, to): (f64, f64)| (from - to).abs() <= SAME_POINT;
+        mv.axes.iter().all(|axis| self.at.get(axis).zip(mv.end.get(axis)).is_some_and(close))
+    }
+
     fn send_items(&mut self, items: Vec<Item>, out: &mut Out<'_>) {
         for item in items {
             match item {
@@ -337,11 +343,14 @@ impl Compensator {
             Kind::Element | Kind::Joint => Some(first.travelled()),
         };
         if let Some(way) = way {
-            let rests = first.kind != Kind::Entry && way.length() <= SAME_POINT;
             let mv = first.printed(&way, &self.at);
             let others = mv.axes.without(super::step::plane_axes(mv.plane));
             let still = others.iter().all(|axis| self.at.get(axis) == mv.end.get(axis));
-            if !(rests && still) {
+            let rests = match first.kind {
+                Kind::Entry => self.stands_at_end(&mv),
+                _ => way.length() <= SAME_POINT && still,
+            };
+            if !rests {
                 if first.kind != Kind::Entry {
                     self.damage.path(&first, &way, self.d, out.diags);
                 }
