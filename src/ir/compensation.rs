@@ -20,6 +20,8 @@ pub struct Compensation {
     pub ends: Ends,
     /// Elements keep the last offset instead of one of their own.
     pub constant: bool,
+    /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
+    pub joints_are_documented: bool,
     pub alarms: Alarms,
 }
 
@@ -35,6 +37,7 @@ impl Default for Compensation {
             search: Search::default(),
             ends: Ends::default(),
             constant: false,
+            joints_are_documented: false,
             alarms: Alarms::default(),
         }
     }

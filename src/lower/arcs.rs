@@ -27,7 +27,7 @@ const FAR: f64 = 10.0;
 
 /// Direction of the contour so far.
 #[derive(Debug, Default)]
-pub struct Last {
+pub struct LastDirection {
     /// The element that has the direction, and its plane.
     element: Option<(Element, Plane)>,
     why: Why,
@@ -42,14 +42,14 @@ enum Why {
     OtherAxis,
 }
 
-impl Last {
+impl LastDirection {
     pub fn forget(&mut self) {
-        *self = Last::default();
+        *self = LastDirection::default();
     }
 
     /// After a corner the direction is the one of the next element.
     pub fn corner(&mut self) {
-        *self = Last { element: None, why: Why::Corner };
+        *self = LastDirection { element: None, why: Why::Corner };
     }
 
     /// The direction in which the contour goes on in `plane`.
@@ -64,7 +64,7 @@ impl Last {
         let plane = step.plane();
         let Some(element) = step.element(plane) else { return self.forget() };
         if step.leaves(plane) {
-            *self = Last { element: None, why: Why::OtherAxis };
+            *self = LastDirection { element: None, why: Why::OtherAxis };
         } else if element.length() > SAME_POINT {
             self.element = Some((element, plane));
         }
@@ -141,7 +141,12 @@ pub enum Extra {
 /// # Errors
 /// Geometry that does not exist.
 #[inline]
-pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
+pub fn resolve(
+    path: &contour::Path,
+    step: &mut Step,
+    last: &LastDirection,
+    adjusted: &mut Adjusted,
+) -> Result<Extra, Refused> {
     match path {
         contour::Path::Rapid => step.mv.path = Path::Rapid,
         contour::Path::Line(feed) => step.mv.path = Path::Line(*feed),
@@ -181,7 +186,7 @@ fn resolve_arc(
     shape: &contour::Arc,
     feed: Feed,
     step: &mut Step,
-    last: &Last,
+    last: &LastDirection,
     adjusted: &mut Adjusted,
 ) -> Result<Extra, Refused> {
     let plane = shape.plane;

@@ -35,6 +35,7 @@ impl Compensator {
         let point = Element::Line { from: to, to };
         self.entry = Some(Box::new(Piece {
             kind: Kind::Entry,
+            index: 0,
             contour: point,
             curve: point,
             stop: None,
@@ -47,7 +48,7 @@ impl Compensator {
     }
 
     /// The first element of the contour is known, and with it where the path begins.
-    pub(super) fn enter(&mut self, first: Piece) -> Result<(), Refused> {
+    pub(super) fn enter(&mut self, first: Piece, out: &mut Out<'_>) -> Result<(), Refused> {
         let Some(mut entry) = self.entry.take() else { return Ok(()) };
         self.stage = Stage::Contour;
         let edge = first.curve.from();
@@ -65,6 +66,9 @@ impl Compensator {
         {
             let from = start + rules.nose;
             around = Some(self.around(from, corner, edge, &first, false)?);
+            if (from - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
+                out.diags.push(*reports::nearly_behind(false, &entry.origin));
+            }
         }
         match rules.ends {
             Ends::AsTheyAre => {}
@@ -184,6 +188,9 @@ impl Compensator {
                     (Some(to), Some(heading))
                         if distance(to, corner) > NOTHING && self.is_behind(to, edge, heading) =>
                     {
+                        if (to - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
+                            out.diags.push(*reports::nearly_behind(true, origin));
+                        }
                         Some(self.around(to, corner, edge, last, true)?)
                     }
                     _ => None,

@@ -1,14 +1,16 @@
 //! Does the path damage the contour elsewhere? Neighbours are looked at when they are joined; here are the others.
 
 use crate::diag::Diags;
-use crate::geo::{Element, gap};
+use crate::geo::{Element, Point2, Vec2, cross, distance, gap};
 use crate::ir::Origin;
 
 use super::piece::Piece;
 use super::reports;
 
-/// Elements looked back upon.
+/// Elements looked back upon, a power of two.
 const DEPTH: usize = 16;
+/// Elements nearer than this in their order are neighbours, or share one.
+const NEIGHBOURS: u32 = 3;
 /// How much nearer than the radius a path may come, in mm: what a source rounded to three decimals loses.
 const NEARER: f64 = 2e-3;
 
@@ -16,27 +18,55 @@ const NEARER: f64 = 2e-3;
 struct Known {
     element: Element,
     /// Least and largest coordinates.
-    least: [f64; 2],
-    most: [f64; 2],
+    least: Vec2,
+    most: Vec2,
+    /// Place in the contour.
+    index: u32,
     origin: Origin,
 }
 
 impl Known {
-    fn new(element: &Element, origin: Origin) -> Known {
-        let (from, to) = (element.from(), element.to());
-        let (least, most) = match *element {
-            Element::Line { .. } => ([from.x.min(to.x), from.y.min(to.y)], [from.x.max(to.x), from.y.max(to.y)]),
-            Element::Arc { center, .. } => {
-                let r = crate::geo::distance(from, center);
-                ([center.x - r, center.y - r], [center.x + r, center.y + r])
-            }
-        };
-        Known { element: *element, least, most, origin }
+    fn new(element: &Element, index: u32, origin: Origin) -> Known {
+        let (from, to) = (element.from().coords, element.to().coords);
+        let (mut least, mut most) = (from.inf(&to), from.sup(&to));
+        if let Element::Arc { center, sweep, .. } = *element {
+            let radius = distance(element.from(), center);
+            // A flat arc bulges little beyond its ends.
+            let bulge = if sweep.abs() < 1.5 { radius * sweep * sweep / 8.0 } else { 2.0 * radius };
+            least.add_scalar_mut(-bulge);
+            most.add_scalar_mut(bulge);
+        }
+        Known { element: *element, least, most, index, origin }
     }
 
+    #[inline]
     fn is_far(&self, other: &Known, r: f64) -> bool {
-        (0..2).any(|i| self.least[i] > other.most[i] + r || other.least[i] > self.most[i] + r)
+        self.index.abs_diff(other.index) < NEIGHBOURS
+            || self.least.x > other.most.x + r
+            || other.least.x > self.most.x + r
+            || self.least.y > other.most.y + r
+            || other.least.y > self.most.y + r
     }
+
+    fn hits(&self, other: &Known, r: f64) -> bool {
+        match (self.element, other.element) {
+            (Element::Line { from: a, to: b }, Element::Line { from: c, to: d }) => lines_are_near(a, b, c, d, r),
+            (a, b) => gap::between(&a, &b) < r,
+        }
+    }
+}
+
+/// Do two lines cross, or come nearer than `r` to each other?
+fn lines_are_near(a: Point2, b: Point2, c: Point2, d: Point2, r: f64) -> bool {
+    let (u, w) = (b - a, d - c);
+    let apart = |p: f64, q: f64| p * q > 0.0;
+    let cross_over = !apart(cross(u, c - a), cross(u, d - a)) && !apart(cross(w, a - c), cross(w, b - c));
+    let near = |p: Point2, from: Point2, way: Vec2| {
+        let v = p - from;
+        let t = (v.dot(&way) / way.norm_squared()).clamp(0.0, 1.0);
+        (v - way * t).norm_squared() < r * r
+    };
+    cross_over || near(a, c, w) || near(b, c, w) || near(c, a, u) || near(d, a, u)
 }
 
 /// The last elements of the contour and of the path.
@@ -44,6 +74,8 @@ impl Known {
 pub struct Damage {
     contour: Ring,
     path: Ring,
+    /// Elements of the contour so far.
+    elements: u32,
     reported: bool,
 }
 
@@ -57,31 +89,37 @@ impl Ring {
     fn add(&mut self, known: Known) {
         if self.known.len() < DEPTH {
             self.known.push(known);
-        } else {
-            self.known[self.next % DEPTH] = known;
+        } else if let Some(oldest) = self.known.get_mut(self.next % DEPTH) {
+            *oldest = known;
         }
         self.next = (self.next + 1) % DEPTH;
     }
 
     /// The one that `known` comes too near to.
     fn hit(&self, known: &Known, r: f64) -> Option<Origin> {
-        let near = |other: &&Known| !known.is_far(other, r) && gap::between(&known.element, &other.element) < r;
-        self.known.iter().find(near).map(|other| other.origin)
+        let hit = self.known.iter().find(|other| !known.is_far(other, r) && known.hits(other, r));
+        hit.map(|other| other.origin)
+    }
+
+    fn forget(&mut self) {
+        self.known.clear();
+        self.next = 0;
     }
 }
 
 impl Damage {
     pub fn forget(&mut self) {
-        self.contour.known.clear();
-        self.path.known.clear();
-        (self.contour.next, self.path.next) = (0, 0);
+        self.contour.forget();
+        self.path.forget();
+        self.elements = 0;
         self.reported = false;
     }
 
     /// A contour begins with this element.
     pub fn begin(&mut self, first: &Piece) {
         self.forget();
-        self.contour.add(Known::new(&first.contour, first.origin));
+        self.elements = first.index;
+        self.contour.add(Known::new(&first.contour, first.index, first.origin));
     }
 
     /// The control itself goes beyond the contour.
@@ -91,8 +129,11 @@ impl Damage {
 
     /// An element of the contour.
     pub fn contour(&mut self, element: &Element, origin: &Origin, d: f64, diags: &Diags) {
-        let known = Known::new(element, *origin);
-        if let Some(of) = self.path.hit(&known, d.abs() - NEARER) {
+        self.elements += 1;
+        let known = Known::new(element, self.elements, *origin);
+        if !self.reported
+            && let Some(of) = self.path.hit(&known, d.abs() - NEARER)
+        {
             self.report(&of, origin, d, diags);
         }
         self.contour.add(known);
@@ -100,16 +141,36 @@ impl Damage {
 
     /// A settled piece of the path.
     pub fn path(&mut self, piece: &Piece, way: &Element, d: f64, diags: &Diags) {
-        let known = Known::new(way, piece.origin);
-        if let Some(of) = self.contour.hit(&known, d.abs() - NEARER) {
+        let known = Known::new(way, piece.index, piece.origin);
+        if !self.reported
+            && let Some(of) = self.contour.hit(&known, d.abs() - NEARER)
+        {
             self.report(&piece.origin, &of, d, diags);
         }
         self.path.add(known);
     }
 
+    /// The place in the contour of the element that comes.
+    pub fn next_index(&self) -> u32 {
+        self.elements + 1
+    }
+
     fn report(&mut self, path: &Origin, contour: &Origin, d: f64, diags: &Diags) {
-        if !std::mem::replace(&mut self.reported, true) {
-            diags.push(*reports::damaged(path, contour, d.abs()));
-        }
+        self.reported = true;
+        diags.push(*reports::damaged(path, contour, d.abs()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_cross_or_come_near() {
+        let p = Point2::new;
+        assert!(lines_are_near(p(-50.0, 0.0), p(50.0, 0.0), p(0.0, -50.0), p(0.0, 50.0), 1.0));
+        assert!(!lines_are_near(p(-50.0, 0.0), p(50.0, 0.0), p(60.0, -50.0), p(60.0, 50.0), 5.0));
+        assert!(lines_are_near(p(-50.0, 0.0), p(50.0, 0.0), p(54.0, -50.0), p(54.0, 50.0), 5.0));
+        assert!(!lines_are_near(p(0.0, 0.0), p(50.0, 0.0), p(0.0, 5.0), p(50.0, 5.0), 5.0));
     }
 }

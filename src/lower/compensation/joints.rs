@@ -42,6 +42,9 @@ impl Compensator {
                 if last.rules.inside == Inside::Open {
                     self.damage.is_wanted();
                 }
+                if !pieces.is_empty() && !last.rules.joints_are_documented {
+                    reports::reading(last, &next, out.diags);
+                }
                 self.path.extend(pieces);
             }
             Made::NoRoom => {

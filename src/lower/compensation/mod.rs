@@ -4,7 +4,7 @@
 //! is what it is. What a control decides comes with the elements ([`Compensation`]); what it does is here. The path of an
 //! element is printed when its end is settled: one element of look-ahead, more where the control may leave elements out.
 //!
-//! Geometry: `docs/compensation.md`.
+//! Geometry: docs/compensation.md.
 
 mod border;
 mod damage;
@@ -269,7 +269,7 @@ impl Compensator {
                 if rules.constant {
                     return Err(reports::constant_at_start(origin));
                 }
-                self.enter(self.piece(mv, contour, rules, origin)?)
+                self.enter(self.piece(mv, contour, rules, origin)?, out)
             }
             Stage::Contour if rules.constant => {
                 let by = self.hold_offset(out)?;
@@ -313,9 +313,17 @@ impl Compensator {
             None if rules.search.elements > 0 => (Kind::Gone, contour),
             None => return Err(reports::arc_too_small(&contour, rules, origin)),
         };
-        let piece =
-            Piece { kind, contour, curve, stop: None, mv: *mv, origin: *origin, rules: *rules, items: Vec::new() };
-        Ok(piece)
+        Ok(Piece {
+            kind,
+            index: self.damage.next_index(),
+            contour,
+            curve,
+            stop: None,
+            mv: *mv,
+            origin: *origin,
+            rules: *rules,
+            items: Vec::new(),
+        })
     }
 
     /// Prints what no search reaches any more.

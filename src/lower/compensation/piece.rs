@@ -40,6 +40,8 @@ pub enum Item {
 #[derive(Debug, Clone)]
 pub struct Piece {
     pub kind: Kind,
+    /// Place in the contour; that of a joint is the one of the element before.
+    pub index: u32,
     /// The programmed element; a joint has its corner.
     pub contour: Element,
     /// The path of the centre: its start is settled.
@@ -95,6 +97,7 @@ impl Piece {
         let mv = Move { axes: plane_axes(plane), path: Path::straight(feed), ..self.mv };
         Piece {
             kind: Kind::Joint,
+            index: self.index,
             contour: Element::Line { from: corner, to: corner },
             curve,
             stop: None,

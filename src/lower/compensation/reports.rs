@@ -1,13 +1,13 @@
 //! What is said about a contour that the tool cannot follow.
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Element, Plane, Point2, distance};
 use crate::ir::compensation::Compensation;
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin};
 
 use super::super::at;
-use super::piece::Piece;
+use super::piece::{Item, Piece};
 
 /// Why a contour is refused.
 pub type Refused = Box<Diagnostic>;
@@ -208,5 +208,35 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
     );
     Box::new(
         at(codes::G3212, *origin, message).help("end the compensation in a block that leads away from the contour"),
+    )
+}
+
+/// What no manual says about the joint in front of `next`.
+pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
+    let (before, behind) = (last.mv.path.feed(), next.mv.path.feed());
+    let moves = last.items.iter().any(|item| !matches!(item, Item::Function(Function::Comment(_), _)));
+    let message = match (before != behind, moves) {
+        (false, false) => return,
+        (true, _) => {
+            "the arc about the corner in front of this element takes its feed; the element before has another one"
+        }
+        (false, true) => {
+            "what stands between this element and the one before happens in front of the arc about the corner"
+        }
+    };
+    if diags.first_text(codes::G3213, message) {
+        let found = at(codes::G3213, next.origin, message).also(last.origin.loc, "element before");
+        diags.push(found.help("program the same feed for both elements, and nothing between them"));
+    }
+}
+
+/// The start or end of the way lies between the contour and its path, where controls may see it as behind or not.
+pub fn nearly_behind(leaves: bool, origin: &Origin) -> Refused {
+    let what = if leaves { "end" } else { "start" };
+    let message = format!(
+        "the {what} of the way lies less than the tool radius beside the contour: it is taken to be behind it, so a circle leads around the contour point"
+    );
+    Box::new(
+        at(codes::G3214, *origin, message).help("start or end farther away from the contour, or clearly behind it"),
     )
 }

@@ -278,7 +278,7 @@ fn what_happens_between_two_elements_happens_at_the_joint() {
         "G1 X50 Y35 Z50",
     ];
     let (lines, found) = program.run();
-    assert_eq!((lines, found), (path.map(str::to_owned).to_vec(), vec!["G3212".to_owned()]));
+    assert_eq!((lines, found), (path.map(str::to_owned).to_vec(), vec!["G3213".to_owned(), "G3212".to_owned()]));
 }
 
 #[test]

@@ -99,9 +99,12 @@ pub const KEYS: &[Key] = &[
         put(&mut s.control.klartext_choices.cycle_19_axes, is(v, "axes"))
     })
     .or(r#""space""#),
-    key("m98", Kind::Choice(&["line", "refuse"]), "Klartext: open corner of M98: a line between its sides, or refused", |s, v| {
-        put(&mut s.control.klartext_choices.open_corners_refused, is(v, "refuse"))
-    })
+    key(
+        "m98",
+        Kind::Choice(&["line", "refuse"]),
+        "Klartext: open corner of M98: a line between its sides, or refused",
+        |s, v| put(&mut s.control.klartext_choices.open_corners_refused, is(v, "refuse")),
+    )
     .or(r#""line""#),
     key(
         "rounded_approach",

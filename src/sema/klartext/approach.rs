@@ -100,7 +100,9 @@ impl Run<'_> {
             return self.fail_help(
                 codes::K9003,
                 span,
-                format!("{name} is not supported where the target compensates: it would not come straight to the contour"),
+                format!(
+                    "{name} is not supported where the target compensates: it would not come straight to the contour"
+                ),
                 "set `[output] compensation = \"resolve\"`, or write LT or CT",
             );
         }

@@ -24,7 +24,7 @@ const EVERY_TURN: Deg = Deg(180.0);
 
 /// The last move in the working plane, for its direction.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Last {
+pub(super) struct LastMove {
     from: Point2,
     pub to: Point2,
     plane: Plane,
@@ -40,7 +40,7 @@ pub(super) struct Contour {
     pub side: Side,
     /// More than the way to it was programmed.
     pub begun: bool,
-    pub last: Option<Last>,
+    pub last: Option<LastMove>,
 }
 
 /// Does the block change what is made of the corner at its end?
@@ -53,9 +53,9 @@ pub(super) enum OwnCorner {
     Sent,
 }
 
-impl Last {
-    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path) -> Last {
-        Last { from, to, plane, path, entering: None }
+impl LastMove {
+    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path) -> LastMove {
+        LastMove { from, to, plane, path, entering: None }
     }
 
     /// Direction of travel at the start or the end.
@@ -123,7 +123,7 @@ impl State {
         let mut contour = self.contour.unwrap_or(Contour::new(side));
         let before = contour.last.take();
         if let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) {
-            let mut last = Last::new(from, to, plane, path);
+            let mut last = LastMove::new(from, to, plane, path);
             if matches!(path, Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _)) {
                 last.entering = before.and_then(|before| before.direction(false));
             }
@@ -193,9 +193,17 @@ impl Run<'_> {
             let other = |contour: Contour| contour.side != side && contour.side != Side::None;
             let stays = self.computes_path() && self.st.contour.is_some_and(other);
             if self.st.compensation.is_on() || stays {
-                let what =
-                    if stays { "RL and RR follow each other, and R0 between them moved nothing in the working plane" } else { "RL and RR follow each other without R0" };
-                return self.fail_help(codes::K2602, w.comp_span, what, "program a straight block with R0 between them");
+                let what = if stays {
+                    "RL and RR follow each other, and R0 between them moved nothing in the working plane"
+                } else {
+                    "RL and RR follow each other without R0"
+                };
+                return self.fail_help(
+                    codes::K2602,
+                    w.comp_span,
+                    what,
+                    "program a straight block with R0 between them",
+                );
             }
             self.compute_compensation(w.comp_span)?;
             self.check_cutter(w.comp_span)?;
@@ -323,7 +331,10 @@ impl Run<'_> {
             Some(m) if own == OwnCorner::Waits => self.fail_help(
                 codes::K2607,
                 m.span,
-                format!("M{} acts on the corner at the end of its block, and this block moves nothing in the working plane", m.number),
+                format!(
+                    "M{} acts on the corner at the end of its block, and this block moves nothing in the working plane",
+                    m.number
+                ),
                 "write it into the block that ends in the corner",
             ),
             _ => Ok(()),
@@ -336,12 +347,8 @@ impl Run<'_> {
             return;
         }
         self.report(
-            Diagnostic::new(
-                codes::K2606,
-                self.here.origin.loc,
-                format!("{what} while radius compensation is on"),
-            )
-            .help("end the compensation in front of this block, by R0 in a straight block or DEP"),
+            Diagnostic::new(codes::K2606, self.here.origin.loc, format!("{what} while radius compensation is on"))
+                .help("end the compensation in front of this block, by R0 in a straight block or DEP"),
         );
         self.st.end_compensation();
         self.st.contour = None;
@@ -354,9 +361,15 @@ impl Run<'_> {
             return Ok(());
         }
         let (what, help) = if leaves {
-            ("RND stands in front of the block with R0, so the contour ends on its arc", "program the departure with DEP CT")
+            (
+                "RND stands in front of the block with R0, so the contour ends on its arc",
+                "program the departure with DEP CT",
+            )
         } else {
-            ("RND stands behind the block with RL or RR, so the contour begins on its arc", "program the approach with APPR CT")
+            (
+                "RND stands behind the block with RL or RR, so the contour begins on its arc",
+                "program the approach with APPR CT",
+            )
         };
         if !self.job.settings.control.klartext_choices.rounded_approach {
             return self.fail_help(

@@ -59,11 +59,7 @@ impl Run<'_> {
 
     pub(super) fn run_path(&mut self, function: PathFn, w: &Words) -> Outcome {
         let result = self.run_words(function, w);
-        if self.st.own_corner != OwnCorner::No {
-            result.and(self.end_own_corner(w))
-        } else {
-            result
-        }
+        if self.st.own_corner != OwnCorner::No { result.and(self.end_own_corner(w)) } else { result }
     }
 
     fn run_words(&mut self, function: PathFn, w: &Words) -> Outcome {

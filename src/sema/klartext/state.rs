@@ -11,14 +11,14 @@ use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::compensation::{Contour, OwnCorner};
-use super::coordinates::FrameState;
 use super::feed::FeedState;
+use super::frames::FrameState;
 use super::m_functions::SpindleState;
 use super::path::CornerMade;
 use super::polar::PolarState;
 use super::rotary::RotaryState;
 use super::tool::ToolState;
-use super::transform::Transformation;
+use super::transformation::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
 #[derive(Debug)]

@@ -9,10 +9,10 @@ use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
 use crate::parser::sinumerik::ast::{Block, Stmt, Target, Value};
 
-use super::Run;
-use super::g_groups::{Code, Group};
+use super::Channel;
+use super::g_groups::{GCode, Group};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Does a straight block do nothing but move?
     pub(super) fn is_plain(&mut self) -> bool {
         self.moves_straight() && self.nothing_waits() && self.program_level().executed
@@ -22,8 +22,8 @@ impl Run<'_> {
     fn moves_straight(&self) -> bool {
         let st = &self.st;
         let straight = match st.codes.of(Group::Motion) {
-            Code::G0 => true,
-            Code::G1 => {
+            GCode::G0 => true,
+            GCode::G1 => {
                 matches!(st.feed.word(), Some(Feed::PerMinute(_))) && !st.feed.is_lost() && !st.feed.is_kind_open()
             }
             _ => false,
@@ -32,8 +32,8 @@ impl Run<'_> {
         let named = |(letter, axis)| self.axis_names.letter(letter).and_then(|named| named.axis) == axis;
         straight
             && st.offsets.are_noted()
-            && !st.is(Code::G91)
-            && !st.is(Code::G93)
+            && !st.is(GCode::G91)
+            && !st.is(GCode::G93)
             && !st.codes.per_revolution()
             && !st.codes.of(Group::FeedType).holds_cutting_speed()
             && !st.spindles.is_cutting()
@@ -94,7 +94,7 @@ impl Run<'_> {
         if let Some(feed) = feed {
             self.st.feed.program(self.st.feed_of(feed));
         }
-        let path = if self.st.is(Code::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let path = if self.st.is(GCode::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
         self.note_heading(&end, &path);
         self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);

@@ -8,115 +8,14 @@ use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::value::Val;
-use super::{Outcome, Run};
+use super::{Core, Outcome, Run};
 
 const DYNAMICS: &str = "words that only shape speed and accuracy are left out";
 const CONTROL: &str = "words that only steer the control, or switch off what is not on, are left out";
 
 impl Run<'_> {
-    pub(super) fn dynamics_are_left_out(&self, span: Span) {
-        self.note_once(codes::S8002, span, DYNAMICS);
-    }
-
-    pub(super) fn control_words_are_left_out(&self, span: Span) {
-        self.note_once(codes::S8103, span, CONTROL);
-    }
-
-    /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
-    pub(super) fn left_out_code(&self, code: Code, span: Span) {
-        match code.group {
-            Group::ExactStop
-            | Group::ExactStopBlock
-            | Group::ExactStopWindow
-            | Group::Acceleration
-            | Group::Feedforward
-            | Group::Compression
-            | Group::OrientationSmoothing
-            | Group::ContourAccuracy
-            | Group::PathReference
-            | Group::CornerDeceleration
-            | Group::Dynamics => self.dynamics_are_left_out(span),
-            _ if matches!(code, Code::CFC | Code::FNORM | Code::RTLION) => self.dynamics_are_left_out(span),
-            Group::CurveFeed | Group::FeedProfile => {
-                let name = code.word();
-                let what = if code.group == Group::CurveFeed {
-                    "makes the feed on arcs count differently under radius compensation"
-                } else {
-                    "lets the feed run from value to value"
-                };
-                self.changes_feeds(format!("{name} {what}, which is left out"), span);
-            }
-            Group::RapidInterpolation if self.job.diags.first_time(codes::S8102) => {
-                let message =
-                    "under RTLIOF each axis runs at its own rapid traverse; the output goes straight to the point";
-                let found = Diagnostic::new(codes::S8102, self.loc(span), message);
-                self.report(found.help("check that both ways are free, or program RTLION"));
-            }
-            Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
-            Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
-            Group::FineToolOffset if code == Code::FTOCON => {
-                self.tool_data_differ(code, "lets other programs shift the tool", span);
-            }
-            Group::OrientationReference
-            | Group::OrientationCorner
-            | Group::OrientationAngles
-            | Group::OrientationPath
-            | Group::OrientationVector
-            | Group::OrientationContinuity => {
-                self.note_once(codes::S8104, span, "words for tool orientation are left out: the output turns no tool");
-            }
-            // SAR, splines, punching, transformations and frames of the tool are refused themselves.
-            Group::Buffer
-            | Group::SplineStart
-            | Group::SplineEnd
-            | Group::RepositioningPoint
-            | Group::FineToolOffset
-            | Group::Punching
-            | Group::PunchingDelay
-            | Group::PunchingOutput
-            | Group::ConstantCompensation
-            | Group::ThreadInterruption
-            | Group::ToolCarrier
-            | Group::SoftApproach
-            | Group::SoftApproachPath
-            | Group::RetractionPlane
-            | Group::CodeMode
-            | Group::PointToPoint
-            | Group::WorkpieceFrame
-            | Group::ToolFrame
-            | Group::ToolWear
-            | Group::SoftwareLimit
-            | Group::RepositioningPointBlock => self.control_words_are_left_out(span),
-            // The others are asked for where they count.
-            _ => {}
-        }
-    }
-
-    fn tool_data_differ(&self, code: Code, what: &str, span: Span) {
-        let message = format!("{} {what}: the target has tool data of its own", code.word());
-        let found = Diagnostic::new(codes::S8010, self.loc(span), message);
-        if !self.job.diags.knows(&found) {
-            self.report(found);
-        }
-    }
-
-    pub(super) fn limits_are_left_out(&self, span: Span) {
-        self.note_once(
-            codes::S8013,
-            span,
-            "working-area limits and lowest speeds (G25, G26) are left out; G26 S limits the spindle speed",
-        );
-    }
-
-    pub(super) fn changes_feeds(&self, message: String, span: Span) {
-        let found = Diagnostic::new(codes::S8101, self.loc(span), message);
-        if !self.job.diags.knows(&found) {
-            self.report(found.help("check the feeds of the program on the target"));
-        }
-    }
-
     /// FGROUP: the axes along which F counts. Without arguments, or with the geometry axes, it is the path.
     pub(super) fn feed_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let mut named = AxisSet::EMPTY;
@@ -125,7 +24,7 @@ impl Run<'_> {
                 named.insert(axis);
             }
         }
-        let geometry: AxisSet = self.st.channel.geometry_axes.into_iter().collect();
+        let geometry: AxisSet = self.st.machine.geometry_axes.into_iter().collect();
         if named.is_empty() || named == geometry {
             self.dynamics_are_left_out(span);
         } else {
@@ -167,6 +66,109 @@ impl Run<'_> {
             format!("the error variable of {name}, {shown}, is set to 0: no error"),
         );
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn dynamics_are_left_out(&self, span: Span) {
+        self.note_once(codes::S8002, span, DYNAMICS);
+    }
+
+    pub(super) fn control_words_are_left_out(&self, span: Span) {
+        self.note_once(codes::S8103, span, CONTROL);
+    }
+
+    /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
+    pub(super) fn left_out_code(&self, code: GCode, span: Span) {
+        match code.group {
+            Group::ExactStop
+            | Group::ExactStopBlock
+            | Group::ExactStopWindow
+            | Group::Acceleration
+            | Group::Feedforward
+            | Group::Compression
+            | Group::OrientationSmoothing
+            | Group::ContourAccuracy
+            | Group::PathReference
+            | Group::CornerDeceleration
+            | Group::Dynamics => self.dynamics_are_left_out(span),
+            _ if matches!(code, GCode::CFC | GCode::FNORM | GCode::RTLION) => self.dynamics_are_left_out(span),
+            Group::CurveFeed | Group::FeedProfile => {
+                let name = code.word();
+                let what = if code.group == Group::CurveFeed {
+                    "makes the feed on arcs count differently under radius compensation"
+                } else {
+                    "lets the feed run from value to value"
+                };
+                self.changes_feeds(format!("{name} {what}, which is left out"), span);
+            }
+            Group::RapidInterpolation if self.job.diags.first_time(codes::S8102) => {
+                let message =
+                    "under RTLIOF each axis runs at its own rapid traverse; the output goes straight to the point";
+                let found = Diagnostic::new(codes::S8102, self.loc(span), message);
+                self.report(found.help("check that both ways are free, or program RTLION"));
+            }
+            Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
+            Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
+            Group::FineToolOffset if code == GCode::FTOCON => {
+                self.tool_data_differ(code, "lets other programs shift the tool", span);
+            }
+            Group::OrientationReference
+            | Group::OrientationCorner
+            | Group::OrientationAngles
+            | Group::OrientationPath
+            | Group::OrientationVector
+            | Group::OrientationContinuity => {
+                self.note_once(codes::S8104, span, "words for tool orientation are left out: the output turns no tool");
+            }
+            // SAR, splines, punching, transformations and frames of the tool are refused themselves.
+            Group::Buffer
+            | Group::SplineStart
+            | Group::SplineEnd
+            | Group::RepositioningPoint
+            | Group::FineToolOffset
+            | Group::Punching
+            | Group::PunchingDelay
+            | Group::PunchingOutput
+            | Group::ConstantCompensation
+            | Group::ThreadInterruption
+            | Group::ToolCarrier
+            | Group::SoftApproach
+            | Group::SoftApproachPath
+            | Group::RetractionPlane
+            | Group::CodeMode
+            | Group::PointToPoint
+            | Group::WorkpieceFrame
+            | Group::ToolFrame
+            | Group::ToolWear
+            | Group::SoftwareLimit
+            | Group::RepositioningPointBlock => self.control_words_are_left_out(span),
+            // The others are asked for where they count.
+            _ => {}
+        }
+    }
+
+    fn tool_data_differ(&self, code: GCode, what: &str, span: Span) {
+        let message = format!("{} {what}: the target has tool data of its own", code.word());
+        let found = Diagnostic::new(codes::S8010, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found);
+        }
+    }
+
+    pub(super) fn limits_are_left_out(&self, span: Span) {
+        self.note_once(
+            codes::S8013,
+            span,
+            "working-area limits and lowest speeds (G25, G26) are left out; G26 S limits the spindle speed",
+        );
+    }
+
+    pub(super) fn changes_feeds(&self, message: String, span: Span) {
+        let found = Diagnostic::new(codes::S8101, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("check the feeds of the program on the target"));
+        }
     }
 
     /// A note that is made once for each text.

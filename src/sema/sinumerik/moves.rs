@@ -10,13 +10,13 @@ use crate::ir::{Feed, Pos, Side};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::offsets::Outer;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Sends a move to the named axes of `end`.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
@@ -68,19 +68,10 @@ impl Run<'_> {
         self.st.position.move_to(end);
     }
 
-    pub(super) fn in_machine_only_lines<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
-        self.fail_help(
-            codes::S9011,
-            place,
-            format!("{message}, as G500 wants"),
-            "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
-        )
-    }
-
     /// A block under G53, G153 or SUPA.
-    pub(super) fn machine_move(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
+    pub(super) fn machine_move(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
-        if !matches!(code, Code::G0 | Code::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
+        if !matches!(code, GCode::G0 | GCode::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
             return self.fail_help(
                 codes::S9011,
                 span,
@@ -91,12 +82,12 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, span, "a block in machine coordinates under radius compensation");
         }
-        let feed = self.path_feed(w, code == Code::G0)?;
+        let feed = self.path_feed(w, code == GCode::G0)?;
         let mut end = Pos::UNKNOWN;
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
             let incremental = match given.mode {
-                Mode::Plain => self.st.is(Code::G91),
+                Mode::Plain => self.st.is(GCode::G91),
                 Mode::Ic | Mode::Dic | Mode::Ric => true,
                 _ => false,
             };
@@ -109,13 +100,13 @@ impl Run<'_> {
                 );
             }
             let directed = matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn);
-            if axis.is_rotary() && (directed || self.st.modulo.contains(axis)) {
+            if axis.is_rotary() && (directed || self.st.machine.modulo.contains(axis)) {
                 let letter = axis.letter();
                 let message = format!("the way of {letter} to a machine position is left to the target");
                 self.note_once(codes::S8044, given.span, message);
             }
             let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
-            if !self.job.settings.control.siemens.machine_moves_without_tool {
+            if !self.job.settings.control.sinumerik.machine_moves_without_tool {
                 value = self.machine_place(axis, value, given.span)?;
             }
             end.set(axis, value);
@@ -176,5 +167,16 @@ impl Run<'_> {
             self.send(&end, Path::Line(Feed::PerMinute(feed * unit)));
         }
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn in_machine_only_lines<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::S9011,
+            place,
+            format!("{message}, as G500 wants"),
+            "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
+        )
     }
 }

@@ -9,10 +9,10 @@ use crate::ir::Pos;
 use crate::machine::AxisSet;
 use crate::text::Span;
 
-use super::g_groups::Code;
+use super::g_groups::GCode;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// Pole, and the polar words that hold on.
 #[derive(Debug, Clone)]
@@ -50,15 +50,15 @@ impl Polar {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// G110, G111 or G112: the pole, by coordinates or by angle and radius.
-    pub(super) fn pole_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+    pub(super) fn pole_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let result = self.set_pole(code, span, w);
         self.st.polar.lost = result.is_err();
         result
     }
 
-    fn set_pole(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+    fn set_pole(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let plane = self.st.plane();
         let [first, second, third] = self.st.roles();
         for axis in w.axes.iter() {
@@ -71,8 +71,8 @@ impl Run<'_> {
             }
         }
         let base = match code {
-            Code::G111 => Point2::origin(),
-            Code::G112 => {
+            GCode::G111 => Point2::origin(),
+            GCode::G112 => {
                 if self.st.polar.lost {
                     return Err(Reported);
                 }
@@ -112,35 +112,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn mixed<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2051.alarm(14280),
-            span,
-            "AP= or RP= stands beside an axis of the working plane",
-            "give the end point by AP= and RP=, or by its axes",
-        )
-    }
-
-    fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
-        if ap.value.abs() > 360.0 {
-            let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
-            return self.fail(codes::S2053.alarm(alarm), ap.span, message);
-        }
-        Ok(())
-    }
-
-    fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
-        if rp.value < 0.0 {
-            return self.fail_help(
-                codes::S2052.alarm(alarm),
-                rp.span,
-                format!("RP={} is negative", rp.value),
-                "a polar radius is positive; turn AP by 180 degrees instead",
-            );
-        }
-        Ok(())
-    }
-
     /// The end point of a block with AP or RP.
     pub(super) fn polar_end(&mut self, w: &mut Words) -> Outcome<Pos> {
         if self.st.polar.lost {
@@ -172,7 +143,7 @@ impl Run<'_> {
             Some(ap) => {
                 self.check_angle(ap, 14210)?;
                 let incremental = match ap.mode {
-                    Mode::Plain => self.st.is(Code::G91),
+                    Mode::Plain => self.st.is(GCode::G91),
                     Mode::Ac => false,
                     Mode::Ic => true,
                     _ => return self.fail(codes::S2012.alarm(12020), ap.span, "only AC(…) and IC(…) fit AP="),
@@ -207,5 +178,36 @@ impl Run<'_> {
         self.lost();
         let message = format!("{what} was not programmed since the pole or the plane was set");
         self.fail_help(codes::S2054, span, message, "program AP=… and RP=… in this block")
+    }
+}
+
+impl Core<'_> {
+    fn mixed<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2051.alarm(14280),
+            span,
+            "AP= or RP= stands beside an axis of the working plane",
+            "give the end point by AP= and RP=, or by its axes",
+        )
+    }
+
+    fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
+        if ap.value.abs() > 360.0 {
+            let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
+            return self.fail(codes::S2053.alarm(alarm), ap.span, message);
+        }
+        Ok(())
+    }
+
+    fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
+        if rp.value < 0.0 {
+            return self.fail_help(
+                codes::S2052.alarm(alarm),
+                rp.span,
+                format!("RP={} is negative", rp.value),
+                "a polar radius is positive; turn AP by 180 degrees instead",
+            );
+        }
+        Ok(())
     }
 }

@@ -6,15 +6,15 @@ use crate::diag::codes;
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::g_groups::Code;
+use super::g_groups::GCode;
 use super::words::{Given, Mode};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// The end point of a rotary axis in degrees. Those of a modulo axis count on from the last one, turn by turn.
     pub(super) fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         let incremental = match given.mode {
-            Mode::Plain => self.st.is(Code::G91),
+            Mode::Plain => self.st.is(GCode::G91),
             Mode::Ac => false,
             Mode::Ic => true,
             Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(axis, given),
@@ -23,13 +23,13 @@ impl Run<'_> {
         if incremental {
             return Ok(self.increment_base(axis, given.span)? + given.value);
         }
-        if self.st.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
+        if self.st.machine.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
     }
 
     /// DC, ACP and ACN: the shortest way, or a way of one sense.
     fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         self.inside_one_turn(given)?;
-        self.st.modulo.insert(axis);
+        self.st.machine.modulo.insert(axis);
         let Some(at) = self.st.position.get(axis) else {
             return self.first_rotary_target(axis, given);
         };
@@ -54,13 +54,27 @@ impl Run<'_> {
             return Ok(given.value);
         };
         let shift = self.st.ctx.frame.shift_of(axis);
-        if reduced(shift) != 0.0 && !self.job.settings.control.siemens.modulo_shortest {
+        if reduced(shift) != 0.0 && !self.job.settings.control.sinumerik.modulo_shortest {
             return self.modulo_under_a_shift(axis, given.span);
         }
-        let shortest = self.job.settings.control.siemens.modulo_shortest;
+        let shortest = self.job.settings.control.sinumerik.modulo_shortest;
         Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
     }
 
+    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
+    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        if given.mode != Mode::Dc || !self.st.is(GCode::G0) || self.st.position.is_lost(axis) {
+            return self.unknown_axis(axis, given.span);
+        }
+        let letter = axis.letter();
+        let message =
+            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
+        self.note_once(codes::S8044, given.span, message);
+        Ok(given.value)
+    }
+}
+
+impl Core<'_> {
     /// Which way is meant depends on where the turn of the axis begins: in the program or on the machine.
     fn modulo_under_a_shift(&self, axis: Axis, span: Span) -> Outcome<f64> {
         let letter = axis.letter();
@@ -79,18 +93,6 @@ impl Run<'_> {
         let message = format!("{} lies outside 0 to 359.999", given.value);
         let help = "positions of an axis that counts modulo 360 lie inside one turn; write more turns as increments";
         self.fail_help(codes::S2061.alarm(16830), given.span, message, help)
-    }
-
-    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
-    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.position.is_lost(axis) {
-            return self.unknown_axis(axis, given.span);
-        }
-        let letter = axis.letter();
-        let message =
-            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
-        self.note_once(codes::S8044, given.span, message);
-        Ok(given.value)
     }
 }
 

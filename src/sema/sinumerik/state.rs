@@ -1,5 +1,6 @@
 //! Modal state of a run. Written here and by the statements, sampled by every item.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
@@ -11,19 +12,21 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
-use super::Run;
+use super::Channel;
+use super::angle_lines::Pair;
 use super::calls::ModalCall;
-use super::contour::{Corners, Pair};
+use super::corners::Corners;
 use super::editor_contour::Stored;
 use super::feed::FeedState;
 use super::frames::{FrameValue, Frames, SavedFrames};
-use super::g_groups::{ActiveCodes, Code, Group};
+use super::g_groups::{ActiveCodes, GCode, Group};
 use super::offsets::OffsetUse;
 use super::polar::Polar;
-use super::spindles::Spindles;
+use super::spindle_state::Spindles;
 use super::tangent::Heading;
 use super::threads::Threads;
-use super::tools::{CompensationState, ToolInUse};
+use super::tool::{CompensationState, ToolInUse};
+use super::value::Val;
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,12 +42,10 @@ pub(super) enum Diameter {
 #[derive(Debug, Clone)]
 pub(super) struct State {
     pub codes: ActiveCodes,
-    pub channel: Channel,
+    pub machine: MachineData,
     pub ctx: CtxRef,
     /// The numbers last programmed count where a frame changed (SD 42440).
     pub position: Position,
-    /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
-    pub modulo: AxisSet,
     /// The way of the last block that travelled.
     pub heading: Heading,
     pub polar: Polar,
@@ -62,14 +63,18 @@ pub(super) struct State {
     pub modal_call: ModalCall,
     /// The contour of the contour editor that runs.
     pub stored: Option<Box<Stored>>,
+    /// System variables that the program wrote.
+    pub system: BTreeMap<String, Val>,
 }
 
 /// What the machine is, as far as programs depend on it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Channel {
+pub(super) struct MachineData {
     pub geometry_axes: [Axis; 3],
     pub lathe: bool,
     basic_unit: Unit,
+    /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
+    pub modulo: AxisSet,
 }
 
 /// What SAVE brings back.
@@ -88,10 +93,9 @@ impl State {
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
         State {
             codes,
-            channel: Channel { geometry_axes: machine.geometry_axes, lathe, basic_unit },
+            machine: MachineData { geometry_axes: machine.geometry_axes, lathe, basic_unit, modulo: machine.modulo },
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-            position: Position::new(Start::new(settings, codes.is(Code::DIAMON))),
-            modulo: machine.modulo,
+            position: Position::new(Start::new(settings, codes.is(GCode::DIAMON))),
             heading: Heading::None,
             polar: Polar::default(),
             feed: FeedState::at_start(settings),
@@ -106,6 +110,7 @@ impl State {
             threads: Threads::default(),
             modal_call: ModalCall::default(),
             stored: None,
+            system: BTreeMap::new(),
         }
     }
 
@@ -121,7 +126,7 @@ impl State {
         self.spindles.close_cut_speed();
     }
 
-    pub fn is(&self, code: Code) -> bool {
+    pub fn is(&self, code: GCode) -> bool {
         self.codes.is(code)
     }
 
@@ -137,7 +142,7 @@ impl State {
 
     /// Millimetres in the unit of length of F.
     pub fn feed_unit(&self) -> f64 {
-        self.codes.feed_unit(self.channel.basic_unit)
+        self.codes.feed_unit(self.machine.basic_unit)
     }
 
     /// Does F count per revolution?
@@ -149,23 +154,23 @@ impl State {
     pub fn counts_as(&self, feed: Feed) -> bool {
         match feed {
             Feed::PerRevolution(_) => self.per_revolution(),
-            Feed::InverseTime(_) => self.is(Code::G93),
-            Feed::PerMinute(_) => !self.per_revolution() && !self.is(Code::G93),
+            Feed::InverseTime(_) => self.is(GCode::G93),
+            Feed::PerMinute(_) => !self.per_revolution() && !self.is(GCode::G93),
         }
     }
 
     pub fn side(&self) -> Side {
         match self.codes.of(Group::Compensation) {
-            Code::G41 => Side::Left,
-            Code::G42 => Side::Right,
+            GCode::G41 => Side::Left,
+            GCode::G42 => Side::Right,
             _ => Side::None,
         }
     }
 
     pub fn diameter_mode(&self) -> Diameter {
         self.diameter.unwrap_or(match self.codes.of(Group::Diameter) {
-            Code::DIAMON => Diameter::On,
-            Code::DIAM90 => Diameter::Absolute,
+            GCode::DIAMON => Diameter::On,
+            GCode::DIAM90 => Diameter::Absolute,
             _ => Diameter::Off,
         })
     }
@@ -183,13 +188,13 @@ impl State {
     }
 
     /// The context with the plane of group 6.
-    pub(super) fn set_plane(&mut self, code: Code) {
+    pub(super) fn set_plane(&mut self, code: GCode) {
         let (i, j) = match code {
-            Code::G18 => (2, 0),
-            Code::G19 => (1, 2),
+            GCode::G18 => (2, 0),
+            GCode::G19 => (1, 2),
             _ => (0, 1),
         };
-        let axes = self.channel.geometry_axes;
+        let axes = self.machine.geometry_axes;
         let fits = |plane: &Plane| {
             let (first, second, _) = plane.axes();
             (Axis::ALL[first], Axis::ALL[second]) == (axes[i], axes[j])
@@ -202,7 +207,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     pub(super) fn restore(&mut self, saved: Saved) {
         let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
         let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
@@ -223,7 +228,7 @@ impl Run<'_> {
 
     /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
     fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
-        let chosen = self.job.settings.control.siemens.save_restores_offset;
+        let chosen = self.job.settings.control.sinumerik.save_restores_offset;
         if chosen == Some(true) {
             self.st.frames.set_settable(frame);
         } else if chosen.is_none() {

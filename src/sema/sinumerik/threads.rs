@@ -9,11 +9,11 @@ use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Outcome, Reported};
 
 /// Farthest that an axis may stand off its programmed place and still not move, in mm.
 const STILL: f64 = 1e-9;
@@ -73,7 +73,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
@@ -203,7 +203,7 @@ impl Run<'_> {
 
     /// A thread without SF= starts at the angle of SD 42000.
     fn start_angle_by_setting(&self, span: Span) -> Option<Given> {
-        let value = super::system::system_number(&self.vars.system, START_ANGLE)?;
+        let value = super::system::system_number(&self.st.system, START_ANGLE)?;
         Some(Given { value, mode: Mode::Plain, span })
     }
 
@@ -231,7 +231,7 @@ impl Run<'_> {
     }
 
     /// G331 and G332: along one axis, the spindle turning with it.
-    pub(super) fn tap_block(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
+    pub(super) fn tap_block(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.master_is_main(span, "rigid tapping")?;
         self.tapping_speed(span)?;
         let end = self.targets(w)?;
@@ -246,7 +246,7 @@ impl Run<'_> {
         self.taps_along(axis, &end, w, span)?;
         let forward = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
         let back = if lead > 0.0 { Turn::CounterClockwise } else { Turn::Clockwise };
-        let turn = if code == Code::G331 { forward } else { back };
+        let turn = if code == GCode::G331 { forward } else { back };
         if !self.is_capturing() {
             self.turn_with_the_tap(turn, code, span);
         }
@@ -254,7 +254,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn turn_with_the_tap(&mut self, turn: Turn, code: Code, span: Span) {
+    fn turn_with_the_tap(&mut self, turn: Turn, code: GCode, span: Span) {
         let word = code.word();
         self.note_once(codes::S8025, span, format!("{word}: the tap needs a compensating chuck on the target"));
         if let Some(before) = self.st.spindles.turn() {
@@ -342,7 +342,7 @@ impl Run<'_> {
     /// I, J and K.
     fn lead_words(&mut self, w: &mut Words) -> Outcome<Option<Lead>> {
         let mut found = None;
-        let axes = self.st.channel.geometry_axes;
+        let axes = self.st.machine.geometry_axes;
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {
@@ -395,7 +395,7 @@ struct Lead {
 
 /// A word that does not belong between two threads, and the alarm for it.
 fn breaks_chain(w: &Words) -> Option<(Span, u32)> {
-    let dwell = w.code_of(Group::Nonmodal).filter(|(code, _)| *code == Code::G4).map(|(_, span)| span);
+    let dwell = w.code_of(Group::Nonmodal).filter(|(code, _)| *code == GCode::G4).map(|(_, span)| span);
     let stop = w.get(Address::Spos).or(w.get(Address::Sposa)).map(|given| given.span);
     if let Some(span) = dwell.or(stop).or(standstill_behind(w)) {
         return Some((span, STANDSTILL));

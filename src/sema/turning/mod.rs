@@ -3,37 +3,37 @@
 //! X words are diameters here and radii in the contour stream; the working plane is ZX, so points are (Z, X).
 //! Source: T 2 to 7 and 13 (docs/sources.md).
 
+mod block;
+mod calls;
 mod capture;
 mod chain;
-mod contour;
 mod contour_finishing;
 mod contour_words;
-mod coordinates;
 mod cycle_table;
 mod cycles;
 mod drilling;
+mod element_data;
 mod eval;
 mod finishing;
 mod flow;
 mod forms;
+mod frames;
 mod g_functions;
 mod geometry;
 mod geometry_forms;
 mod m_functions;
-mod machining;
-mod modal;
-mod moves;
+mod outline;
+mod path;
 mod readings;
 mod recess_turning;
 mod roughing;
 mod sections;
-mod shifts;
 mod sides;
 mod simple_recess;
 mod simple_thread;
 mod state;
 mod stock;
-mod subprograms;
+mod technology;
 mod thread_line;
 mod threads;
 mod undercut_cycle;
@@ -56,13 +56,13 @@ use crate::text::{Span, SplitRules};
 use super::run::{self, Core, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
+use calls::{Frame, Names};
 use capture::Capture;
 use chain::Chain;
 use geometry::Geometry;
-use moves::Tag;
+use path::Tag;
 use sections::Sections;
 use state::State;
-use subprograms::{Frame, Names};
 use vars::Vars;
 use words::Words;
 
@@ -157,6 +157,11 @@ impl<'a> DerefMut for Run<'a> {
 
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Turning;
+
+    #[inline]
+    fn core(&mut self) -> &mut Core<'a, Turning> {
+        &mut self.core
+    }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
         self.core.begins_at(&self.st.position.start());

@@ -8,7 +8,7 @@ use crate::machine::{ApproachDepth, Axis, Generation};
 use crate::sema::run::Site;
 use crate::text::Span;
 
-use super::super::compensation::{Contour, Last};
+use super::super::compensation::{Contour, LastMove};
 use super::super::words::{Comp, Words};
 use super::super::{Outcome, Reported, Run};
 use super::{Border, Circle, Shape};
@@ -148,8 +148,8 @@ impl Run<'_> {
         }
     }
 
-    /// A move while an approach is open: true if it waits, because it leaves the plane alone. Else it is the first element
-    /// of the contour, and the approach is sent.
+    /// A move while an approach is open: true if it waits, because it leaves the plane alone, or if the approach to it was
+    /// refused. Else it is the first element of the contour, and the approach is sent.
     #[cold]
     pub(in super::super) fn wait_for_contour(&mut self, mv: &Move) -> bool {
         if !self.st.moves_in_plane(&mv.end, &mv.path)
@@ -159,18 +159,17 @@ impl Run<'_> {
             approach.held.push(Held::Move(*mv, self.core.here.origin));
             return true;
         }
-        self.send_approach(mv);
-        false
+        self.send_approach(mv).is_err()
     }
 
     /// The first element of the contour is about to be sent: now the approach to it is known.
-    fn send_approach(&mut self, mv: &Move) {
-        let Some(approach) = self.approach.take() else { return };
+    fn send_approach(&mut self, mv: &Move) -> Outcome {
+        let Some(approach) = self.approach.take() else { return Ok(()) };
         let plane = self.st.plane();
         let (first, second, _) = plane.axes();
         let coordinate = |axis: usize, old: f64| mv.end.get(Axis::ALL[axis]).unwrap_or(old);
         let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
-        let element = Last::new(approach.to, to, plane, mv.path);
+        let element = LastMove::new(approach.to, to, plane, mv.path);
         let here = std::mem::replace(&mut self.here, approach.here);
         let made = match element.direction(true) {
             Some(heading) => self.make_approach(&approach, heading),
@@ -183,14 +182,19 @@ impl Run<'_> {
         };
         if made.is_err() {
             self.lost();
+            self.st.end_compensation();
+            self.st.compensation.lose();
+            self.st.contour = None;
         }
         self.here = here;
         for held in &approach.held {
             match held {
                 Held::Function(function, origin) => self.core.out.function(function, &self.st.ctx, origin),
-                Held::Move(mv, origin) => self.core.out.movement(mv, &self.st.ctx, origin),
+                Held::Move(mv, origin) if made.is_ok() => self.core.out.movement(mv, &self.st.ctx, origin),
+                Held::Move(..) => {}
             }
         }
+        made
     }
 
     fn make_approach(&mut self, a: &Approach, heading: Vec2) -> Outcome {

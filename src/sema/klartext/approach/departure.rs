@@ -47,7 +47,15 @@ impl Run<'_> {
             radius = self.tool_radius(span)?;
         }
         self.forbid_scaling(span)?;
-        let last = contour.filter(|contour| contour.begun).and_then(|contour| contour.last);
+        if contour.is_some_and(|contour| !contour.begun) {
+            return self.fail_help(
+                codes::K9003,
+                span,
+                format!("{name} stands behind the block that leads to the contour, which has no element yet"),
+                "program one element of the contour at least",
+            );
+        }
+        let last = contour.and_then(|contour| contour.last);
         let Some(heading) =
             last.filter(|last| distance(last.to, at) <= SAME_POINT).and_then(|last| last.direction(false))
         else {

@@ -12,7 +12,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::standard::din13::coarse_pitch;
 
 use super::super::value::whole;
-use super::super::{Outcome, Run};
+use super::super::{Channel, Core, Outcome, Run};
 use super::arguments::{
     AMODE, Arguments, DAM, DIS1, DMODE, DTB, DTD, DTS, ENC, FDEP, FDPR, FRF, GMODE, Key, MDEP, MPIT, PIT, PITA, POSS,
     RPA, RPAP, RPO, S_FA, S_FD, S_ZA, S_ZD, SDAC, SDIR, SDR, SST, SST1, TECHNO, VARI, VRT,
@@ -59,7 +59,9 @@ impl Run<'_> {
             }
         }
     }
+}
 
+impl Channel<'_> {
     /// CYCLE82.
     pub(super) fn counterbore(&self, args: &Arguments) -> Outcome<Method> {
         if args.or_zero(VARI) != 0.0 {
@@ -174,14 +176,6 @@ impl Run<'_> {
             }
         }
         Ok(Method::Peck(peck))
-    }
-
-    /// Unit of PIT: 0 that of the program, 1 mm, 2 turns per inch, 3 inch.
-    fn pitch_unit(&self, args: &Arguments) -> Outcome<i32> {
-        match whole(args.or_zero(PITA)).filter(|unit| (0..=3).contains(unit)) {
-            Some(unit) => Ok(unit),
-            None => self.not_built(args, PITA, "this unit of the pitch (`_PITA`)"),
-        }
     }
 
     /// The pitch from PIT or MPIT, sizes up to M`largest`; positive for a right-hand thread.
@@ -301,16 +295,6 @@ impl Run<'_> {
         }))
     }
 
-    /// The state of the spindle behind a cycle: 3, 4 or 5.
-    fn after(&self, args: &Arguments) -> Outcome<Spindle> {
-        match args.or_zero(SDAC) {
-            3.0 => Ok(Spindle::Start(Turn::Clockwise)),
-            4.0 => Ok(Spindle::Start(Turn::CounterClockwise)),
-            0.0 | 5.0 => Ok(Spindle::Stop),
-            _ => self.cycle_fault(args, args.span_of(SDAC), 61102, "the spindle direction is 3, 4 or 5", "3 is M3"),
-        }
-    }
-
     pub(super) fn spindle_turn(&self, args: &Arguments, key: Key) -> Outcome<Turn> {
         self.master_is_main(args.span, "the spindle of a cycle")?;
         match args.or_zero(key) {
@@ -364,14 +348,6 @@ impl Run<'_> {
         }
     }
 
-    /// With an encoder and ENC 0 the cycle does not dwell.
-    fn no_dwell(&self, args: &Arguments) -> f64 {
-        if args.or_zero(DTB) != 0.0 {
-            self.unused(args, DTB, "DTB", "with an encoder and ENC 0; ENC 20 dwells");
-        }
-        0.0
-    }
-
     pub(super) fn tap_with_chuck(&mut self, args: &Arguments) -> Outcome<Method> {
         self.tapping_speed_is_fixed(args)?;
         self.master_is_main(args.span, "tapping")?;
@@ -418,20 +394,6 @@ impl Run<'_> {
         }))
     }
 
-    /// The units of `_GMODE` say whether the tool lifts off: 0 does; what 1 and 2 do says the configuration.
-    fn lifts_off(&self, args: &Arguments) -> Outcome<bool> {
-        match (args.digit(GMODE, 0), self.job.settings.control.siemens.cycle86_lift) {
-            (0, _) => Ok(true),
-            (_, Some(lift)) => Ok(lift),
-            (digit, None) => {
-                let message =
-                    format!("{}: whether the tool lifts off under `_GMODE` {digit} is not known", args.name());
-                let help = "say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`";
-                self.fail_help(codes::S9015, args.span_of(GMODE), message, help)
-            }
-        }
-    }
-
     pub(super) fn bore(&self, args: &Arguments) -> Outcome<Method> {
         let mut lift = [0.0; 3];
         if self.lifts_off(args)? {
@@ -449,5 +411,47 @@ impl Run<'_> {
             back: None,
             lift,
         }))
+    }
+}
+
+impl Core<'_> {
+    /// Unit of PIT: 0 that of the program, 1 mm, 2 turns per inch, 3 inch.
+    fn pitch_unit(&self, args: &Arguments) -> Outcome<i32> {
+        match whole(args.or_zero(PITA)).filter(|unit| (0..=3).contains(unit)) {
+            Some(unit) => Ok(unit),
+            None => self.not_built(args, PITA, "this unit of the pitch (`_PITA`)"),
+        }
+    }
+
+    /// The state of the spindle behind a cycle: 3, 4 or 5.
+    fn after(&self, args: &Arguments) -> Outcome<Spindle> {
+        match args.or_zero(SDAC) {
+            3.0 => Ok(Spindle::Start(Turn::Clockwise)),
+            4.0 => Ok(Spindle::Start(Turn::CounterClockwise)),
+            0.0 | 5.0 => Ok(Spindle::Stop),
+            _ => self.cycle_fault(args, args.span_of(SDAC), 61102, "the spindle direction is 3, 4 or 5", "3 is M3"),
+        }
+    }
+
+    /// With an encoder and ENC 0 the cycle does not dwell.
+    fn no_dwell(&self, args: &Arguments) -> f64 {
+        if args.or_zero(DTB) != 0.0 {
+            self.unused(args, DTB, "DTB", "with an encoder and ENC 0; ENC 20 dwells");
+        }
+        0.0
+    }
+
+    /// The units of `_GMODE` say whether the tool lifts off: 0 does; what 1 and 2 do says the configuration.
+    fn lifts_off(&self, args: &Arguments) -> Outcome<bool> {
+        match (args.digit(GMODE, 0), self.job.settings.control.sinumerik.cycle86_lift) {
+            (0, _) => Ok(true),
+            (_, Some(lift)) => Ok(lift),
+            (digit, None) => {
+                let message =
+                    format!("{}: whether the tool lifts off under `_GMODE` {digit} is not known", args.name());
+                let help = "say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`";
+                self.fail_help(codes::S9015, args.span_of(GMODE), message, help)
+            }
+        }
     }
 }

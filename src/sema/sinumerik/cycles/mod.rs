@@ -4,7 +4,7 @@
 
 mod alarms;
 mod arguments;
-mod contours;
+mod called_contours;
 mod drilling;
 mod modes;
 mod pattern;
@@ -29,11 +29,11 @@ use super::state::{Diameter, State};
 use super::value::Val;
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::CallWord;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
-pub(super) use contours::Contours;
+pub(super) use called_contours::Contours;
 pub use table::signatures;
 pub(super) use table::{find, rows};
 
@@ -142,47 +142,6 @@ impl Run<'_> {
         Ok(args)
     }
 
-    fn check_values(&self, args: &Arguments) -> Outcome {
-        let name = args.name();
-        // What a contour cycle takes is checked by the rules of its parameters.
-        let kinds = !args.cycle.work.is_read_only();
-        for ((place, parameter), (value, at)) in (1..).zip(args.cycle.signature.parameters).zip(&args.list) {
-            let text = matches!(parameter.kind, Kind::Text | Kind::Either);
-            if kinds && *value != Val::Missing && value.number().is_none() && !text {
-                let message = format!("argument {place} of {name} has to be a number");
-                return self.fail_help(
-                    codes::S2090.alarm(12150),
-                    *at,
-                    message,
-                    "a number in quotation marks is a text",
-                );
-            }
-            // A number among the texts is a sign of a comma too many or too few.
-            if kinds && matches!(parameter.kind, Kind::Text) && value.number().is_some_and(|v| v != 0.0) {
-                let message = format!("argument {place} of {name} has to be a text");
-                return self.fail_help(
-                    codes::S2090.alarm(12150),
-                    *at,
-                    message,
-                    "arguments are counted by their commas",
-                );
-            }
-            if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
-                return self.fail(codes::S2090, *at, format!("an argument of {name} is out of all range"));
-            }
-            if let Some(coded) = value.number()
-                && kinds
-                && matches!(parameter.kind, Kind::Digits(_))
-                && (coded < 0.0 || coded.fract() != 0.0)
-            {
-                let message = format!("argument {place} is a code of digits, which {coded} is not");
-                let help = "give a whole number from 0 on, or leave it out";
-                return self.cycle_fault(args, *at, None, &message, help);
-            }
-        }
-        Ok(())
-    }
-
     fn run_cycle(&mut self, args: &Arguments) -> Outcome {
         self.begins_executing();
         self.pending_must_be_done(args.span)?;
@@ -266,13 +225,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
-        if !self.st.is(super::g_groups::Code::G93) {
-            return Ok(());
-        }
-        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
-    }
-
     fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
         self.no_cycle_by_time(Where::Block)?;
         self.speed_is_known()?;
@@ -309,6 +261,15 @@ impl Run<'_> {
         modal.spindle = self.st.spindle_state();
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
+    }
+}
+
+impl Channel<'_> {
+    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
+        if !self.st.is(super::g_groups::GCode::G93) {
+            return Ok(());
+        }
+        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
     }
 
     fn drill(&mut self, hole: &Drilling) -> Outcome {
@@ -354,19 +315,6 @@ impl Run<'_> {
         }
     }
 
-    /// Refuses the arguments of a cycle.
-    fn cycle_fault<T>(
-        &self,
-        args: &Arguments,
-        span: Span,
-        alarm: impl Into<Option<u32>>,
-        what: &str,
-        help: &str,
-    ) -> Outcome<T> {
-        let code: &'static Code = codes::S2090;
-        self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)
-    }
-
     /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
     /// and radii in others.
     fn no_diameters(&self, name: &str, axis: Axis, place: impl Into<Where>) -> Outcome {
@@ -379,50 +327,6 @@ impl Run<'_> {
             format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
             "program DIAMOF before the cycle, and radii in it",
         )
-    }
-
-    /// A variant that is known, but not built.
-    fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
-        self.fail_help(
-            codes::S9015,
-            args.span_of(key),
-            format!("{}: {what} is not supported", args.name()),
-            "use the plain variant of the cycle, or plain moves",
-        )
-    }
-
-    /// An argument that the call gives and the cycle does not use.
-    fn unused(&self, args: &Arguments, key: Key, name: &str, why: &str) {
-        let message = format!("{}: `{name}` is not used {why}", args.name());
-        self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
-    }
-
-    /// A reading of an argument that is not confirmed.
-    fn reading(&self, args: &Arguments, key: Key, what: &str) {
-        let message = format!("{}: {what}; this is not confirmed", args.name());
-        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(key)), message);
-        self.report(found.help("compare with what the machine does"));
-    }
-
-    /// A number that has to be there.
-    fn needed(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
-        match args.number(key) {
-            Some(value) => Ok(value),
-            None if args.value(key).is_some() => self.cycle_fault(
-                args,
-                args.span_of(key),
-                None,
-                &format!("{name} (argument {}) has to be a number", args.place(key)),
-                "a number in quotation marks is a text",
-            ),
-            None => self.cycle_fault(
-                args,
-                args.span,
-                None,
-                &format!("{name} (argument {}) is missing", args.place(key)),
-                "arguments are counted by their commas",
-            ),
-        }
     }
 
     /// A length in mm that has to be there.
@@ -471,6 +375,106 @@ impl Run<'_> {
             return Ok(());
         }
         self.cycle_fault(args, args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
+    }
+}
+
+impl Core<'_> {
+    fn check_values(&self, args: &Arguments) -> Outcome {
+        let name = args.name();
+        // What a contour cycle takes is checked by the rules of its parameters.
+        let kinds = !args.cycle.work.is_read_only();
+        for ((place, parameter), (value, at)) in (1..).zip(args.cycle.signature.parameters).zip(&args.list) {
+            let text = matches!(parameter.kind, Kind::Text | Kind::Either);
+            if kinds && *value != Val::Missing && value.number().is_none() && !text {
+                let message = format!("argument {place} of {name} has to be a number");
+                return self.fail_help(
+                    codes::S2090.alarm(12150),
+                    *at,
+                    message,
+                    "a number in quotation marks is a text",
+                );
+            }
+            // A number among the texts is a sign of a comma too many or too few.
+            if kinds && matches!(parameter.kind, Kind::Text) && value.number().is_some_and(|v| v != 0.0) {
+                let message = format!("argument {place} of {name} has to be a text");
+                return self.fail_help(
+                    codes::S2090.alarm(12150),
+                    *at,
+                    message,
+                    "arguments are counted by their commas",
+                );
+            }
+            if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
+                return self.fail(codes::S2090, *at, format!("an argument of {name} is out of all range"));
+            }
+            if let Some(coded) = value.number()
+                && kinds
+                && matches!(parameter.kind, Kind::Digits(_))
+                && (coded < 0.0 || coded.fract() != 0.0)
+            {
+                let message = format!("argument {place} is a code of digits, which {coded} is not");
+                let help = "give a whole number from 0 on, or leave it out";
+                return self.cycle_fault(args, *at, None, &message, help);
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses the arguments of a cycle.
+    fn cycle_fault<T>(
+        &self,
+        args: &Arguments,
+        span: Span,
+        alarm: impl Into<Option<u32>>,
+        what: &str,
+        help: &str,
+    ) -> Outcome<T> {
+        let code: &'static Code = codes::S2090;
+        self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)
+    }
+
+    /// A variant that is known, but not built.
+    fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::S9015,
+            args.span_of(key),
+            format!("{}: {what} is not supported", args.name()),
+            "use the plain variant of the cycle, or plain moves",
+        )
+    }
+
+    /// An argument that the call gives and the cycle does not use.
+    fn unused(&self, args: &Arguments, key: Key, name: &str, why: &str) {
+        let message = format!("{}: `{name}` is not used {why}", args.name());
+        self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
+    }
+
+    /// A reading of an argument that is not confirmed.
+    fn reading(&self, args: &Arguments, key: Key, what: &str) {
+        let message = format!("{}: {what}; this is not confirmed", args.name());
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(key)), message);
+        self.report(found.help("compare with what the machine does"));
+    }
+
+    /// A number that has to be there.
+    fn needed(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
+        match args.number(key) {
+            Some(value) => Ok(value),
+            None if args.value(key).is_some() => self.cycle_fault(
+                args,
+                args.span_of(key),
+                None,
+                &format!("{name} (argument {}) has to be a number", args.place(key)),
+                "a number in quotation marks is a text",
+            ),
+            None => self.cycle_fault(
+                args,
+                args.span,
+                None,
+                &format!("{name} (argument {}) is missing", args.place(key)),
+                "arguments are counted by their commas",
+            ),
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
 use crate::sema::cycle_table::Kind;
 
-use super::super::{Outcome, Run};
+use super::super::{Channel, Core, Outcome};
 use super::arguments::{AMODE, AXN, Arguments, DMODE, DP, DPR, GMODE, Key, RFP, RPA, RPAP, RPO, RTP, SDIS};
 
 /// Which numbers give the depth.
@@ -20,7 +20,7 @@ enum Depth {
     Absolute,
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     pub(super) fn hole_axis(&self, args: &Arguments) -> Outcome<Axis> {
         let [_, _, third] = self.st.roles();
         let mut axis = third;
@@ -36,7 +36,7 @@ impl Run<'_> {
         };
         if let Some(place) = place {
             // Axes of the plane, or of the machine: which is counted is not documented.
-            let counted: [Axis; 2] = [self.st.roles()[place], self.st.channel.geometry_axes[place]];
+            let counted: [Axis; 2] = [self.st.roles()[place], self.st.machine.geometry_axes[place]];
             if counted[0] != counted[1] {
                 return self.not_built(
                     args,
@@ -50,52 +50,13 @@ impl Run<'_> {
             axis = self.axis_of_named_plane(args)?;
         }
         self.digits_are_known(args)?;
-        if axis == Axis::Y && self.st.channel.lathe && self.st.position.get(axis).is_none() {
+        if axis == Axis::Y && self.st.machine.lathe && self.st.position.get(axis).is_none() {
             let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
             let help =
                 "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
             return self.cycle_fault(args, args.span, 61005, message, help);
         }
         Ok(axis)
-    }
-
-    /// The tool axis of the plane that `_DMODE` names, where it is not the active one: the hole has no other axis.
-    fn axis_of_named_plane(&self, args: &Arguments) -> Outcome<Axis> {
-        let plane = match args.digit(DMODE, 0) {
-            1 => Plane::Xy,
-            2 => Plane::Zx,
-            3 => Plane::Yz,
-            _ => return self.not_built(args, DMODE, "this plane (`_DMODE`)"),
-        };
-        let axis = Axis::ALL[plane.axes().2];
-        let lifts = [RPA, RPO, RPAP].into_iter().any(|key| args.or_zero(key) != 0.0);
-        if lifts || args.or_zero(AXN) != 0.0 || self.is_diameter_axis(axis) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
-        }
-        Ok(axis)
-    }
-
-    /// Digits whose meaning is not known.
-    fn digits_are_known(&self, args: &Arguments) -> Outcome {
-        for key in [GMODE, AMODE] {
-            let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
-                continue;
-            };
-            if let Some((places, way)) = digits.doubt
-                && places.iter().any(|place| args.digit(key, *place) == 1)
-            {
-                self.reading(args, key, way);
-            }
-            let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
-            let most = |place: u32| known(place).map_or(0, |digit| digit.most);
-            let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { continue };
-            let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
-                "" => format!("the digit {} at place {} from the right of `_AMODE`", args.digit(key, place), place + 1),
-                what => what.to_owned(),
-            };
-            return self.not_built(args, key, &what);
-        }
-        Ok(())
     }
 
     /// The heights of the hole. A depth by the tens of `_GMODE` is that of a `centring`, or of the shank.
@@ -140,50 +101,6 @@ impl Run<'_> {
                 "RTP lies on the far side of RFP, seen from the depth",
             ),
         }
-    }
-
-    /// Leaves the depth that the units of `_AMODE` choose.
-    fn one_depth(
-        &self,
-        args: &Arguments,
-        by: Depth,
-        absolute: &mut Option<f64>,
-        relative: &mut Option<f64>,
-    ) -> Outcome {
-        // DPR 0 is none; DP 0 is a depth.
-        let given = relative.filter(|way| *way != 0.0);
-        let (chosen, other, missing) = match by {
-            Depth::Classic if absolute.is_none() && relative.is_none() => {
-                let help = "give DP (argument 4) or DPR (argument 5)";
-                return self.cycle_fault(args, args.span, 61808, "the depth is missing", help);
-            }
-            Depth::Classic => return Ok(()),
-            Depth::Incremental => (
-                given.is_some(),
-                absolute.is_some_and(|depth| depth != 0.0),
-                "`_AMODE` 1 takes it from DPR (argument 5)",
-            ),
-            Depth::Absolute => (absolute.is_some(), given.is_some(), "`_AMODE` 2 takes it from DP (argument 4)"),
-        };
-        if !chosen {
-            let message = format!("the depth is missing: {missing}");
-            let help = "0 in the units of `_AMODE` takes what is given";
-            return self.cycle_fault(args, args.span_of(AMODE), 61808, &message, help);
-        }
-        if other {
-            let (used, left) = if by == Depth::Incremental { ("DPR", DP) } else { ("DP", DPR) };
-            let message = format!(
-                "{}: DP and DPR are both given; the units of `_AMODE` choose {used} (message 61805)",
-                args.name()
-            );
-            let found = Diagnostic::new(codes::S8018, self.loc(args.span_of(left)), message);
-            self.report(found.help("leave the other one out"));
-        }
-        match by {
-            Depth::Incremental => *absolute = None,
-            _ => *relative = None,
-        }
-        Ok(())
     }
 
     /// The depth at which the cone of a centre drill has the diameter DP.
@@ -258,6 +175,91 @@ impl Run<'_> {
             2 => self.spindle_turns_of(args, key, value.abs()),
             _ => self.dwell_of(args, key),
         }
+    }
+}
+
+impl Core<'_> {
+    /// The tool axis of the plane that `_DMODE` names, where it is not the active one: the hole has no other axis.
+    fn axis_of_named_plane(&self, args: &Arguments) -> Outcome<Axis> {
+        let plane = match args.digit(DMODE, 0) {
+            1 => Plane::Xy,
+            2 => Plane::Zx,
+            3 => Plane::Yz,
+            _ => return self.not_built(args, DMODE, "this plane (`_DMODE`)"),
+        };
+        let axis = Axis::ALL[plane.axes().2];
+        let lifts = [RPA, RPO, RPAP].into_iter().any(|key| args.or_zero(key) != 0.0);
+        if lifts || args.or_zero(AXN) != 0.0 || self.is_diameter_axis(axis) {
+            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+        }
+        Ok(axis)
+    }
+
+    /// Digits whose meaning is not known.
+    fn digits_are_known(&self, args: &Arguments) -> Outcome {
+        for key in [GMODE, AMODE] {
+            let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
+                continue;
+            };
+            if let Some((places, way)) = digits.doubt
+                && places.iter().any(|place| args.digit(key, *place) == 1)
+            {
+                self.reading(args, key, way);
+            }
+            let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
+            let most = |place: u32| known(place).map_or(0, |digit| digit.most);
+            let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { continue };
+            let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
+                "" => format!("the digit {} at place {} from the right of `_AMODE`", args.digit(key, place), place + 1),
+                what => what.to_owned(),
+            };
+            return self.not_built(args, key, &what);
+        }
+        Ok(())
+    }
+
+    /// Leaves the depth that the units of `_AMODE` choose.
+    fn one_depth(
+        &self,
+        args: &Arguments,
+        by: Depth,
+        absolute: &mut Option<f64>,
+        relative: &mut Option<f64>,
+    ) -> Outcome {
+        // DPR 0 is none; DP 0 is a depth.
+        let given = relative.filter(|way| *way != 0.0);
+        let (chosen, other, missing) = match by {
+            Depth::Classic if absolute.is_none() && relative.is_none() => {
+                let help = "give DP (argument 4) or DPR (argument 5)";
+                return self.cycle_fault(args, args.span, 61808, "the depth is missing", help);
+            }
+            Depth::Classic => return Ok(()),
+            Depth::Incremental => (
+                given.is_some(),
+                absolute.is_some_and(|depth| depth != 0.0),
+                "`_AMODE` 1 takes it from DPR (argument 5)",
+            ),
+            Depth::Absolute => (absolute.is_some(), given.is_some(), "`_AMODE` 2 takes it from DP (argument 4)"),
+        };
+        if !chosen {
+            let message = format!("the depth is missing: {missing}");
+            let help = "0 in the units of `_AMODE` takes what is given";
+            return self.cycle_fault(args, args.span_of(AMODE), 61808, &message, help);
+        }
+        if other {
+            let (used, left) = if by == Depth::Incremental { ("DPR", DP) } else { ("DP", DPR) };
+            let message = format!(
+                "{}: DP and DPR are both given; the units of `_AMODE` choose {used} (message 61805)",
+                args.name()
+            );
+            let found = Diagnostic::new(codes::S8018, self.loc(args.span_of(left)), message);
+            self.report(found.help("leave the other one out"));
+        }
+        match by {
+            Depth::Incremental => *absolute = None,
+            _ => *relative = None,
+        }
+        Ok(())
     }
 
     /// The hand of a thread by the thousands of `_AMODE`, beside the sign of its pitch.

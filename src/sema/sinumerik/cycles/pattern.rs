@@ -9,7 +9,7 @@ use crate::ir::contour::Path;
 use crate::sema::cycle_table::{Name, Rule};
 
 use super::super::value::whole;
-use super::super::{Outcome, Reported, Run};
+use super::super::{Channel, Core, Outcome, Reported, Run};
 use super::arguments::{
     ANG1, ANG2, Arguments, CPA, CPO, DBH, DIS1, DIS2, DMODE, FDIS, HIDE, INDA, Key, NSP, NUM, NUM1, NUM2, RAD, SPCA,
     SPCO, STA, STA1, VARI, XA, YA,
@@ -94,23 +94,6 @@ impl Run<'_> {
         self.drill_pattern(args, SPCA, positions, (62105, "the pattern has no column or no row"))
     }
 
-    /// A pattern needs a cycle that it runs.
-    fn begin_pattern(&self, args: &Arguments) -> Outcome {
-        if self.st.modal_call.is_lost() {
-            return Err(Reported);
-        }
-        if !self.st.modal_call.is_on() {
-            return self.cycle_fault(
-                args,
-                args.span,
-                62100,
-                "no drilling cycle is active",
-                "call it before: MCALL CYCLE81(…)",
-            );
-        }
-        Ok(())
-    }
-
     /// Goes to each position and runs the modal cycle there.
     fn drill_pattern(
         &mut self,
@@ -143,73 +126,6 @@ impl Run<'_> {
             self.drill_modal()?;
         }
         Ok(())
-    }
-
-    fn plain_variant(&self, args: &Arguments) -> Outcome {
-        if args.or_zero(VARI) != 0.0 {
-            return self.not_built(args, VARI, "a variant of the pattern (`_VARI`)");
-        }
-        Ok(())
-    }
-
-    /// Arguments that leave positions out or change their order.
-    fn all_positions_in_order(&self, args: &Arguments) -> Outcome {
-        if args.text(HIDE).is_some_and(|text| !text.is_empty() && text != "0") {
-            return self.not_built(args, HIDE, "hidden positions (`_HIDE`)");
-        }
-        if args.or_zero(NSP) != 0.0 {
-            return self.not_built(args, NSP, "another first position (`_NSP`)");
-        }
-        if self.st.names_other_plane(args) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
-        }
-        Ok(())
-    }
-
-    /// A number of holes: an INT of the cycle, so a REAL is rounded.
-    fn holes(&self, args: &Arguments, key: Key) -> u32 {
-        let given = args.or_zero(key);
-        // No pattern has so many; it is refused there.
-        let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
-        if given != f64::from(count) {
-            let message =
-                format!("{}: argument {} is {given}, and the cycle counts {count}", args.name(), args.place(key));
-            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(key)), message);
-            self.report(found.help("write a whole number"));
-        }
-        count
-    }
-
-    /// Distances and numbers stand without a sign; standard cycles V06.02.09 take the magnitude of one, others are not
-    /// known.
-    fn no_signs(&self, args: &Arguments) -> Outcome {
-        let below =
-            (1..).zip(args.cycle.signature.parameters).zip(&args.list).find_map(|((place, known), (value, span))| {
-                let given = value.number().filter(|given| known.rule == Rule::Unsigned && *given < 0.0)?;
-                Some((place, given, *span))
-            });
-        let Some((place, given, span)) = below else { return self.lengths_are_plain(args) };
-        let place: usize = place;
-        let message = format!("argument {place} is {given}, and has no sign in the manuals");
-        let help =
-            "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
-        self.cycle_fault(args, span, 61019, &message, help)
-    }
-
-    fn lengths_are_plain(&self, args: &Arguments) -> Outcome {
-        let [first, second, _] = self.st.roles();
-        for axis in [first, second] {
-            self.no_diameters(args.name(), axis, args.span)?;
-        }
-        Ok(())
-    }
-
-    fn length_or_zero(&self, args: &Arguments, key: Key) -> f64 {
-        args.or_zero(key) * self.st.length_unit()
-    }
-
-    fn point_in_plane(&self, args: &Arguments, first: Key, second: Key) -> Point2 {
-        Point2::new(self.length_or_zero(args, first), self.length_or_zero(args, second))
     }
 
     /// CYCLE802: up to nine positions, absolute as the masks say.
@@ -245,5 +161,93 @@ impl Run<'_> {
             positions.push(Point2::new(x * unit, y * unit));
         }
         self.drill_pattern(args, XA, Ok(positions), NO_HOLE)
+    }
+}
+
+impl Channel<'_> {
+    /// A pattern needs a cycle that it runs.
+    fn begin_pattern(&self, args: &Arguments) -> Outcome {
+        if self.st.modal_call.is_lost() {
+            return Err(Reported);
+        }
+        if !self.st.modal_call.is_on() {
+            return self.cycle_fault(
+                args,
+                args.span,
+                62100,
+                "no drilling cycle is active",
+                "call it before: MCALL CYCLE81(…)",
+            );
+        }
+        Ok(())
+    }
+
+    /// Arguments that leave positions out or change their order.
+    fn all_positions_in_order(&self, args: &Arguments) -> Outcome {
+        if args.text(HIDE).is_some_and(|text| !text.is_empty() && text != "0") {
+            return self.not_built(args, HIDE, "hidden positions (`_HIDE`)");
+        }
+        if args.or_zero(NSP) != 0.0 {
+            return self.not_built(args, NSP, "another first position (`_NSP`)");
+        }
+        if self.st.names_other_plane(args) {
+            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+        }
+        Ok(())
+    }
+
+    /// Distances and numbers stand without a sign; standard cycles V06.02.09 take the magnitude of one, others are not
+    /// known.
+    fn no_signs(&self, args: &Arguments) -> Outcome {
+        let below =
+            (1..).zip(args.cycle.signature.parameters).zip(&args.list).find_map(|((place, known), (value, span))| {
+                let given = value.number().filter(|given| known.rule == Rule::Unsigned && *given < 0.0)?;
+                Some((place, given, *span))
+            });
+        let Some((place, given, span)) = below else { return self.lengths_are_plain(args) };
+        let place: usize = place;
+        let message = format!("argument {place} is {given}, and has no sign in the manuals");
+        let help =
+            "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
+        self.cycle_fault(args, span, 61019, &message, help)
+    }
+
+    fn lengths_are_plain(&self, args: &Arguments) -> Outcome {
+        let [first, second, _] = self.st.roles();
+        for axis in [first, second] {
+            self.no_diameters(args.name(), axis, args.span)?;
+        }
+        Ok(())
+    }
+
+    fn length_or_zero(&self, args: &Arguments, key: Key) -> f64 {
+        args.or_zero(key) * self.st.length_unit()
+    }
+
+    fn point_in_plane(&self, args: &Arguments, first: Key, second: Key) -> Point2 {
+        Point2::new(self.length_or_zero(args, first), self.length_or_zero(args, second))
+    }
+}
+
+impl Core<'_> {
+    fn plain_variant(&self, args: &Arguments) -> Outcome {
+        if args.or_zero(VARI) != 0.0 {
+            return self.not_built(args, VARI, "a variant of the pattern (`_VARI`)");
+        }
+        Ok(())
+    }
+
+    /// A number of holes: an INT of the cycle, so a REAL is rounded.
+    fn holes(&self, args: &Arguments, key: Key) -> u32 {
+        let given = args.or_zero(key);
+        // No pattern has so many; it is refused there.
+        let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
+        if given != f64::from(count) {
+            let message =
+                format!("{}: argument {} is {given}, and the cycle counts {count}", args.name(), args.place(key));
+            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(key)), message);
+            self.report(found.help("write a whole number"));
+        }
+        count
     }
 }

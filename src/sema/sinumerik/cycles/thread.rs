@@ -10,7 +10,7 @@ use crate::ir::cycle::{Cycle, Family};
 use crate::machine::options::sinumerik::FlankReference;
 
 use super::super::value::whole;
-use super::super::{Outcome, Run};
+use super::super::{Channel, Core, Outcome};
 use super::arguments::{
     AMODE, APP, Arguments, DM1, DM2, DM3, DM4, DMODE, FAL, FDEP, FPD, FPL, GDEP, GST, GUD, IANG, IFLANK, Key, MID,
     MPIT, NID, NRC, NSP, NUMT, NUMTH, PIT, PIT1, PITA, PO1, PO2, PO3, PO4, PP1, PP2, PP3, ROP, S_XRS, SDIS, SPD, SPL,
@@ -42,7 +42,7 @@ struct Course {
     coded: bool,
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// CYCLE97
     pub(super) fn single_thread(&mut self, args: &Arguments) -> Outcome {
         self.in_turning_plane(args)?;
@@ -92,38 +92,6 @@ impl Run<'_> {
         self.thread(args, &Course { points, leads: vec![lead], starts: NUMTH, lift: SDIS, coded: true })
     }
 
-    /// Over 45 degrees the control cuts a face thread: its pitch counts along X.
-    fn no_face_thread(&self, args: &Arguments, points: &[Point2]) -> Outcome {
-        let steep = |pair: &[Point2]| match pair {
-            [from, to] => Some(*to - *from).filter(|way| way.y.abs() > way.x.abs() + 1e-3),
-            _ => None,
-        };
-        let Some((at, way)) = points.windows(2).enumerate().find_map(|(at, pair)| Some((at, steep(pair)?))) else {
-            return Ok(());
-        };
-        let angle = libm::atan2(way.y.abs(), way.x.abs()).to_degrees();
-        let part = if points.len() > 2 { format!("part {} of the thread", at + 1) } else { "the thread".to_owned() };
-        let message = format!(
-            "{}: {part} leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
-             the control feeds in, and how run-in and lift-off count, is not published",
-            args.name()
-        );
-        let help =
-            "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
-        self.fail_help(codes::S9015, args.span, message, help)
-    }
-
-    /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
-    fn no_sign(&self, args: &Arguments, keys: &[Key]) -> Outcome {
-        match args.below_zero(keys) {
-            Some(key) => {
-                let help = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
-                self.cycle_fault(args, args.span_of(key), 61001, "the pitch is below 0", help)
-            }
-            None => Ok(()),
-        }
-    }
-
     fn point(&self, args: &Arguments, z: Key, diameter: Key) -> Outcome<Point2> {
         let z = self.needed_length(args, z, "a point of the thread along Z")?;
         let diameter = self.needed_length(args, diameter, "a diameter of the thread")?;
@@ -145,36 +113,6 @@ impl Run<'_> {
         }
         let help = "program M3 or M4 with a speed in front of the cycle";
         self.cycle_fault(args, args.span, 61102, "the spindle does not turn", help)
-    }
-
-    /// Lengths and depths that the classic cycles take without a sign.
-    fn without_signs(&self, args: &Arguments) -> Outcome {
-        match args.below_zero(&[APP, ROP, TDEP, FAL]) {
-            Some(key) => {
-                let help = "give the depth, the allowance, run-in and run-out without a sign";
-                self.cycle_fault(args, args.span_of(key), 61001, "a length of the thread is below 0", help)
-            }
-            None => Ok(()),
-        }
-    }
-
-    fn variant(&self, args: &Arguments, course: &Course) -> Outcome<Variant> {
-        let variant = if course.coded {
-            self.variant_digits(args)?;
-            f64::from(args.digit(VARI, 0))
-        } else {
-            args.or_zero(VARI)
-        };
-        Ok(match variant {
-            1.0 => (false, false),
-            2.0 => (true, false),
-            3.0 => (false, true),
-            4.0 => (true, true),
-            _ => {
-                let help = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
-                return self.cycle_fault(args, args.span_of(VARI), 61002, "VARI is 1 to 4", help);
-            }
-        })
     }
 
     fn thread(&mut self, args: &Arguments, course: &Course) -> Outcome {
@@ -270,41 +208,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The target starts each thread at one angle: other angles are starts that lie farther back.
-    fn says_shifted_starts(&self, args: &Arguments, counted: Key, thread: &Thread) {
-        let angle = thread.start_angle.0;
-        let (what, key) = match (angle != 0.0, thread.starts) {
-            (false, 0 | 1) => return,
-            (true, 0 | 1) => (format!("the start angle {angle}"), NSP),
-            (false, starts) => (format!("{starts} starts"), counted),
-            (true, starts) => (format!("the start angle {angle} and {starts} starts"), NSP),
-        };
-        let starts = f64::from(thread.starts.max(1));
-        let turn = angle / 360.0 + (starts - 1.0) / starts;
-        let back = thread.parts.first().map_or(0.0, |part| part.lead) * turn;
-        let message = format!(
-            "{}: {what} made by cuts that begin up to {back:.4} mm farther back, where the tool goes at rapid",
-            args.name()
-        );
-        let message = message.replacen(" made by", if thread.starts > 1 { " are made by" } else { " is made by" }, 1);
-        let found = Diagnostic::new(codes::S8133, self.loc(args.span_of(key)), message);
-        self.report(found.help("see that nothing stands there"));
-    }
-
-    /// One flank: which pass stands at the programmed start is not documented. Alternating ones close in on the last pass.
-    fn flank_reference(&self, args: &Arguments, key: Key, angle: f64) -> Flank {
-        let chosen = self.job.settings.control.siemens.thread_flank;
-        if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
-            let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
-            let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(key)), message);
-            self.report(found.help("say it by `[control] thread_flank`: \"crest\", or \"root\" for the last pass"));
-        }
-        match chosen {
-            Some(FlankReference::Root) => Flank::Behind { angle: Deg(angle) },
-            _ => Flank::FromCrest { angle: Deg(angle) },
-        }
-    }
-
     /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.
     fn roughing_passes(&self, args: &Arguments, way: f64, area: bool) -> Outcome<u32> {
         let infeed = match self.st.length_of(args, MID) {
@@ -339,29 +242,6 @@ impl Run<'_> {
         self.whole_of(args, NRC, 1)
     }
 
-    /// Digits of `_VARI` in CYCLE99: 1310101 was seen in stored calls, and plain units are those of CYCLE97. Other
-    /// digits choose alternating flanks, finishing alone or an order of the starts, and which is which is not confirmed.
-    fn variant_digits(&self, args: &Arguments) -> Outcome {
-        const SEEN: [i32; 9] = [0, 1, 0, 1, 3, 1, 0, 0, 0];
-        let strange = (1..10).find(|place| {
-            let digit = args.digit(VARI, *place);
-            digit != 0 && SEEN.get(*place as usize - 1).copied().unwrap_or(0) != digit
-        });
-        if let Some(place) = strange {
-            let what = format!(
-                "the digit {} at place {} from the right of `_VARI`, whose meaning is not confirmed,",
-                args.digit(VARI, place),
-                place + 1
-            );
-            return self.not_built(args, VARI, &what);
-        }
-        if args.digit(VARI, 2) == 1 && args.or_zero(IANG) < 0.0 {
-            let what = "an infeed along one flank (`_VARI`) with the negative angle of an alternating one";
-            return self.not_built(args, IANG, what);
-        }
-        Ok(())
-    }
-
     /// The lift-off plane: clear of the thread and of its extensions.
     fn lift_off(&self, args: &Arguments, key: Key, thread: &Thread, internal: bool) -> f64 {
         let lift = self.st.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
@@ -373,33 +253,6 @@ impl Run<'_> {
         ];
         let radii = thread.parts.iter().map(|part| part.end.y).chain(ends);
         if internal { radii.fold(thread.start.y, f64::min) - lift } else { radii.fold(thread.start.y, f64::max) + lift }
-    }
-
-    fn whole_of(&self, args: &Arguments, key: Key, least: i32) -> Outcome<u32> {
-        let value = args.number(key).unwrap_or(f64::from(least));
-        match whole(value).filter(|n| *n >= least && f64::from(*n) <= MOST_PASSES && f64::from(*n) == value) {
-            Some(n) => Ok(n as u32),
-            None => {
-                let message = format!("{value} is no number of passes or starts");
-                self.cycle_fault(args, args.span_of(key), None, &message, "give a whole number")
-            }
-        }
-    }
-
-    /// The editor writes the flank infeed twice: as an angle, which counts, and as a length.
-    fn flank_agrees(&self, args: &Arguments) -> Outcome {
-        let tangent = libm::tan(args.or_zero(IANG).abs().to_radians());
-        let given = args.or_zero(IFLANK);
-        if given == 0.0 || (given.abs() - args.or_zero(TDEP).abs() * tangent).abs() <= 0.01 {
-            return Ok(());
-        }
-        self.cycle_fault(
-            args,
-            args.span_of(IFLANK),
-            None,
-            "the flank infeed `_IFLANK` contradicts the angle `_IANG`",
-            "give the angle, and the length as the editor computes it",
-        )
     }
 
     /// CYCLE99 codes much in digits; what is not known is refused.
@@ -447,5 +300,154 @@ impl Run<'_> {
             1.0 => Ok(pitch),
             _ => self.not_built(args, PITA, "a pitch in inches, turns or modules (`_PITA`)"),
         }
+    }
+}
+
+impl Core<'_> {
+    /// Over 45 degrees the control cuts a face thread: its pitch counts along X.
+    fn no_face_thread(&self, args: &Arguments, points: &[Point2]) -> Outcome {
+        let steep = |pair: &[Point2]| match pair {
+            [from, to] => Some(*to - *from).filter(|way| way.y.abs() > way.x.abs() + 1e-3),
+            _ => None,
+        };
+        let Some((at, way)) = points.windows(2).enumerate().find_map(|(at, pair)| Some((at, steep(pair)?))) else {
+            return Ok(());
+        };
+        let angle = libm::atan2(way.y.abs(), way.x.abs()).to_degrees();
+        let part = if points.len() > 2 { format!("part {} of the thread", at + 1) } else { "the thread".to_owned() };
+        let message = format!(
+            "{}: {part} leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
+             the control feeds in, and how run-in and lift-off count, is not published",
+            args.name()
+        );
+        let help =
+            "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
+        self.fail_help(codes::S9015, args.span, message, help)
+    }
+
+    /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
+    fn no_sign(&self, args: &Arguments, keys: &[Key]) -> Outcome {
+        match args.below_zero(keys) {
+            Some(key) => {
+                let help = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
+                self.cycle_fault(args, args.span_of(key), 61001, "the pitch is below 0", help)
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Lengths and depths that the classic cycles take without a sign.
+    fn without_signs(&self, args: &Arguments) -> Outcome {
+        match args.below_zero(&[APP, ROP, TDEP, FAL]) {
+            Some(key) => {
+                let help = "give the depth, the allowance, run-in and run-out without a sign";
+                self.cycle_fault(args, args.span_of(key), 61001, "a length of the thread is below 0", help)
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn variant(&self, args: &Arguments, course: &Course) -> Outcome<Variant> {
+        let variant = if course.coded {
+            self.variant_digits(args)?;
+            f64::from(args.digit(VARI, 0))
+        } else {
+            args.or_zero(VARI)
+        };
+        Ok(match variant {
+            1.0 => (false, false),
+            2.0 => (true, false),
+            3.0 => (false, true),
+            4.0 => (true, true),
+            _ => {
+                let help = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
+                return self.cycle_fault(args, args.span_of(VARI), 61002, "VARI is 1 to 4", help);
+            }
+        })
+    }
+
+    /// The target starts each thread at one angle: other angles are starts that lie farther back.
+    fn says_shifted_starts(&self, args: &Arguments, counted: Key, thread: &Thread) {
+        let angle = thread.start_angle.0;
+        let (what, key) = match (angle != 0.0, thread.starts) {
+            (false, 0 | 1) => return,
+            (true, 0 | 1) => (format!("the start angle {angle}"), NSP),
+            (false, starts) => (format!("{starts} starts"), counted),
+            (true, starts) => (format!("the start angle {angle} and {starts} starts"), NSP),
+        };
+        let starts = f64::from(thread.starts.max(1));
+        let turn = angle / 360.0 + (starts - 1.0) / starts;
+        let back = thread.parts.first().map_or(0.0, |part| part.lead) * turn;
+        let message = format!(
+            "{}: {what} made by cuts that begin up to {back:.4} mm farther back, where the tool goes at rapid",
+            args.name()
+        );
+        let message = message.replacen(" made by", if thread.starts > 1 { " are made by" } else { " is made by" }, 1);
+        let found = Diagnostic::new(codes::S8133, self.loc(args.span_of(key)), message);
+        self.report(found.help("see that nothing stands there"));
+    }
+
+    /// One flank: which pass stands at the programmed start is not documented. Alternating ones close in on the last pass.
+    fn flank_reference(&self, args: &Arguments, key: Key, angle: f64) -> Flank {
+        let chosen = self.job.settings.control.sinumerik.thread_flank;
+        if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
+            let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
+            let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(key)), message);
+            self.report(found.help("say it by `[control] thread_flank`: \"crest\", or \"root\" for the last pass"));
+        }
+        match chosen {
+            Some(FlankReference::Root) => Flank::Behind { angle: Deg(angle) },
+            _ => Flank::FromCrest { angle: Deg(angle) },
+        }
+    }
+
+    /// Digits of `_VARI` in CYCLE99: 1310101 was seen in stored calls, and plain units are those of CYCLE97. Other
+    /// digits choose alternating flanks, finishing alone or an order of the starts, and which is which is not confirmed.
+    fn variant_digits(&self, args: &Arguments) -> Outcome {
+        const SEEN: [i32; 9] = [0, 1, 0, 1, 3, 1, 0, 0, 0];
+        let strange = (1..10).find(|place| {
+            let digit = args.digit(VARI, *place);
+            digit != 0 && SEEN.get(*place as usize - 1).copied().unwrap_or(0) != digit
+        });
+        if let Some(place) = strange {
+            let what = format!(
+                "the digit {} at place {} from the right of `_VARI`, whose meaning is not confirmed,",
+                args.digit(VARI, place),
+                place + 1
+            );
+            return self.not_built(args, VARI, &what);
+        }
+        if args.digit(VARI, 2) == 1 && args.or_zero(IANG) < 0.0 {
+            let what = "an infeed along one flank (`_VARI`) with the negative angle of an alternating one";
+            return self.not_built(args, IANG, what);
+        }
+        Ok(())
+    }
+
+    fn whole_of(&self, args: &Arguments, key: Key, least: i32) -> Outcome<u32> {
+        let value = args.number(key).unwrap_or(f64::from(least));
+        match whole(value).filter(|n| *n >= least && f64::from(*n) <= MOST_PASSES && f64::from(*n) == value) {
+            Some(n) => Ok(n as u32),
+            None => {
+                let message = format!("{value} is no number of passes or starts");
+                self.cycle_fault(args, args.span_of(key), None, &message, "give a whole number")
+            }
+        }
+    }
+
+    /// The editor writes the flank infeed twice: as an angle, which counts, and as a length.
+    fn flank_agrees(&self, args: &Arguments) -> Outcome {
+        let tangent = libm::tan(args.or_zero(IANG).abs().to_radians());
+        let given = args.or_zero(IFLANK);
+        if given == 0.0 || (given.abs() - args.or_zero(TDEP).abs() * tangent).abs() <= 0.01 {
+            return Ok(());
+        }
+        self.cycle_fault(
+            args,
+            args.span_of(IFLANK),
+            None,
+            "the flank infeed `_IFLANK` contradicts the angle `_IANG`",
+            "give the angle, and the length as the editor computes it",
+        )
     }
 }

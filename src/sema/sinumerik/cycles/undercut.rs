@@ -9,7 +9,7 @@ use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::standard::din13::proposed_pitch;
 
-use super::super::{Outcome, Run};
+use super::super::{Channel, Core, Outcome};
 use super::arguments::{
     AMODE, Arguments, DIATH, DMODE, EPD, EPL, FAL, FALX, FALZ, FFP, FORM, Key, LAGE, MID, PITI, PTABA, R1, R2, SDIS,
     SPD, SPL, STA, VARI, VRT,
@@ -41,7 +41,7 @@ fn one_letter(args: &Arguments) -> Option<u8> {
     Some(if form.len() == 1 { form.as_bytes()[0] } else { b'?' })
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// CYCLE940
     pub(super) fn undercut_940(&mut self, args: &Arguments) -> Outcome {
         self.undercut_conditions(args)?;
@@ -334,6 +334,34 @@ impl Run<'_> {
         }
     }
 
+    fn send_undercut(&mut self, args: &Arguments, mut cycle: UndercutCycle) -> Outcome {
+        self.turning_position(args.span)?;
+        cycle.compensated = self.job.settings.output.compensation == crate::machine::Compensation::Control;
+        if cycle.compensated {
+            self.select_cutter(args.span)?;
+        } else {
+            self.note_once(
+                codes::S8024,
+                args.span,
+                "the undercut is cut with the programmed point of the tool: the control would compensate the nose radius",
+            );
+        }
+        let internal = cycle.orientation.second < 0.0;
+        let inside = cycle.corner.y - cycle.clearance;
+        let face = cycle.face_end.unwrap_or(cycle.corner.y);
+        if cycle.corner.y <= 0.0 || face < 0.0 || (internal && inside <= 0.0) {
+            let help = "check the diameter, the end of the face and the clearance";
+            return self.cycle_fault(args, args.span, None, "the cycle would go beyond the turning centre", help);
+        }
+        if let Err(fault) = cycle.check() {
+            return self.cycle_fault(args, args.span, None, &fault.to_string(), "check the arguments of the cycle");
+        }
+        self.send_cycle(Cycle::Undercut(cycle));
+        Ok(())
+    }
+}
+
+impl Core<'_> {
     /// What is not confirmed, and what the control would choose.
     fn undercut_notes(&self, args: &Arguments, rests: &Rests) {
         if rests.thread.any() {
@@ -370,31 +398,5 @@ impl Run<'_> {
                 "roughing of the undercut is up to the control; it is cut in equal steps parallel to its floor",
             );
         }
-    }
-
-    fn send_undercut(&mut self, args: &Arguments, mut cycle: UndercutCycle) -> Outcome {
-        self.turning_position(args.span)?;
-        cycle.compensated = self.job.settings.output.compensation == crate::machine::Compensation::Control;
-        if cycle.compensated {
-            self.select_cutter(args.span)?;
-        } else {
-            self.note_once(
-                codes::S8024,
-                args.span,
-                "the undercut is cut with the programmed point of the tool: the control would compensate the nose radius",
-            );
-        }
-        let internal = cycle.orientation.second < 0.0;
-        let inside = cycle.corner.y - cycle.clearance;
-        let face = cycle.face_end.unwrap_or(cycle.corner.y);
-        if cycle.corner.y <= 0.0 || face < 0.0 || (internal && inside <= 0.0) {
-            let help = "check the diameter, the end of the face and the clearance";
-            return self.cycle_fault(args, args.span, None, "the cycle would go beyond the turning centre", help);
-        }
-        if let Err(fault) = cycle.check() {
-            return self.cycle_fault(args, args.span, None, &fault.to_string(), "check the arguments of the cycle");
-        }
-        self.send_cycle(Cycle::Undercut(cycle));
-        Ok(())
     }
 }

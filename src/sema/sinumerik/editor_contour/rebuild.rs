@@ -8,10 +8,10 @@ use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
 use crate::sema::run::Where;
 
-use super::super::g_groups::Code;
+use super::super::g_groups::GCode;
 use super::super::state::Diameter;
 use super::super::words::Words;
-use super::super::{Outcome, Run};
+use super::super::{Channel, Core, Outcome, Run};
 use super::made::{Block, Contour, CornerWord};
 use super::{Stored, TOLERANCE};
 
@@ -26,7 +26,9 @@ impl Run<'_> {
         self.here.origin = here;
         result
     }
+}
 
+impl Channel<'_> {
     /// The plane block of the editor says DIAM90 for turning and DIAMOF for milling, and the header which it was.
     fn diameters_are_told(&self, stored: &Stored) -> Outcome {
         let [first, second, _] = self.st.roles();
@@ -92,11 +94,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
-        let message = format!("the contour has no blocks, and they are not made from its records: {what}");
-        self.fail_help(codes::S9019, Where::Block, message, help)
-    }
-
     /// The blocks of a contour of which only the records are left.
     pub(super) fn rebuild(&mut self, made: &Contour, stored: &Stored, unit: f64) -> Outcome {
         let plane = self.st.plane();
@@ -123,7 +120,7 @@ impl Run<'_> {
         let here = self.here.origin;
         self.tell_of_records(made, stored);
         self.stand_at(stored, made.start_record);
-        self.st.codes.activate(Code::G0);
+        self.st.codes.activate(GCode::G0);
         self.tapping_ends();
         self.st.threads.end_chain();
         self.st.compensation.begins_no_more();
@@ -149,9 +146,9 @@ impl Run<'_> {
         let (code, path) = match block.arc {
             Some((center, ccw)) => {
                 let shape = ArcShape::Center { center, ccw, tol: 2.0 * TOLERANCE * unit };
-                (if ccw { Code::G3 } else { Code::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }, feed))
+                (if ccw { GCode::G3 } else { GCode::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }, feed))
             }
-            None => (Code::G1, Path::Line(feed)),
+            None => (GCode::G1, Path::Line(feed)),
         };
         self.st.codes.activate(code);
         self.st.corners.open.close();
@@ -177,6 +174,13 @@ impl Run<'_> {
             at_arc: self.arc_chamfer(),
             blocks: Blocks::PassedOver,
         }));
+    }
+}
+
+impl Core<'_> {
+    fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
+        let message = format!("the contour has no blocks, and they are not made from its records: {what}");
+        self.fail_help(codes::S9019, Where::Block, message, help)
     }
 
     /// What of the contour is a choice of ours or rests on facts that are not confirmed.

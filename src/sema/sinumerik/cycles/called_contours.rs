@@ -6,14 +6,14 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
-use crate::ir::captured::{Captured, PieceKind};
+use crate::ir::captured::{Captured, CapturedKind};
 use crate::parser::sinumerik::ast::Search;
 use crate::sema::cycle_table::{Kind, Parameter, Rule};
 use crate::text::Span;
 
 use super::super::capture::ContourCall;
 use super::super::value::{Val, to_text, whole};
-use super::super::{Outcome, Reported, Run};
+use super::super::{Core, Outcome, Reported, Run};
 use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
 use super::table::{Source, Unpublished, Variant};
 
@@ -98,7 +98,7 @@ impl Run<'_> {
             Err(error) => return self.fail(codes::P0105, args.span, format!("the file cannot be read: {error}")),
         };
         let mut find = |label: &str, from: u32| {
-            let name = self.core.symbols.intern(label.as_bytes());
+            let name = self.channel.core.symbols.intern(label.as_bytes());
             skeleton
                 .label(name, from, Search::Forward)
                 .or_else(|| skeleton.label(name, from, Search::Backward).filter(|mark| mark.place.at >= from))
@@ -208,7 +208,9 @@ impl Run<'_> {
             }
         }
     }
+}
 
+impl Core<'_> {
     fn check_contour(
         &mut self,
         args: &Arguments,
@@ -244,10 +246,10 @@ impl Run<'_> {
             let full = matches!(piece.element, Element::Arc { from, to, .. }
                 if crate::geo::arc::closing(to - from) == Closing::Closed);
             let (alarm, what) = match piece.kind {
-                PieceKind::Rapid => (61936, "rapid traverse inside a contour"),
-                PieceKind::Thread => (10930, "a thread inside a contour"),
-                PieceKind::Cut if turned && full => (10931, "a full circle inside a turned contour"),
-                PieceKind::Cut => continue,
+                CapturedKind::Rapid => (61936, "rapid traverse inside a contour"),
+                CapturedKind::Thread => (10930, "a thread inside a contour"),
+                CapturedKind::Cut if turned && full => (10931, "a full circle inside a turned contour"),
+                CapturedKind::Cut => continue,
             };
             let found = Diagnostic::new(codes::S2091.alarm(alarm), piece.origin.loc, what);
             let found = found.called(piece.origin.call).also(call.loc, "the contour is called here");
