@@ -20,7 +20,7 @@ pub struct Ctx {
     pub plane: Plane,
     pub frame: Frame,
     /// How the compiler compensates moves with a side; `None` leaves them to the target.
-    pub compensation: Option<Compensation>,
+    pub compensation: Option<Rc<Compensation>>,
 }
 
 pub type CtxRef = Rc<Ctx>;

@@ -4,6 +4,7 @@ use crate::geo::{Element, Point2, Vec2, arc, distance, joint};
 use crate::ir::compensation::{Border, Compensation, Ends};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, Side};
+use std::rc::Rc;
 
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
@@ -18,7 +19,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: &Compensation,
+        rules: &Rc<Compensation>,
         origin: &Origin,
     ) -> Result<(), Refused> {
         reports::admit(mv, origin)?;
@@ -41,7 +42,7 @@ impl Compensator {
             stop: None,
             mv: *mv,
             origin: *origin,
-            rules: *rules,
+            rules: Rc::clone(rules),
             items: Vec::new(),
         }));
         Ok(())
@@ -53,7 +54,7 @@ impl Compensator {
         self.stage = Stage::Contour;
         let edge = first.curve.from();
         let corner = first.contour.from();
-        let rules = first.rules;
+        let rules = Rc::clone(&first.rules);
         let Some(heading) = first.contour.start_direction() else { return Err(reports::start_unknown(&first.origin)) };
         if first.kind == Kind::Gone {
             return Err(reports::arc_too_small(&first.contour, &rules, &first.origin));

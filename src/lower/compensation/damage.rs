@@ -7,8 +7,8 @@ use crate::ir::Origin;
 use super::piece::Piece;
 use super::reports;
 
-/// Elements looked back upon, a power of two.
-const DEPTH: usize = 16;
+/// Elements looked back upon.
+const DEPTH: usize = 8;
 /// Elements nearer than this in their order are neighbours, or share one.
 const NEIGHBOURS: u32 = 3;
 /// How much nearer than the radius a path may come, in mm: what a source rounded to three decimals loses.

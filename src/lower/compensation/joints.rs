@@ -8,8 +8,6 @@ use super::piece::{Kind, Piece};
 use super::reports::{self, Refused};
 use super::{Compensator, Out};
 
-/// Joints with a shorter chord are left out, in mm.
-const NO_JOINT: f64 = 5e-4;
 /// Arcs with a shorter chord are lines, in mm: printed, their ends might be taken for a full circle's.
 const NO_ARC: f64 = 2e-3;
 
@@ -17,8 +15,8 @@ const NO_ARC: f64 = 2e-3;
 pub enum Made {
     /// The first is left at this point, the second begins there.
     At(Point2),
-    /// Both as they are, with these pieces between them.
-    Between(Vec<Piece>),
+    /// Both as they are, with the pieces made between them.
+    Between,
     NoRoom,
 }
 
@@ -33,19 +31,19 @@ impl Compensator {
             self.append(next);
             return Ok(());
         };
-        match between(last, &mut next, self.d)? {
+        match between(last, &mut next, self.d, &mut self.made)? {
             Made::At(p) => {
                 last.stop = Some(p);
                 next.curve = joint::from_point(&next.curve, p);
             }
-            Made::Between(pieces) => {
+            Made::Between => {
                 if last.rules.inside == Inside::Open {
                     self.damage.is_wanted();
                 }
-                if !pieces.is_empty() && !last.rules.joints_are_documented {
+                if !self.made.is_empty() && !last.rules.joints_are_documented {
                     reports::reading(last, &next, out.diags);
                 }
-                self.path.extend(pieces);
+                self.path.extend(self.made.drain(..));
             }
             Made::NoRoom => {
                 if next.rules.search.elements == 0 && !next.may_grow() {
@@ -65,8 +63,8 @@ impl Compensator {
     }
 }
 
-/// Joins two neighbours; both may get longer.
-pub fn between(last: &mut Piece, next: &mut Piece, d: f64) -> Result<Made, Refused> {
+/// Joins two neighbours; both may get longer. What comes between them is added to `made`.
+pub fn between(last: &mut Piece, next: &mut Piece, d: f64, made: &mut Vec<Piece>) -> Result<Made, Refused> {
     if last.kind == Kind::Gone || next.kind == Kind::Gone {
         return Ok(Made::NoRoom);
     }
@@ -75,28 +73,30 @@ pub fn between(last: &mut Piece, next: &mut Piece, d: f64) -> Result<Made, Refus
         Joint::Tangential(p) => Ok(Made::At(p)),
         Joint::Inside(_) | Joint::NoRoom if last.rules.inside == Inside::Open => {
             let curve = Element::Line { from: last.curve.to(), to: next.curve.from() };
-            Ok(Made::Between(vec![last.joint_to(next, curve)]))
+            made.push(last.joint_to(next, curve));
+            Ok(Made::Between)
         }
         Joint::Inside(p) => Ok(Made::At(p)),
         Joint::NoRoom => Ok(Made::NoRoom),
-        Joint::Outside { turn } => outside(last, next, turn, d),
+        Joint::Outside { turn } => outside(last, next, turn, d, made),
     }
 }
 
-fn outside(last: &mut Piece, next: &mut Piece, turn: f64, d: f64) -> Result<Made, Refused> {
+fn outside(last: &mut Piece, next: &mut Piece, turn: f64, d: f64, made: &mut Vec<Piece>) -> Result<Made, Refused> {
     let rules = last.rules.outside;
     if let Some(by) = rules.by {
-        return shortened(last, next, turn, d, by);
+        return shortened(last, next, turn, (d, by), made);
     }
     if turn.abs() <= rules.prolonged.radians()
         && let Some(p) = joint::prolonged(&last.curve, &next.curve)
     {
         last.curve = joint::prolonged_to(&last.curve, p);
         next.curve = joint::prolonged_from(&next.curve, p);
-        return Ok(Made::Between(Vec::new()));
+        return Ok(Made::Between);
     }
     let (from, to) = (last.curve.to(), next.curve.from());
-    Ok(Made::Between(about(last, next, from, to, last.contour.to(), turn > 0.0)?.into_iter().collect()))
+    made.extend(about(last, next, from, to, last.contour.to(), turn > 0.0)?);
+    Ok(Made::Between)
 }
 
 /// An arc about `center`, if it is long enough to be one.
@@ -109,10 +109,6 @@ fn about(
     ccw: bool,
 ) -> Result<Option<Piece>, Refused> {
     let chord = distance(from, to);
-    if chord < NO_JOINT {
-        // Both ends are one point when printed: the next element begins where this one ends.
-        return Ok(Some(last.joint_to(next, Element::Line { from, to })));
-    }
     let sweep = arc::sweep(from, to, center, ccw);
     if chord < NO_ARC && sweep.abs() < 1.0 {
         return Ok(Some(last.joint_to(next, Element::Line { from, to })));
@@ -122,7 +118,13 @@ fn about(
 }
 
 /// M197: both are prolonged by a length along their tangents, and a smaller arc touches both.
-fn shortened(last: &mut Piece, next: &mut Piece, turn: f64, d: f64, by: f64) -> Result<Made, Refused> {
+fn shortened(
+    last: &mut Piece,
+    next: &mut Piece,
+    turn: f64,
+    (d, by): (f64, f64),
+    made: &mut Vec<Piece>,
+) -> Result<Made, Refused> {
     let half = libm::tan(turn.abs() / 2.0);
     let whole = d.abs() * half;
     if !whole.is_finite() || by > whole + 1e-9 {
@@ -132,16 +134,15 @@ fn shortened(last: &mut Piece, next: &mut Piece, turn: f64, d: f64, by: f64) -> 
         return Ok(Made::NoRoom);
     };
     let (from, to) = (last.curve.to() + t * by, next.curve.from() - u * by);
-    let mut pieces = Vec::new();
     match last.curve {
         Element::Line { .. } => last.curve = joint::prolonged_to(&last.curve, from),
-        Element::Arc { .. } => pieces.push(last.joint_to(next, Element::Line { from: last.curve.to(), to: from })),
+        Element::Arc { .. } => made.push(last.joint_to(next, Element::Line { from: last.curve.to(), to: from })),
     }
     let center = from - joint::towards(t, d) * (d.abs() - by / half);
-    pieces.extend(about(last, next, from, to, center, turn > 0.0)?);
+    made.extend(about(last, next, from, to, center, turn > 0.0)?);
     match next.curve {
         Element::Line { .. } => next.curve = joint::prolonged_from(&next.curve, to),
-        Element::Arc { .. } => pieces.push(last.joint_to(next, Element::Line { from: to, to: next.curve.from() })),
+        Element::Arc { .. } => made.push(last.joint_to(next, Element::Line { from: to, to: next.curve.from() })),
     }
-    Ok(Made::Between(pieces))
+    Ok(Made::Between)
 }

@@ -16,6 +16,7 @@ mod search;
 mod tests;
 
 use std::collections::VecDeque;
+use std::rc::Rc;
 
 use crate::diag::Diags;
 use crate::geo::{Element, Plane, SAME_POINT, Vec2, distance, joint};
@@ -78,6 +79,8 @@ pub struct Compensator {
     path: VecDeque<Piece>,
     /// Elements behind one that the path does not meet.
     ahead: VecDeque<Piece>,
+    /// What comes between two elements, while they are joined.
+    made: Vec<Piece>,
     /// Elements of the contour in `path`.
     elements: u32,
     /// Where the printed path stands.
@@ -97,7 +100,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: Option<&Compensation>,
+        rules: Option<&Rc<Compensation>>,
         origin: &Origin,
         out: &mut Out<'_>,
     ) {
@@ -125,6 +128,7 @@ impl Compensator {
         self.entry = None;
         self.path.clear();
         self.ahead.clear();
+        self.made.clear();
         self.elements = 0;
         self.at.clear();
         self.damage.forget();
@@ -219,7 +223,7 @@ impl Compensator {
         self.at.update(&mv.end);
     }
 
-    /// Is the tool where `mv` leads already? An approach on an arc ends beside the contour.
+    /// Is the tool where `mv` leads already?
     fn stands_at_end(&self, mv: &Move) -> bool {
         let close = |(from, to): (f64, f64)| (from - to).abs() <= SAME_POINT;
         mv.axes.iter().all(|axis| self.at.get(axis).zip(mv.end.get(axis)).is_some_and(close))
@@ -242,7 +246,7 @@ impl Compensator {
         &mut self,
         mv: &Move,
         start: &Pos,
-        rules: &Compensation,
+        rules: &Rc<Compensation>,
         origin: &Origin,
         out: &mut Out<'_>,
     ) -> Result<(), Refused> {
@@ -296,7 +300,7 @@ impl Compensator {
     }
 
     /// What may not stand in a contour.
-    fn admit(&self, mv: &Move, rules: &Compensation, origin: &Origin) -> Result<(), Refused> {
+    fn admit(&self, mv: &Move, rules: &Rc<Compensation>, origin: &Origin) -> Result<(), Refused> {
         if mv.plane != self.plane {
             return Err(reports::plane_changes(rules, origin));
         }
@@ -307,7 +311,7 @@ impl Compensator {
     }
 
     /// The element with its path, before it is joined to anything.
-    fn piece(&self, mv: &Move, contour: Element, rules: &Compensation, origin: &Origin) -> Result<Piece, Refused> {
+    fn piece(&self, mv: &Move, contour: Element, rules: &Rc<Compensation>, origin: &Origin) -> Result<Piece, Refused> {
         let (kind, curve) = match joint::parallel(&contour, self.d) {
             Some(curve) => (Kind::Element, curve),
             None if rules.search.elements > 0 => (Kind::Gone, contour),
@@ -321,7 +325,7 @@ impl Compensator {
             stop: None,
             mv: *mv,
             origin: *origin,
-            rules: *rules,
+            rules: Rc::clone(rules),
             items: Vec::new(),
         })
     }
@@ -340,35 +344,50 @@ impl Compensator {
     }
 
     fn print_first(&mut self, out: &mut Out<'_>) {
-        let Some(first) = self.path.pop_front() else { return };
-        if first.kind.is_of_contour() {
+        let Some(first) = self.path.front_mut() else { return };
+        let items = std::mem::take(&mut first.items);
+        let (kind, origin) = (first.kind, first.origin);
+        if kind.is_of_contour() {
             self.elements -= 1;
         }
-        let way = match first.kind {
+        let mv = match kind {
             // The way to the contour leads to where the path begins.
-            Kind::Entry => Some(Element::Line { from: first.end(), to: first.end() }),
+            Kind::Entry => Some(first.printed(&Element::Line { from: first.end(), to: first.end() }, &self.at)),
             Kind::Exit | Kind::Gone => None,
-            Kind::Element | Kind::Joint => Some(first.travelled()),
-        };
-        if let Some(way) = way {
-            let mv = first.printed(&way, &self.at);
-            let others = mv.axes.without(super::step::plane_axes(mv.plane));
-            let still = others.iter().all(|axis| self.at.get(axis) == mv.end.get(axis));
-            let rests = match first.kind {
-                Kind::Entry => self.stands_at_end(&mv),
-                _ => way.length() <= SAME_POINT && still,
-            };
-            if !rests {
-                if first.kind != Kind::Entry {
-                    self.damage.path(&first, &way, self.d, out.diags);
+            Kind::Element | Kind::Joint => {
+                let way = first.travelled();
+                let mv = first.printed(&way, &self.at);
+                if is_nothing(&way) && leaves_others(&mv, &self.at) {
+                    None
+                } else {
+                    self.damage.path(first, &way, self.d, out.diags);
+                    Some(mv)
                 }
-                self.send(&mv, &first.origin, out);
             }
+        };
+        self.path.pop_front();
+        // An approach on an arc has brought the tool beside the contour already.
+        let mv = mv.filter(|mv| kind != Kind::Entry || !self.stands_at_end(mv));
+        if let Some(mv) = mv {
+            self.send(&mv, &origin, out);
         }
-        if !first.items.is_empty() {
-            self.send_items(first.items, out);
+        if !items.is_empty() {
+            self.send_items(items, out);
         }
     }
+}
+
+fn is_nothing(way: &Element) -> bool {
+    match *way {
+        Element::Line { from, to } => (to - from).norm_squared() <= SAME_POINT * SAME_POINT,
+        Element::Arc { .. } => way.length() <= SAME_POINT,
+    }
+}
+
+/// Do all axes outside of the plane stay where they are?
+fn leaves_others(mv: &Move, at: &Pos) -> bool {
+    let others = mv.axes.without(super::step::plane_axes(mv.plane));
+    others.iter().all(|axis| at.get(axis) == mv.end.get(axis))
 }
 
 /// Does `mv` change the place in its plane?

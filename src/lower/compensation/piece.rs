@@ -1,5 +1,7 @@
 //! Pieces of the path of the tool centre while their ends are not settled.
 
+use std::rc::Rc;
+
 use crate::geo::{Element, Point2, Vec2, joint};
 use crate::ir::compensation::{Compensation, Outside};
 use crate::ir::motion::{Arc, Move, Path};
@@ -51,7 +53,7 @@ pub struct Piece {
     /// The move that is printed, with the curve put in.
     pub mv: Move,
     pub origin: Origin,
-    pub rules: Compensation,
+    pub rules: Rc<Compensation>,
     pub items: Vec<Item>,
 }
 
@@ -103,7 +105,7 @@ impl Piece {
             stop: None,
             mv,
             origin: next.origin,
-            rules: next.rules,
+            rules: Rc::clone(&next.rules),
             items: Vec::new(),
         }
     }

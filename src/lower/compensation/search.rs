@@ -14,9 +14,9 @@ impl Compensator {
     /// Adds an element behind those that wait.
     pub(super) fn look_ahead(&mut self, mut next: Piece) -> Result<(), Refused> {
         if let Some(last) = self.ahead.back_mut()
-            && let Made::Between(pieces) = between(last, &mut next, self.d)?
+            && let Made::Between = between(last, &mut next, self.d, &mut self.made)?
         {
-            self.ahead.extend(pieces);
+            self.ahead.extend(self.made.drain(..));
         }
         self.ahead.push_back(next);
         Ok(())
@@ -24,8 +24,7 @@ impl Compensator {
 
     /// Does the path meet one of the pieces that wait?
     pub(super) fn search(&mut self, out: &mut Out<'_>) -> Result<(), Refused> {
-        let Some(rules) = self.ahead.back().map(|last| last.rules) else { return Ok(()) };
-        let most = rules.search.elements;
+        let Some(most) = self.ahead.back().map(|last| last.rules.search.elements) else { return Ok(()) };
         let Some((of_path, of_ahead, p)) = self.meeting(most) else {
             let waiting = self.ahead.iter().filter(|piece| piece.kind.is_of_contour()).count();
             let (Some(last), Some(first)) = (self.path.back(), self.ahead.front()) else { return Ok(()) };

@@ -1,5 +1,7 @@
 //! The worked examples of docs/compensation.md that no dialect says alone, and what all of them rely on.
 
+use std::rc::Rc;
+
 use super::*;
 use crate::geo::{Point2, arc};
 use crate::ir::Feed;
@@ -109,7 +111,7 @@ impl Program {
                     mv.axes = AxisSet::of(crate::machine::Axis::Z);
                 }
             }
-            compensator.movement(&mv, &at, Some(&rules), &Origin::default(), &mut out);
+            compensator.movement(&mv, &at, Some(&Rc::new(rules)), &Origin::default(), &mut out);
             at = mv.end;
         }
         compensator.finish(&mut out);

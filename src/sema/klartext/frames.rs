@@ -114,7 +114,7 @@ impl Run<'_> {
             self.st.polar.forget_last();
             self.st.frames.system += 1;
         }
-        self.st.ctx = std::rc::Rc::new(Ctx { plane, frame, compensation: self.st.ctx.compensation });
+        self.st.ctx = std::rc::Rc::new(Ctx { plane, frame, compensation: self.st.ctx.compensation.clone() });
         Ok(())
     }
 

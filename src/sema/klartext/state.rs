@@ -131,8 +131,8 @@ impl State {
 
     /// How the compiler compensates from now on.
     pub fn compensate(&mut self, rules: crate::ir::Compensation) {
-        if self.ctx.compensation != Some(rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(rules), ..(*self.ctx).clone() });
+        if self.ctx.compensation.as_deref() != Some(&rules) {
+            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
         }
     }
 

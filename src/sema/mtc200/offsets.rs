@@ -196,7 +196,7 @@ impl Run<'_> {
             }
         }
         self.st.offsets.shift = shift;
-        self.st.ctx = Rc::new(Ctx { plane: self.st.plane, frame, compensation: self.st.ctx.compensation });
+        self.st.ctx = Rc::new(Ctx { plane: self.st.plane, frame, compensation: self.st.ctx.compensation.clone() });
         self.st.corners.cannot_follow();
         Ok(())
     }
