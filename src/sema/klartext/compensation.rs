@@ -140,7 +140,7 @@ impl State {
 
     /// What holds from block to block.
     fn modal_rules(&mut self) {
-        if let Some(rules) = self.ctx.compensation {
+        if let Some(rules) = self.ctx.compensation.as_deref().copied() {
             let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
             let (outside, inside) = (Outside::default(), Inside::default());
             self.compensate(crate::ir::Compensation { search, outside, inside, ..rules });
@@ -259,7 +259,7 @@ impl Run<'_> {
 
     /// The corner at the end of this block is made in another way.
     fn own_corner(&mut self, outside: Outside, inside: Option<Inside>) {
-        let Some(rules) = self.st.ctx.compensation else { return };
+        let Some(rules) = self.st.ctx.compensation.as_deref().copied() else { return };
         let outside = if inside.is_some() { rules.outside } else { outside };
         let inside = inside.unwrap_or(rules.inside);
         self.st.compensate(crate::ir::Compensation { outside, inside, ..rules });
@@ -298,7 +298,7 @@ impl Run<'_> {
             );
         }
         self.st.look_ahead = blocks as u32;
-        if let Some(rules) = self.st.ctx.compensation {
+        if let Some(rules) = self.st.ctx.compensation.as_deref().copied() {
             let search = Search { elements: self.st.look_ahead, bottlenecks: self.st.look_ahead > 0 };
             self.st.compensate(crate::ir::Compensation { search, ..rules });
         }
