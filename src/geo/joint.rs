@@ -15,6 +15,8 @@ const NO_CORNER: f64 = 1.745e-4;
 const REVERSAL: f64 = 1e-6;
 /// How far a crossing may lie beyond the end of an element, in mm: what double arithmetic loses.
 const BEYOND: f64 = 1e-6;
+/// How far a line may pass by the centre of a hollow arc as large as the tool, in mm.
+const POINT: f64 = 1e-5;
 /// What touching circles may miss each other by, in mm.
 const TOUCH: f64 = 1e-7;
 
@@ -61,7 +63,7 @@ pub fn turn(before: &Element, after: &Element) -> Option<f64> {
 /// its beginning, `b` is whole.
 pub fn joint(a: &Element, b: &Element, turn: f64, d: f64) -> Joint {
     if turn.abs() <= SAME_DIRECTION || turn.abs() < NO_CORNER && distance(a.to(), b.from()) < MEETS {
-        return Joint::Tangential(Point2::from((a.to().coords + b.from().coords) / 2.0));
+        return Joint::Tangential(between_ends(a, b));
     }
     if PI - turn.abs() <= REVERSAL || turn * d < 0.0 {
         let turn = if PI - turn.abs() <= REVERSAL { -turn.abs() * d.signum() } else { turn };
@@ -70,13 +72,48 @@ pub fn joint(a: &Element, b: &Element, turn: f64, d: f64) -> Joint {
     first_crossing(a, b).map_or(Joint::NoRoom, Joint::Inside)
 }
 
+/// The point in the middle of a tangential joint: on the smaller circle, where the other element misses it least.
+fn between_ends(a: &Element, b: &Element) -> Point2 {
+    let middle = Point2::from((a.to().coords + b.from().coords) / 2.0);
+    let circle = |element: &Element| match *element {
+        Element::Line { .. } => None,
+        Element::Arc { from, center, .. } => Some((center, distance(from, center))),
+    };
+    let smaller = circle(a).into_iter().chain(circle(b)).min_by(|(_, p), (_, q)| p.total_cmp(q));
+    let on_circle = smaller.and_then(|(center, radius)| Some(center + direction(middle - center, 0.0)? * radius));
+    on_circle.unwrap_or(middle)
+}
+
+/// `p`, a hollow arc that shrank, if `element` misses it by rounding only.
+fn passes(p: Point2, element: &Element) -> Option<Point2> {
+    let near = match *element {
+        Element::Line { from, to } => {
+            direction(to - from, 0.0).map_or(distance(from, p), |u| cross(u, p - from).abs()) <= POINT
+        }
+        Element::Arc { from, center, .. } => {
+            let radius = distance(from, center);
+            (distance(p, center) - radius).abs() <= TOUCH * (1.0 + radius)
+        }
+    };
+    near.then_some(p)
+}
+
+fn is_point(element: &Element) -> bool {
+    matches!(element, Element::Line { from, to } if from == to)
+}
+
 /// Where `a` and `b` cross; of two points the one nearest to the start of `b`.
 pub fn first_crossing(a: &Element, b: &Element) -> Option<Point2> {
     let on_both = |p: &Point2| {
         let (of_a, of_b) = (way_to_end(a, *p), way_from_start(b, *p));
         (-BEYOND..=a.length() + BEYOND).contains(&of_a) && (-BEYOND..=b.length() + BEYOND).contains(&of_b)
     };
-    let found = crossings(a, b, TOUCH).into_iter().flatten().filter(on_both);
+    let of_point = match (is_point(a), is_point(b)) {
+        (false, false) => None,
+        (true, _) => Some([passes(a.from(), b), None]),
+        (_, true) => Some([passes(b.from(), a), None]),
+    };
+    let found = of_point.unwrap_or_else(|| crossings(a, b, TOUCH)).into_iter().flatten().filter(on_both);
     found.min_by(|p, q| way_from_start(b, *p).total_cmp(&way_from_start(b, *q)))
 }
 
@@ -113,6 +150,13 @@ fn angle_on(p: Point2, q: Point2, center: Point2, sweep: f64) -> f64 {
     if angle >= TAU - slack { angle - TAU } else { angle }
 }
 
+/// The same on an element of this sweep: what lies nearer to a turn than to the whole sweep is a little below zero.
+fn part_of(sweep: f64, p: Point2, q: Point2, center: Point2) -> f64 {
+    let angle = super::arc::sweep(p, q, center, sweep > 0.0).abs();
+    let most = if sweep.abs() < TAU { (sweep.abs() + TAU) / 2.0 } else { TAU - MEETS / distance(p, center).max(MEETS) };
+    if angle > most { angle - TAU } else { angle }
+}
+
 /// Way from the start of an element to `p`, a point of its line or circle; a little below zero in front of it.
 pub fn way_from_start(element: &Element, p: Point2) -> f64 {
     match *element {
@@ -120,7 +164,7 @@ pub fn way_from_start(element: &Element, p: Point2) -> f64 {
             Some(u) => (p - from).dot(&u),
             None => distance(p, from),
         },
-        Element::Arc { from, center, sweep, .. } => angle_on(from, p, center, sweep) * distance(from, center),
+        Element::Arc { from, center, sweep, .. } => part_of(sweep, from, p, center) * distance(from, center),
     }
 }
 
@@ -131,7 +175,7 @@ pub fn way_to_end(element: &Element, p: Point2) -> f64 {
             Some(u) => (to - p).dot(&u),
             None => distance(p, to),
         },
-        Element::Arc { from, to, center, sweep } => angle_on(p, to, center, sweep) * distance(from, center),
+        Element::Arc { from, to, center, sweep } => part_of(sweep, p, to, center) * distance(from, center),
     }
 }
 
@@ -140,7 +184,7 @@ pub fn from_point(element: &Element, p: Point2) -> Element {
     match *element {
         Element::Line { to, .. } => Element::Line { from: p, to },
         Element::Arc { from, to, center, sweep } => {
-            let rest = sweep - sweep.signum() * angle_on(from, p, center, sweep);
+            let rest = sweep - sweep.signum() * part_of(sweep, from, p, center);
             Element::Arc { from: p, to, center, sweep: rest }
         }
     }
@@ -151,7 +195,7 @@ pub fn up_to_point(element: &Element, p: Point2) -> Element {
     match *element {
         Element::Line { from, .. } => Element::Line { from, to: p },
         Element::Arc { from, to, center, sweep } => {
-            let rest = sweep - sweep.signum() * angle_on(p, to, center, sweep);
+            let rest = sweep - sweep.signum() * part_of(sweep, p, to, center);
             Element::Arc { from, to: p, center, sweep: rest }
         }
     }
@@ -284,5 +328,43 @@ mod tests {
         assert_eq!(inner.from(), Point2::new(45.0, 30.0));
         assert_eq!(up_to_point(&inner, inner.to()), inner);
         assert_eq!(from_point(&inner, inner.from()), inner);
+    }
+
+    #[test]
+    fn a_joint_just_beyond_an_arc_does_not_turn_it_round() {
+        // The source is rounded: the line leads 0.0001 rad away from the tangent.
+        let long = arc((10.0, 0.0), (0.0, -10.0), (0.0, 0.0), true);
+        let after = line((0.0, -10.0), (20.0, -10.002));
+        for d in [5.0, -5.0] {
+            let (a, b) = (parallel(&long, d).unwrap(), parallel(&after, d).unwrap());
+            let Joint::Tangential(p) = joint(&a, &b, turn(&long, &after).unwrap(), d) else { panic!("a corner") };
+            let made = up_to_point(&a, p);
+            let Element::Arc { from, center, sweep, .. } = made else { panic!("a line") };
+            assert!((sweep - 1.5 * PI).abs() < 1e-3, "{sweep}");
+            assert!((distance(p, center) - distance(from, center)).abs() < 1e-9);
+            assert!(way_to_end(&a, p).abs() < 1e-3 && from_point(&b, p).length() > 19.9);
+        }
+        let turns = Element::Arc {
+            from: Point2::new(1.0, 0.0),
+            to: Point2::new(1.0, 0.0),
+            center: Point2::origin(),
+            sweep: 2.0 * TAU,
+        };
+        let near = Point2::new(libm::cos(1e-4), libm::sin(1e-4));
+        assert!((up_to_point(&turns, near).length() - 2.0 * TAU - 1e-4).abs() < 1e-7);
+    }
+
+    #[test]
+    fn a_hollow_arc_as_large_as_the_tool_is_reached_only_along_its_tangents() {
+        let hollow = arc((5.0, 0.0), (10.0, 5.0), (5.0, 5.0), true);
+        let along = line((-20.0, 0.0), (5.0, 0.0));
+        assert!(matches!(made(&along, &hollow, 5.0), Joint::Tangential(p) if at(p, 5.0, 5.0)));
+        let turns = line((-20.0, 3.0), (5.0, 0.0));
+        assert_eq!(made(&turns, &hollow, 5.0), Joint::NoRoom);
+        let turns = arc((-3.0, 2.0), (5.0, 0.0), (1.0, 1.0), false);
+        assert_eq!(made(&turns, &hollow, 5.0), Joint::NoRoom);
+        // What rounding loses is no reason.
+        let nearly = line((-20.0, 0.01), (5.0, 0.0));
+        assert!(matches!(made(&nearly, &hollow, 5.0), Joint::Inside(p) if at(p, 5.0, 5.0)));
     }
 }

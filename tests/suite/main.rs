@@ -13,6 +13,7 @@ mod cli_output;
 mod cli_run;
 mod common;
 mod compensation_entry;
+mod compensation_props;
 mod corners;
 mod cycle_cases;
 mod cycle_digits;

@@ -6,6 +6,7 @@ use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, Side};
 use std::rc::Rc;
 
+use super::super::step::plane_axes;
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
 use super::{Compensator, Out, Stage, moves_in_plane};
@@ -125,13 +126,7 @@ impl Compensator {
     }
 
     /// A move without compensation.
-    pub(super) fn uncompensated(
-        &mut self,
-        mv: &Move,
-        start: &Pos,
-        origin: &Origin,
-        out: &mut Out<'_>,
-    ) -> Result<(), Refused> {
+    pub(super) fn uncompensated(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         match self.stage {
             Stage::Off => {
                 out.movement(mv, origin);
@@ -149,28 +144,33 @@ impl Compensator {
             Stage::Contour => self.end_of_contour(mv, origin, out)?,
             Stage::Constant(_) | Stage::Leaving => {}
         }
-        self.leave(mv, start, origin, out)
+        self.leave(mv, origin, out)
+    }
+
+    /// Is the move about an axis of the plane? Its end is where the tool goes, even if the contour ends there.
+    fn names_plane(&self, mv: &Move) -> bool {
+        !plane_axes(self.plane).common(mv.axes).is_empty()
     }
 
     /// The tool leaves the contour, or changes its place beside it.
-    fn leave(&mut self, mv: &Move, start: &Pos, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
+    fn leave(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         let arc = matches!(mv.path, Path::Arc(..));
         if !mv.machine && (arc || matches!(mv.path, Path::Thread { .. })) {
             return Err(reports::leaves_on_arc(arc, origin));
         }
-        if mv.machine || !moves_in_plane(mv, start) && mv.plane == self.plane {
+        if mv.machine || !self.names_plane(mv) {
             if self.stage != Stage::Leaving && !mv.machine {
                 out.diags.push(*reports::offset_stays(self.at.in_plane(self.plane), self.plane, origin));
             }
             self.stage = Stage::Leaving;
-            let mv = aside(mv, &self.at);
+            let mv = aside(mv, &self.at, self.plane);
             self.send(&mv, origin, out);
             if mv.machine {
                 mv.axes.iter().for_each(|axis| self.at.forget(axis));
             }
             return Ok(());
         }
-        let mv = with_plane(mv);
+        let mv = with_plane(mv, self.plane);
         if !self.stands_at_end(&mv) {
             self.send(&mv, origin, out);
         }

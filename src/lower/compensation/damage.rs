@@ -4,13 +4,11 @@ use crate::diag::Diags;
 use crate::geo::{Element, Point2, Vec2, cross, distance, gap};
 use crate::ir::Origin;
 
-use super::piece::Piece;
+use super::piece::{Kind, Piece};
 use super::reports;
 
 /// Elements looked back upon.
-const DEPTH: usize = 8;
-/// Elements nearer than this in their order are neighbours, or share one.
-const NEIGHBOURS: u32 = 3;
+const DEPTH: usize = 16;
 /// How much nearer than the radius a path may come, in mm: what a source rounded to three decimals loses.
 const NEARER: f64 = 2e-3;
 
@@ -22,6 +20,8 @@ struct Known {
     most: Vec2,
     /// Place in the contour.
     index: u32,
+    /// A piece about the corner behind this place.
+    corner: bool,
     origin: Origin,
 }
 
@@ -36,13 +36,32 @@ impl Known {
             least.add_scalar_mut(-bulge);
             most.add_scalar_mut(bulge);
         }
-        Known { element: *element, least, most, index, origin }
+        Known { element: *element, least, most, index, corner: false, origin }
+    }
+
+    /// Does this piece of the path keep its distance from `contour` because of how it was made? A line that was joined to
+    /// its neighbour meets it once; an arc may come back.
+    fn is_joined(&self, contour: &Known) -> bool {
+        let is_line = |known: &Known| matches!(known.element, Element::Line { .. });
+        if self.corner {
+            return is_line(contour) && contour.index.wrapping_sub(self.index) <= 1;
+        }
+        match self.index.abs_diff(contour.index) {
+            0 => true,
+            1 => is_line(self) && is_line(contour),
+            _ => false,
+        }
+    }
+
+    /// Does this piece of the path come nearer than `r` to `contour`?
+    #[inline]
+    fn damages(&self, contour: &Known, r: f64) -> bool {
+        !self.is_far(contour, r) && !self.is_joined(contour) && self.hits(contour, r)
     }
 
     #[inline]
     fn is_far(&self, other: &Known, r: f64) -> bool {
-        self.index.abs_diff(other.index) < NEIGHBOURS
-            || self.least.x > other.most.x + r
+        self.least.x > other.most.x + r
             || other.least.x > self.most.x + r
             || self.least.y > other.most.y + r
             || other.least.y > self.most.y + r
@@ -63,7 +82,7 @@ fn lines_are_near(a: Point2, b: Point2, c: Point2, d: Point2, r: f64) -> bool {
     let cross_over = !apart(cross(u, c - a), cross(u, d - a)) && !apart(cross(w, a - c), cross(w, b - c));
     let near = |p: Point2, from: Point2, way: Vec2| {
         let v = p - from;
-        let t = (v.dot(&way) / way.norm_squared()).clamp(0.0, 1.0);
+        let t = (v.dot(&way) / way.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         (v - way * t).norm_squared() < r * r
     };
     cross_over || near(a, c, w) || near(b, c, w) || near(c, a, u) || near(d, a, u)
@@ -95,10 +114,8 @@ impl Ring {
         self.next = (self.next + 1) % DEPTH;
     }
 
-    /// The one that `known` comes too near to.
-    fn hit(&self, known: &Known, r: f64) -> Option<Origin> {
-        let hit = self.known.iter().find(|other| !known.is_far(other, r) && known.hits(other, r));
-        hit.map(|other| other.origin)
+    fn first(&self, fits: impl Fn(&Known) -> bool) -> Option<Origin> {
+        self.known.iter().find(|known| fits(known)).map(|known| known.origin)
     }
 
     fn forget(&mut self) {
@@ -132,7 +149,7 @@ impl Damage {
         self.elements += 1;
         let known = Known::new(element, self.elements, *origin);
         if !self.reported
-            && let Some(of) = self.path.hit(&known, d.abs() - NEARER)
+            && let Some(of) = self.path.first(|path| path.damages(&known, d.abs() - NEARER))
         {
             self.report(&of, origin, d, diags);
         }
@@ -141,9 +158,9 @@ impl Damage {
 
     /// A settled piece of the path.
     pub fn path(&mut self, piece: &Piece, way: &Element, d: f64, diags: &Diags) {
-        let known = Known::new(way, piece.index, piece.origin);
+        let known = Known { corner: piece.kind == Kind::Joint, ..Known::new(way, piece.index, piece.origin) };
         if !self.reported
-            && let Some(of) = self.contour.hit(&known, d.abs() - NEARER)
+            && let Some(of) = self.contour.first(|contour| known.damages(contour, d.abs() - NEARER))
         {
             self.report(&piece.origin, &of, d, diags);
         }

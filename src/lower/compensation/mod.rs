@@ -105,11 +105,11 @@ impl Compensator {
         out: &mut Out<'_>,
     ) {
         let done = match (mv.side, rules) {
-            (Side::None, _) => self.uncompensated(mv, start, origin, out),
+            (Side::None, _) => self.uncompensated(mv, origin, out),
             (_, Some(rules)) if rules.radius > 0.0 => self.compensated(mv, start, rules, origin, out),
             // The target compensates, or there is nothing to compensate.
             (_, None) => return out.movement(mv, origin),
-            (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, start, origin, out),
+            (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, origin, out),
         };
         if let Err(found) = done {
             self.refuse(found, origin, out);
@@ -234,7 +234,7 @@ impl Compensator {
             match item {
                 Item::Function(function, origin) => out.sink.function(&function, &origin),
                 Item::Move(mv, origin) => {
-                    let mv = aside(&mv, &self.at);
+                    let mv = aside(&mv, &self.at, self.plane);
                     self.send(&mv, &origin, out);
                 }
             }
@@ -259,10 +259,12 @@ impl Compensator {
         if !moves_in_plane(mv, start) {
             return match self.stage {
                 Stage::Constant(_) => {
-                    let mv = aside(mv, &self.at);
+                    let mv = aside(mv, &self.at, self.plane);
                     self.send(&mv, origin, out);
                     Ok(())
                 }
+                // An element of no length has no direction, and no way.
+                _ if leaves_others(mv, start) => Ok(()),
                 _ => self.item(Item::Move(*mv, *origin), origin),
             };
         }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::geo::{Element, Point2, Vec2, joint};
+use crate::geo::{Element, Plane, Point2, Vec2, joint};
 use crate::ir::compensation::{Compensation, Outside};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Function, Origin, Pos};
@@ -120,14 +120,14 @@ impl Piece {
     }
 }
 
-/// `mv` at the place in the plane where the tool stands in truth.
-pub fn aside(mv: &Move, at: &Pos) -> Move {
+/// `mv` at the place in `plane` where the tool stands in truth.
+pub fn aside(mv: &Move, at: &Pos, plane: Plane) -> Move {
     let mut mv = *mv;
     mv.side = crate::ir::Side::None;
     if !mv.machine
-        && let Some(p) = at.in_plane(mv.plane)
+        && let Some(p) = at.in_plane(plane)
     {
-        mv.end.set_in_plane(mv.plane, p);
+        mv.end.set_in_plane(plane, p);
     }
     mv
 }
@@ -149,7 +149,7 @@ pub fn moved(mv: &Move, by: Vec2) -> Move {
 }
 
 /// Both axes of the plane belong to `mv`, as far as their places are known.
-pub fn with_plane(mv: &Move) -> Move {
-    let both: AxisSet = plane_axes(mv.plane).common(mv.end.known());
+pub fn with_plane(mv: &Move, plane: Plane) -> Move {
+    let both: AxisSet = plane_axes(plane).common(mv.end.known());
     Move { axes: mv.axes.union(both), ..*mv }
 }

@@ -78,12 +78,17 @@ impl Run<'_> {
         let result = self.read_approach(&name.to_ascii_uppercase(), span, block, text);
         if result.is_err() {
             self.approach = None;
-            self.st.end_compensation();
-            self.st.compensation.lose();
-            self.st.contour = None;
+            self.forget_contour();
             self.lose_all();
         }
         result
+    }
+
+    /// The contour was refused: what only suffers from it is not worth another error.
+    fn forget_contour(&mut self) {
+        self.st.end_compensation();
+        self.st.compensation.lose();
+        self.st.contour = None;
     }
 
     fn read_approach(&mut self, name: &str, span: Span, block: &Block, text: &[u8]) -> Outcome {

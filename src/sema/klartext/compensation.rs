@@ -105,12 +105,15 @@ impl State {
 
     /// Notes a move of a contour, or the move that leads away from it. Called before the position is taken over.
     fn follow_contour(&mut self, after: &Pos, path: Path) {
-        if !self.moves_in_plane(after, &path) {
-            return;
-        }
         let side = self.compensation.side();
         if side == Side::None && self.contour.is_some_and(|contour| contour.side != Side::None) {
-            self.contour = None;
+            // A block that names the plane leads to its end, even from beside it.
+            if !after.known().common(plane_axes(self.plane())).is_empty() {
+                self.contour = None;
+            }
+            return;
+        }
+        if !self.moves_in_plane(after, &path) {
             return;
         }
         if self.own_corner == OwnCorner::Waits {

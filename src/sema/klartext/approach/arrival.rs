@@ -182,9 +182,7 @@ impl Run<'_> {
         };
         if made.is_err() {
             self.lost();
-            self.st.end_compensation();
-            self.st.compensation.lose();
-            self.st.contour = None;
+            self.forget_contour();
         }
         self.here = here;
         for held in &approach.held {
@@ -304,6 +302,7 @@ impl Run<'_> {
         let found = Diagnostic::new(codes::K9003, loc, format!("no contour element follows {}", approach.name))
             .help("let a path block follow directly");
         self.job.diags.push(found.called(approach.here.origin.call));
+        self.forget_contour();
         self.lose_all();
         Err(Reported)
     }

@@ -1,0 +1,1 @@
+//! Others who compute paths beside contours.
