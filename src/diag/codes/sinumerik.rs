@@ -495,6 +495,18 @@ S8192 Warning "siemens-point-without-axis" "G74 or G75 without an axis"
 "G74 and G75 move the axes that their block names to points of the machine. This block names none, so nothing is printed for it; a retraction that it may stand for is \
 not made. Name the axes: `G75 X1=0 Z1=0`."
 
+S8193 Warning "siemens-disc" "DISC is read as a circle"
+"DISC=1 to DISC=100 stretch the arc about an outside corner towards the intersection; the curve is not published. With `[control] disc = \"circle\"` the tool goes around \
+the corner on a circle, as under DISC=0: it touches the same contour, on a shorter way."
+
+S8194 Warning "siemens-edge-position" "centre of the nose by the position of the edge"
+"The path of a turning tool is that of its theoretical tip. From there the centre of the nose lies as the position of the cutting edge says (`$TC_DP2`, or `orientation` in partc.toml): \
+3 is an outside tool that cuts towards the chuck, 2 a boring bar, 9 the centre itself. The table was not confirmed by a manual at hand: compare it with the tool data of the control once."
+
+S8195 Warning "siemens-corner-code" "G450 or G451 in a block of the contour"
+"G450 and G451 change inside a compensated contour, in a block that moves. The manuals do not say whether the corner in front of the block or the one behind it is meant: the one behind \
+it is taken. Write the code into a block without a move."
+
 S9001 Error "siemens-unsupported" "not supported"
 "The word changes how the machine moves in a way that plain G-code cannot say, or that is not built. Replace it by plain moves."
 
@@ -525,8 +537,9 @@ S9009 Error "siemens-feed-kind" "kind of feed that cannot be printed"
 "G931 and the feeds that are kept at a switch cannot be printed. Under G93 F is the time of its own block: roundings, chamfers, cycles and \
 radius compensation have no share of it. Program the feed by G94 or G95."
 
-S9010 Error "siemens-resolve" "tool-centre path is not built"
-"Computing the path of the tool centre is not built yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
+S9010 Error "siemens-resolve" "tool-centre path cannot be computed"
+"The path of the tool centre needs the radius of the tool, on lathes also the position of its cutting edge, and rules that are published: compensation in space, approaches on polynomials \
+(KONTT, KONTC) and the curves of DISC are not. Tool data come from partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
 
 S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordinates"
 "Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value behind it."

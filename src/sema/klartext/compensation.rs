@@ -250,7 +250,7 @@ impl Run<'_> {
         }
         for &m in w.m() {
             match m.number {
-                97 => self.own_corner(Outside { prolonged: EVERY_TURN, by: None }, None),
+                97 => self.own_corner(Outside { prolonged: EVERY_TURN, ..Outside::default() }, None),
                 98 => self.open_corner(&m)?,
                 120 => self.look_ahead(&m)?,
                 197 => self.shortened_corner(&m)?,

@@ -13,6 +13,7 @@ mod calls;
 mod capture;
 mod channel;
 mod circle;
+mod compensation;
 mod corners;
 mod cycles;
 mod declare;

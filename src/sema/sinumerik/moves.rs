@@ -115,6 +115,9 @@ impl Channel<'_> {
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
+        if self.resolves() {
+            self.st.compensation.is_over();
+        }
         self.st.position.forget(w.axes.iter().collect());
         Ok(())
     }
