@@ -145,6 +145,7 @@ pub(super) fn conflict(a: u32, b: u32) -> bool {
         3..=5 | 13 | 14 => 1,
         8 | 9 => 2,
         2 | 30 => 3,
+        97 | 197 => 7,
         126 | 127 => 4,
         136 | 137 => 5,
         116 | 117 => 6,
@@ -220,7 +221,9 @@ impl Run<'_> {
                         "reset the plane before the block, and program it again after",
                     );
                 }
-                Some((Act::CompensationOnly | Act::LookAhead, _)) if compensated && acts(m) => {
+                Some((Act::CompensationOnly | Act::LookAhead, _))
+                    if compensated && acts(m) && !self.computes_path() =>
+                {
                     return self.fail_help(
                         codes::K9008,
                         m.span,
@@ -354,6 +357,7 @@ impl Run<'_> {
                 )
                 .help("remove M124 if the path is to be the programmed one"),
             ),
+            Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
             Act::CompensationOnly | Act::LookAhead => {
                 let found =
                     Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
