@@ -33,6 +33,12 @@ impl Step {
         }
     }
 
+    /// Does the frame leave the move as it is?
+    #[inline]
+    pub fn is_in_workpiece(&self) -> bool {
+        self.mv.machine || self.ctx.frame.is_identity()
+    }
+
     /// Checks what a step promises by itself.
     pub fn check(&self) {
         let kept = verify::element(&self.start, &self.mv);

@@ -5,8 +5,7 @@
 
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
-use crate::lexer::klartext::Value;
-use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
+use crate::parser::klartext::literal::straight;
 
 use super::Run;
 use super::change::Change;
@@ -28,39 +27,26 @@ impl Run<'_> {
             && !st.compensation.is_lost()
     }
 
-    /// Executes an `L` block of X, Y, Z, F and R0 while nothing else is on; false if it is another block.
+    /// Executes the next block, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.
     #[inline]
-    pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        let line = matches!(block.stmt, Stmt::Path(PathFn::Line));
-        if !self.plain || !line || block.skip || block.comment.is_some() {
+    pub(super) fn straight_block(&mut self) -> bool {
+        if !self.plain {
             return false;
         }
-        let mm = self.level().frame.unit.mm();
-        let mut end = Pos::UNKNOWN;
-        let (mut feed, mut rapid, mut uncompensated) = (None, false, false);
-        for word in &block.words {
-            match (word.addr, word.value) {
-                (Addr::Axis { axis, incremental: false }, Value::Number(value))
-                    if axis.is_main() && !end.known().contains(axis) =>
-                {
-                    end.set(axis, value * mm);
-                }
-                (Addr::Feed, Value::Number(value)) if value > 0.0 && feed.is_none() && !rapid => feed = Some(value),
-                (Addr::FeedMax, _) if feed.is_none() && !rapid => rapid = true,
-                (Addr::Radius { signed: false }, Value::Number(0.0)) if !uncompensated => uncompensated = true,
-                _ => return false,
-            }
-        }
-        if end.known().is_empty() || feed.is_none() && self.st.feed.word().is_none() && !rapid {
+        let Some(line) = self.core.straight_ahead(straight) else { return false };
+        if line.feed.is_none() && self.st.feed.word().is_none() && !line.rapid {
             return false;
         }
-        if let Some(written) = feed {
+        self.core.take_straight(&line);
+        if let Some(written) = line.feed {
             let feed = self.feed_of(written);
             self.st.feed.program(feed, written);
         }
-        let path = if rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let path = if line.rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let mm = self.level().frame.unit.mm();
+        let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
-        self.st.feed.last_rapid = rapid;
+        self.st.feed.last_rapid = line.rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;
         true
