@@ -11,7 +11,7 @@ use crate::ir::{Function, Origin, Side};
 
 /// What has to happen in front of a move.
 #[derive(Debug)]
-pub(super) enum Before {
+pub(super) enum Preparation {
     Nothing,
     /// G40, G41 or G42 for the side of the move.
     Switch,
@@ -56,12 +56,12 @@ impl Compensation {
 
     /// What `mv` needs. `selected` is the plane in force, `planes` those the target compensates in.
     #[cold]
-    pub fn before(&mut self, mv: &Move, origin: &Origin, selected: Plane, planes: &[Plane], way: Way) -> Before {
+    pub fn before(&mut self, mv: &Move, origin: &Origin, selected: Plane, planes: &[Plane], way: Way) -> Preparation {
         if mv.side == Side::None {
             self.refused = false;
             self.ended_by = None;
         } else if self.refused {
-            return Before::Refuse(None);
+            return Preparation::Refuse(None);
         }
         if let Some((message, help)) = self.obstacle(mv, selected, planes, way.in_plane) {
             self.refused = true;
@@ -69,10 +69,10 @@ impl Compensation {
             if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
                 found = found.also(by.loc, "this block ends the compensation");
             }
-            return Before::Refuse(Some(Box::new(found)));
+            return Preparation::Refuse(Some(Box::new(found)));
         }
         if mv.side == self.side {
-            return Before::Nothing;
+            return Preparation::Nothing;
         }
         match self.too_short(mv.side, way) {
             Some(message) => {
@@ -80,9 +80,9 @@ impl Compensation {
                 let help =
                     "begin farther from the contour, or end farther away, so that the whole tool stands beside it";
                 let found = Diagnostic::new(codes::O9100, origin.loc, message).help(help).called(origin.call);
-                Before::Refuse(Some(Box::new(found)))
+                Preparation::Refuse(Some(Box::new(found)))
             }
-            None => Before::Switch,
+            None => Preparation::Switch,
         }
     }
 

@@ -49,13 +49,13 @@ impl Modal {
     }
 
     /// Would printing `units` tell the target nothing new?
-    #[inline]
+    #[inline(always)]
     pub fn says(&self, axis: Axis, units: i64) -> bool {
         self.known.contains(axis) && self.at[axis.index()] == units && !self.stale.contains(axis)
     }
 
     /// These axes were printed with these ends.
-    #[inline]
+    #[inline(always)]
     pub fn reach(&mut self, axes: AxisSet, ends: &[i64; AXES]) {
         for axis in axes.iter() {
             self.at[axis.index()] = ends[axis.index()];

@@ -249,7 +249,7 @@ mod tests {
         if value.is_nan() || value.abs() > LARGEST {
             return None;
         }
-        let scale = 10f64.powi(i32::from(places));
+        let scale = (0..places).fold(1.0, |scale, _| scale * 10.0);
         let (scaled, half) = (value * scale, 0.5 + TIE * scale);
         Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
     }

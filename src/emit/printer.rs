@@ -14,7 +14,7 @@ use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::target::Target;
 
-use super::compensation::{Before, Compensation, Way};
+use super::compensation::{Compensation, Preparation, Way};
 use super::modal::Modal;
 use super::number::Places;
 use super::page::Page;
@@ -152,9 +152,9 @@ impl<'a> Printer<'a> {
             return false;
         };
         match self.compensation.before(mv, origin, self.modal.plane, words.planes, way) {
-            Before::Nothing => {}
-            Before::Switch => self.switch_side(mv, origin),
-            Before::Refuse(found) => {
+            Preparation::Nothing => {}
+            Preparation::Switch => self.switch_side(mv, origin),
+            Preparation::Refuse(found) => {
                 if let Some(found) = found {
                     self.diags.push(*found);
                 }

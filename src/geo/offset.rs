@@ -24,7 +24,7 @@ pub enum NoParallel {
 
 /// An element of the parallel, and the place in the contour of the one it comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Part {
+pub struct OffsetElement {
     pub element: Element,
     pub of: usize,
 }
@@ -34,15 +34,15 @@ pub struct Part {
 ///
 /// # Errors
 /// See [`NoParallel`]. What is returned comes no nearer to any element of the chain than `offset`.
-pub fn parallel(chain: &[Element], offset: f64) -> Result<Vec<Part>, NoParallel> {
+pub fn parallel(chain: &[Element], offset: f64) -> Result<Vec<OffsetElement>, NoParallel> {
     let parts = chain.iter().enumerate().filter(|(_, element)| element.length() > SAME_POINT);
-    let mut made: Vec<Part> = Vec::with_capacity(2 * chain.len());
+    let mut made: Vec<OffsetElement> = Vec::with_capacity(2 * chain.len());
     for (of, element) in parts {
         if offset == 0.0 {
-            made.push(Part { element: *element, of });
+            made.push(OffsetElement { element: *element, of });
             continue;
         }
-        let next = Part { element: moved(element, offset)?, of };
+        let next = OffsetElement { element: moved(element, offset)?, of };
         match made.pop() {
             None => made.push(next),
             Some(last) => join(last, next, element.from(), offset, &mut made)?,
@@ -54,7 +54,7 @@ pub fn parallel(chain: &[Element], offset: f64) -> Result<Vec<Part>, NoParallel>
     for part in &mut made {
         part.element = long_enough(part.element);
     }
-    let near = |a: &Part| chain.iter().any(|b| gap::between(&a.element, b) < offset.abs() - NEARER);
+    let near = |a: &OffsetElement| chain.iter().any(|b| gap::between(&a.element, b) < offset.abs() - NEARER);
     if offset != 0.0 && made.iter().any(near) { Err(NoParallel::TooNarrow) } else { Ok(made) }
 }
 
@@ -79,7 +79,13 @@ fn moved(element: &Element, offset: f64) -> Result<Element, NoParallel> {
 }
 
 /// Adds `next` behind `last`, which met at `corner` before both were moved.
-fn join(last: Part, next: Part, corner: Point2, offset: f64, out: &mut Vec<Part>) -> Result<(), NoParallel> {
+fn join(
+    last: OffsetElement,
+    next: OffsetElement,
+    corner: Point2,
+    offset: f64,
+    out: &mut Vec<OffsetElement>,
+) -> Result<(), NoParallel> {
     let (a, b) = (last.element, next.element);
     let (Some(u), Some(w)) = (a.end_direction(), b.start_direction()) else { return Err(NoParallel::Empty) };
     let turn = cross(u, w);
@@ -91,26 +97,29 @@ fn join(last: Part, next: Part, corner: Point2, offset: f64, out: &mut Vec<Part>
     } else if turn * offset < 0.0 {
         let (from, to) = (a.to(), b.from());
         let arc = Element::Arc { from, to, center: corner, sweep: sweep(from, to, corner, offset < 0.0) };
-        out.extend([last, Part { element: arc, of: last.of }, next]);
+        out.extend([last, OffsetElement { element: arc, of: last.of }, next]);
     } else {
         let at = inner_corner(&a, &b).ok_or(NoParallel::TooNarrow)?;
-        out.extend([Part { element: a.ending_at(at), ..last }, Part { element: b.starting_at(at), ..next }]);
+        out.extend([
+            OffsetElement { element: a.ending_at(at), ..last },
+            OffsetElement { element: b.starting_at(at), ..next },
+        ]);
     }
     Ok(())
 }
 
 /// Ends that are one point up to what a drawing rounds: a line takes the end of its neighbour.
-fn tangential(last: Part, next: Part, out: &mut Vec<Part>) {
+fn tangential(last: OffsetElement, next: OffsetElement, out: &mut Vec<OffsetElement>) {
     let (from, to) = (last.element.to(), next.element.from());
     match (last.element, next.element) {
         (Element::Line { from: start, .. }, _) => {
-            out.extend([Part { element: Element::Line { from: start, to }, ..last }, next]);
+            out.extend([OffsetElement { element: Element::Line { from: start, to }, ..last }, next]);
         }
         (_, Element::Line { to: end, .. }) => {
-            out.extend([last, Part { element: Element::Line { from, to: end }, ..next }]);
+            out.extend([last, OffsetElement { element: Element::Line { from, to: end }, ..next }]);
         }
         _ if distance(from, to) <= SAME_POINT => out.extend([last, next]),
-        _ => out.extend([last, Part { element: Element::Line { from, to }, of: last.of }, next]),
+        _ => out.extend([last, OffsetElement { element: Element::Line { from, to }, of: last.of }, next]),
     }
 }
 
@@ -157,7 +166,7 @@ mod tests {
         points.windows(2).map(|pair| Element::Line { from: p(pair[0]), to: p(pair[1]) }).collect()
     }
 
-    fn ends(chain: &[Part]) -> Vec<(f64, f64)> {
+    fn ends(chain: &[OffsetElement]) -> Vec<(f64, f64)> {
         let round = |v: f64| (v * 1e6).round() / 1e6 + 0.0;
         let mut points: Vec<Point2> = chain.iter().map(|part| part.element.to()).collect();
         points.insert(0, chain[0].element.from());

@@ -39,7 +39,7 @@ enum Curve {
 
 /// What one line, arc or corner demands, from `high` (exclusive) down to `low`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Piece {
+struct Demand {
     curve: Curve,
     high: f64,
     low: f64,
@@ -48,7 +48,7 @@ struct Piece {
 /// A wall as a nose of some radius sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
-    pieces: Vec<Piece>,
+    pieces: Vec<Demand>,
     radius: f64,
 }
 
@@ -109,7 +109,7 @@ impl Wall {
 
     fn add(&mut self, curve: Curve, high: f64, low: f64) {
         if high > low {
-            self.pieces.push(Piece { curve, high, low });
+            self.pieces.push(Demand { curve, high, low });
         }
     }
 

@@ -14,20 +14,20 @@ pub struct Captured {
     /// End of the first move: how the tool comes there is not part of the contour.
     pub start: Point2,
     /// In the order of travel, each from where the one before ends.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<CapturedElement>,
 }
 
 /// An element of a described contour.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct CapturedElement {
     pub element: Element,
-    pub kind: PieceKind,
+    pub kind: CapturedKind,
     pub origin: Origin,
 }
 
 /// How an element of a contour was programmed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PieceKind {
+pub enum CapturedKind {
     Rapid,
     Cut,
     /// A line in step with the spindle.

@@ -27,7 +27,7 @@ const FAR: f64 = 10.0;
 
 /// Direction of the contour so far.
 #[derive(Debug, Default)]
-pub struct Last {
+pub struct LastDirection {
     /// The element that has the direction, and its plane.
     element: Option<(Element, Plane)>,
     why: Why,
@@ -42,14 +42,14 @@ enum Why {
     OtherAxis,
 }
 
-impl Last {
+impl LastDirection {
     pub fn forget(&mut self) {
-        *self = Last::default();
+        *self = LastDirection::default();
     }
 
     /// After a corner the direction is the one of the next element.
     pub fn corner(&mut self) {
-        *self = Last { element: None, why: Why::Corner };
+        *self = LastDirection { element: None, why: Why::Corner };
     }
 
     /// The direction in which the contour goes on in `plane`.
@@ -59,7 +59,7 @@ impl Last {
     }
 
     /// Takes over the direction at the end of `step`.
-    #[inline]
+    #[inline(always)]
     pub fn follow(&mut self, step: &Step) {
         let plane = step.plane();
         let known = step.start.known().common(step.mv.end.known());
@@ -69,10 +69,16 @@ impl Last {
         if step.leaves(plane) {
             self.element = None;
             self.why = Why::OtherAxis;
-            return;
+        } else {
+            self.follow_in(plane, step);
         }
+    }
+
+    /// The same for a step that stays in `plane`, where both of its ends are known.
+    #[inline(never)]
+    fn follow_in(&mut self, plane: Plane, step: &Step) {
         // An element of no length leaves the direction as it was.
-        if let Some(element) = step.element(plane).filter(|element| is_long(element)) {
+        if let Some(element) = step.element(plane).filter(is_long) {
             self.element = Some((element, plane));
         }
     }
@@ -169,7 +175,12 @@ pub fn straight(path: &contour::Path) -> Option<Path> {
 ///
 /// # Errors
 /// Geometry that does not exist.
-pub fn resolve(path: &contour::Path, step: &mut Step, last: &Last, adjusted: &mut Adjusted) -> Result<Extra, Refused> {
+pub fn resolve(
+    path: &contour::Path,
+    step: &mut Step,
+    last: &LastDirection,
+    adjusted: &mut Adjusted,
+) -> Result<Extra, Refused> {
     match path {
         contour::Path::Rapid | contour::Path::Line(_) => step.mv.path = straight(path).unwrap_or_default(),
         contour::Path::Arc(arc, feed) => {
@@ -208,7 +219,7 @@ fn resolve_arc(
     shape: &contour::Arc,
     feed: Feed,
     step: &mut Step,
-    last: &Last,
+    last: &LastDirection,
     adjusted: &mut Adjusted,
 ) -> Result<Extra, Refused> {
     let plane = shape.plane;

@@ -3,12 +3,12 @@
 //! It passes the same passes as every move, up to the corners; only what comes behind them is another. Frames are not
 //! applied: the contour counts in the frame in which it was begun.
 
-use crate::ir::captured::{Captured, Piece, PieceKind, Unfit};
+use crate::ir::captured::{Captured, CapturedElement, CapturedKind, Unfit};
 use crate::ir::contour::CtxRef;
 use crate::ir::motion::Path;
 use crate::ir::{Origin, Pos};
 
-use super::arcs::Last;
+use super::arcs::LastDirection;
 use super::corner::Corners;
 use super::step::{Checked, Step, plane_axes};
 
@@ -21,21 +21,21 @@ pub struct Recording {
     unfit: Option<Unfit>,
     /// Findings in front of the description.
     errors: u32,
-    before: Before,
+    before: SavedPasses,
 }
 
 /// State of the passes that a description leaves as it was.
 #[derive(Debug, Default)]
-pub struct Before {
+pub struct SavedPasses {
     pub at: Pos,
     pub ctx: CtxRef,
-    pub last: Last,
+    pub last: LastDirection,
     pub corners: Corners,
     pub chain: Checked,
 }
 
 impl Recording {
-    pub fn new(limit: usize, errors: u32, before: Before) -> Recording {
+    pub fn new(limit: usize, errors: u32, before: SavedPasses) -> Recording {
         Recording { made: Captured::default(), started: false, limit, unfit: None, errors, before }
     }
 
@@ -71,12 +71,12 @@ impl Recording {
         }
         let Some(element) = step.element(plane) else { return Err(Unfit::Leaves(origin)) };
         let kind = match step.mv.path {
-            Path::Rapid => PieceKind::Rapid,
-            Path::Line(_) | Path::Arc(..) => PieceKind::Cut,
-            Path::Thread { .. } => PieceKind::Thread,
+            Path::Rapid => CapturedKind::Rapid,
+            Path::Line(_) | Path::Arc(..) => CapturedKind::Cut,
+            Path::Thread { .. } => CapturedKind::Thread,
         };
         if element.length() > crate::geo::SAME_POINT {
-            self.made.pieces.push(Piece { element, kind, origin });
+            self.made.pieces.push(CapturedElement { element, kind, origin });
         }
         Ok(())
     }
@@ -95,7 +95,7 @@ impl Recording {
     }
 
     /// The contour; a description without a move has no start.
-    pub fn finish(self, errors: u32, origin: &Origin) -> (Before, Result<Captured, Unfit>) {
+    pub fn finish(self, errors: u32, origin: &Origin) -> (SavedPasses, Result<Captured, Unfit>) {
         let made = match self.unfit {
             Some(unfit) => Err(unfit),
             // Such as a corner that could not be cut.

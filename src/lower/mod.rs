@@ -23,8 +23,8 @@ use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, motion, verify};
 use crate::machine::{Axis, Machine};
 
-use arcs::{Adjusted, Extra, Last};
-use capture::{Before, Recording};
+use arcs::{Adjusted, Extra, LastDirection};
+use capture::{Recording, SavedPasses};
 use corner::{Corners, Event};
 use step::{Checked, Step};
 
@@ -41,7 +41,7 @@ pub struct Lower<'a> {
     /// Programmed position in the frame of `ctx`.
     at: Pos,
     ctx: CtxRef,
-    last: Last,
+    last: LastDirection,
     adjusted: Adjusted,
     corners: Corners,
     /// What the steps behind the corners led to, for their check.
@@ -70,7 +70,7 @@ impl<'a> Lower<'a> {
             out,
             at: Pos::UNKNOWN,
             ctx: CtxRef::default(),
-            last: Last::default(),
+            last: LastDirection::default(),
             adjusted: Adjusted::default(),
             corners: Corners::default(),
             chain: Checked::default(),
@@ -323,7 +323,7 @@ impl Sink for Lower<'_> {
 
     fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, _: &Origin) {
         self.follow_ctx(ctx);
-        let before = Before {
+        let before = SavedPasses {
             at: std::mem::replace(&mut self.at, Pos::UNKNOWN),
             ctx: Rc::clone(&self.ctx),
             last: std::mem::take(&mut self.last),

@@ -114,6 +114,6 @@ impl Checked {
 /// Axes of a plane as a set.
 #[inline]
 pub fn plane_axes(plane: Plane) -> AxisSet {
-    let (first, second, _) = plane.axes();
-    AxisSet::of(Axis::ALL[first]).union(AxisSet::of(Axis::ALL[second]))
+    let (_, _, third) = plane.axes();
+    AxisSet::MAIN.without(AxisSet::of(Axis::ALL[third]))
 }

@@ -10,7 +10,7 @@ use super::options::klartext::{
     CcMissing, CpSign, Generation, KlartextChoices, KlartextReadings, Modulo, PolarMissing, RepeatCount, ShiftAxes,
 };
 use super::options::mtc200::Mtc200;
-use super::options::sinumerik::Siemens;
+use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
 use super::tools::Tools;
 use super::undercut::Undercuts;
@@ -130,7 +130,6 @@ impl Unit {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Control {
     pub klartext: Generation,
-    pub sinumerik: String,
     pub heidenhain_turning: String,
     /// Skip levels that are switched on.
     pub skip_blocks: Vec<u8>,
@@ -152,7 +151,7 @@ pub struct Control {
     pub scaling_in_plane: bool,
     /// Machine coordinate of the tool axis for M140 MB MAX, in mm.
     pub retract_max: Option<f64>,
-    pub siemens: Siemens,
+    pub sinumerik: Sinumerik,
     pub turning: Turning,
     pub mtc200: Mtc200,
 }

@@ -57,19 +57,24 @@ impl Literal {
     }
 }
 
-/// Reads the words at `at`, whose last one ends there or behind `end`; where that is. `None` where something else than
-/// plain words stands: then `block` is as it was.
+/// Reads the words at `at`, whose last one ends there or behind `end`; where that is, and where the text ends that may be
+/// words. `None` where something else than plain words stands: then `block` is as it was.
 #[inline(always)]
-pub(super) fn words<S: Shape>(text: &[u8], mut at: usize, mut end: usize, block: &mut S::Block) -> Option<usize> {
+pub(super) fn words<S: Shape>(
+    text: &[u8],
+    mut at: usize,
+    mut end: usize,
+    block: &mut S::Block,
+) -> Option<(usize, usize)> {
     loop {
         at = after_blanks(text, at);
-        let Some(&letter) = text.get(at) else { return Some(end) };
+        let Some(&letter) = text.get(at) else { return Some((end, at)) };
         if S::ends_text(letter) {
-            return Some(end);
+            return Some((end, at));
         }
         if letter == S::COMMENT {
             if S::comment(text, at, block) {
-                return Some(end);
+                return Some((end, at));
             }
             break;
         }
@@ -81,16 +86,24 @@ pub(super) fn words<S: Shape>(text: &[u8], mut at: usize, mut end: usize, block:
     give_up::<S>(block)
 }
 
+/// Where the blanks at `at` end. Mostly there is one of them, or none.
 #[inline(always)]
-pub(super) fn after_blanks(text: &[u8], mut at: usize) -> usize {
-    while let Some(b' ' | b'\t') = text.get(at) {
-        at += 1;
+pub(super) fn after_blanks(text: &[u8], at: usize) -> usize {
+    let next = at + usize::from(text.get(at) == Some(&b' '));
+    match text.get(next) {
+        Some(b' ' | b'\t') => after_more_blanks(text, next),
+        _ => next,
     }
-    at
+}
+
+#[inline(never)]
+fn after_more_blanks(text: &[u8], at: usize) -> usize {
+    let blanks = text.get(at..).unwrap_or_default().iter().take_while(|byte| matches!(byte, b' ' | b'\t'));
+    at + blanks.count()
 }
 
 #[cold]
-fn give_up<S: Shape>(block: &mut S::Block) -> Option<usize> {
+fn give_up<S: Shape>(block: &mut S::Block) -> Option<(usize, usize)> {
     S::undo(block);
     None
 }

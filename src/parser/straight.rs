@@ -1,8 +1,8 @@
 //! The straight block: a line of the file with X, Y, Z, a feed and nothing else, decoded where it stands.
 //!
 //! In: the text of the file from the next block on. Out: what the words of its first line say, or nothing where it holds
-//! anything else, or does not end in the text. A line that is taken says what [`parse_block`](super::klartext::parse_block)
-//! finds in it: property tests hold both equal.
+//! anything else, or does not end in the text. `of_line` of a dialect decodes the bytes, `of_block` looks at a block that was
+//! parsed: property tests hold both equal.
 
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -51,11 +51,10 @@ impl Straight {
 #[inline(always)]
 pub(super) fn read<S: Shape<Block = Straight>>(text: &[u8], from: usize, at: usize, line_end: u8) -> Option<Straight> {
     let mut line = Straight::default();
-    let end = literal::words::<S>(text, at, at, &mut line)?;
+    let (end, last) = literal::words::<S>(text, at, at, &mut line)?;
     if line.axes.is_empty() {
         return None;
     }
-    let last = literal::after_blanks(text, end);
     line.len = match *text.get(last)? {
         byte if byte == line_end => last + 1,
         b'\r' if line_end == b'\n' && text.get(last + 1) == Some(&b'\n') => last + 2,

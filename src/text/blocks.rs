@@ -281,12 +281,12 @@ impl Cursor {
         self.whole
     }
 
-    /// The text from the next block on, as far as it is in memory, and the byte that ends its lines. Nothing while a hole
-    /// waits to be reported.
+    /// The text from the next block on, as far as it was read forward, and the byte that ends its lines. Nothing in a file
+    /// that jumps, and while a hole waits to be reported.
     #[inline(always)]
     pub fn ahead(&self) -> (&[u8], u8) {
-        let text = if self.is_past_hole() { &[] } else { self.window.get(self.pos..self.end).unwrap_or_default() };
-        (text, self.line_end)
+        let none = self.whole || self.is_past_hole();
+        (if none { &[] } else { self.window.get(self.pos..self.end).unwrap_or_default() }, self.line_end)
     }
 
     /// Goes behind the first `len` bytes of [`Cursor::ahead`], which are one line.

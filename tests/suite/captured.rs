@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use partc::internals::diag::Diags;
 use partc::internals::geo::{Element, Plane, Point2};
-use partc::internals::ir::captured::{Captured, PieceKind, Unfit};
+use partc::internals::ir::captured::{Captured, CapturedKind, Unfit};
 use partc::internals::ir::contour::{
     ArcChamfer, Blocks, Coords, Corner, CornerShape, Ctx, CtxRef, LargeCorner, Move, Path, Sink,
 };
@@ -91,7 +91,7 @@ fn a_described_contour_is_what_would_be_travelled() {
     let mut at = made.start;
     for (piece, mv) in made.pieces.iter().zip(out.0.iter().skip(1)) {
         assert_eq!((piece.element.from(), Some(piece.element.to())), (at, mv.end.in_plane(Plane::Zx)));
-        assert_eq!(piece.kind, PieceKind::Cut);
+        assert_eq!(piece.kind, CapturedKind::Cut);
         match (piece.element, &mv.path) {
             (Element::Line { .. }, motion::Path::Line(_)) => {}
             (Element::Arc { center, sweep, .. }, motion::Path::Arc(arc, _)) => {

@@ -75,8 +75,8 @@ const BUILT: &[Built] = &[
     Built { code: "P0121", fires: || calls_of(100, MAX_ALL_CALLED / 99), silent: || calls_of(100, 1 << 10) },
     Built { code: "K2007", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
     Built { code: "K8001", fires: || checked(&behind_m30("FL X+20 AN+30")), silent: || checked(&behind_m30("L X+20")) },
-    Built { code: "S8040", fires: || siemens_idle("TRAORI"), silent: || siemens_idle("G1 X5") },
-    Built { code: "S8009", fires: || siemens_tool(&[]), silent: || siemens_tool(&[5]) },
+    Built { code: "S8040", fires: || sinumerik_idle("TRAORI"), silent: || sinumerik_idle("G1 X5") },
+    Built { code: "S8009", fires: || sinumerik_tool(&[]), silent: || sinumerik_tool(&[5]) },
     Built { code: "O9300", fires: || on_grbl("G33 Z-10 K1.5", ""), silent: || on_grbl("G1 Z-10 F100", "") },
     Built { code: "O9301", fires: || on_grbl("G95 G1 X5 F0.2", ""), silent: || on_grbl("G94 G1 X5 F100", "") },
     Built {
@@ -155,7 +155,7 @@ fn checked(text: &str) -> Compiled {
     of_findings(check_klartext(text))
 }
 
-fn siemens_idle(block: &str) -> Compiled {
+fn sinumerik_idle(block: &str) -> Compiled {
     of_findings(check_program("sinumerik", "T.MPF", &format!("G0 X0 Y0 Z5\nM30\n{block}\n")))
 }
 
@@ -251,7 +251,7 @@ fn with_table(text: &str, numbers: &[u32]) -> Compiled {
 }
 
 /// A SINUMERIK program with tool 5, and a complete table of these numbers.
-fn siemens_tool(numbers: &[u32]) -> Compiled {
+fn sinumerik_tool(numbers: &[u32]) -> Compiled {
     let table: String = numbers.iter().map(|n| format!("[tools.{n}]\nradius = 5.0\n")).collect();
     let mut settings = settings(&table);
     settings.tools.complete = true;

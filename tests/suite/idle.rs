@@ -96,7 +96,7 @@ const SIEMENS: &str = "%_N_T_MPF\n\
     M17\n";
 
 #[test]
-fn siemens_blocks_that_do_not_run_are_looked_at() {
+fn sinumerik_blocks_that_do_not_run_are_looked_at() {
     let found: Vec<(u32, &str)> = check_program("sinumerik", "T.MPF", SIEMENS)
         .iter()
         .map(|found| (found.label.loc.line, found.code.id))
@@ -124,7 +124,7 @@ fn siemens_blocks_that_do_not_run_are_looked_at() {
 
 /// The control looks for the target when it jumps, and `compile` accepts the program.
 #[test]
-fn a_siemens_jump_that_is_not_made_needs_no_target() {
+fn a_sinumerik_jump_that_is_not_made_needs_no_target() {
     let found = check_program("sinumerik", "T.MPF", "IF 1==2 GOTOB LAB\nG0 X0 Y0\nLAB: M30\n");
     let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
     assert_eq!(codes, [(1, "S8040")]);
@@ -132,7 +132,7 @@ fn a_siemens_jump_that_is_not_made_needs_no_target() {
 
 /// What the run reports is not said twice.
 #[test]
-fn siemens_blocks_that_run_are_left_alone() {
+fn sinumerik_blocks_that_run_are_left_alone() {
     let text = "G0 X0 Y0 Z5\nG199\nG1 X5 X6 F100\nIF 1\nG17 G18\nGOTOF NIX\nENDWHILE\n";
     let found = check_program("sinumerik", "T.MPF", text);
     let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
@@ -143,7 +143,7 @@ fn siemens_blocks_that_run_are_left_alone() {
 }
 
 #[test]
-fn every_siemens_case_that_compiles_passes_the_check() {
+fn every_sinumerik_case_that_compiles_passes_the_check() {
     for case in super::book::cases("sinumerik") {
         let Some(text) = case.text() else { continue };
         if !case.config.is_empty() || case.compile().has_errors() {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::geo::offset::{self, NoParallel, Part};
+use crate::geo::offset::{self, NoParallel, OffsetElement};
 use crate::geo::{Element, Plane, Point2, Vec2, gap};
 use crate::ir::{Feed, Pos};
 
@@ -180,7 +180,7 @@ impl Finishing {
     ///
     /// # Errors
     /// See [`NoParallel`].
-    pub fn path(&self, contour: &[Element]) -> Result<Vec<Part>, NoParallel> {
+    pub fn path(&self, contour: &[Element]) -> Result<Vec<OffsetElement>, NoParallel> {
         let contour = offset::shifted(contour, self.shift);
         let side = if self.left { 1.0 } else { -1.0 };
         let mut parts = offset::parallel(&contour, side * self.distance())?;

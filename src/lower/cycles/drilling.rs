@@ -11,10 +11,10 @@ use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::Axis;
 
 use super::track::Failure;
-use super::{Expand, Part, Start};
+use super::{CycleItem, Expand, Start};
 
 impl Expand for Drilling {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         expand(self, &start.at, start.axes, out)
     }
 }
@@ -23,7 +23,7 @@ impl Expand for Drilling {
 ///
 /// # Errors
 /// G3041 for arguments that make no hole, G3040 for steps without end.
-fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
     drilling.check().map_err(fault)?;
     let levels = &drilling.levels;
     if levels.outward() == 0.0 {
@@ -57,7 +57,7 @@ fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut
             hole.cut(levels.depth, drilling.feed);
             hole.dwell(*dwell);
             hole.spindle(Spindle::Stop);
-            (hole.out)(Part::Function(Function::Stop));
+            (hole.out)(CycleItem::Function(Function::Stop));
             hole.rapid(levels.retract);
             hole.spindle(Spindle::Start(*turn));
             return Ok(());
@@ -79,12 +79,12 @@ fn fault(fault: DrillingFault) -> Failure {
 struct Hole<'a> {
     drilling: &'a Drilling,
     levels: &'a Levels,
-    out: &'a mut dyn FnMut(Part),
+    out: &'a mut dyn FnMut(CycleItem),
 }
 
 impl Hole<'_> {
     fn send(&mut self, end: Pos, path: Path) {
-        (self.out)(Part::Move(Move { end, path, side: Side::None, coords: Coords::Frame }));
+        (self.out)(CycleItem::Move(Move { end, path, side: Side::None, coords: Coords::Frame }));
     }
 
     fn height(&self, to: f64) -> Pos {
@@ -103,12 +103,12 @@ impl Hole<'_> {
 
     fn dwell(&mut self, seconds: f64) {
         if seconds > 0.0 {
-            (self.out)(Part::Function(Function::Dwell(seconds)));
+            (self.out)(CycleItem::Function(Function::Dwell(seconds)));
         }
     }
 
     fn spindle(&mut self, spindle: Spindle) {
-        (self.out)(Part::Function(Function::Spindle(spindle)));
+        (self.out)(CycleItem::Function(Function::Spindle(spindle)));
     }
 
     /// Out to the start plane.

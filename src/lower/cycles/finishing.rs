@@ -8,7 +8,7 @@
 //! ```
 
 use crate::diag::codes;
-use crate::geo::offset::{NoParallel, Part};
+use crate::geo::offset::{NoParallel, OffsetElement};
 use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
@@ -17,13 +17,13 @@ use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, 
 use super::slope::{Slope, reversed};
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::seen;
-use super::{Expand, Part as Done, Start};
+use super::{CycleItem, Expand, Start};
 
 /// What arithmetic loses in a distance, mm.
 const SLACK: f64 = 1e-6;
 
 impl Expand for Finishing {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Done)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }
@@ -118,7 +118,7 @@ fn descends(element: &Element, into: Vec2) -> bool {
 struct Cutter<'c> {
     track: Track<'c>,
     finishing: &'c Finishing,
-    path: &'c [Part],
+    path: &'c [OffsetElement],
 }
 
 impl Cutter<'_> {

@@ -27,7 +27,7 @@ use track::{Failure, Stroke};
 
 /// What a cycle is made of.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Part {
+pub enum CycleItem {
     Move(Move),
     Function(Function),
 }
@@ -45,7 +45,7 @@ pub trait Expand {
     ///
     /// # Errors
     /// Arguments that describe no safe path.
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure>;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure>;
 }
 
 impl Start {
@@ -62,10 +62,10 @@ impl Start {
 }
 
 impl Stroke {
-    fn part(self) -> Part {
+    fn part(self) -> CycleItem {
         match self {
-            Stroke::Dwell { seconds } => Part::Function(Function::Dwell(seconds)),
-            Stroke::Move(path) => Part::Move(path.movement()),
+            Stroke::Dwell { seconds } => CycleItem::Function(Function::Dwell(seconds)),
+            Stroke::Move(path) => CycleItem::Move(path.movement()),
         }
     }
 }
@@ -83,9 +83,9 @@ pub fn expand(
 ) -> Result<(), Box<Diagnostic>> {
     let (first, second, third) = ctx.plane.axes();
     let start = Start { at: *start, axes: [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]] };
-    let mut send = |part: Part| match part {
-        Part::Move(mv) => out.movement(&mv, ctx, origin),
-        Part::Function(function) => out.function(&function, ctx, origin),
+    let mut send = |part: CycleItem| match part {
+        CycleItem::Move(mv) => out.movement(&mv, ctx, origin),
+        CycleItem::Function(function) => out.function(&function, ctx, origin),
     };
     expand_family(cycle, &start, &mut send).map_err(|failure| {
         let found = Diagnostic::new(failure.code, origin.loc, failure.message);
@@ -95,7 +95,7 @@ pub fn expand(
 
 macro_rules! expand_family {
     ($($family:ident($arguments:ty),)*) => {
-        fn expand_family(cycle: &Cycle, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+        fn expand_family(cycle: &Cycle, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
             match cycle {
                 $(Cycle::$family(cycle) => Expand::expand(cycle, start, out),)*
             }

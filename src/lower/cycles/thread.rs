@@ -14,13 +14,13 @@ use crate::ir::cycle::thread::{Flank, Thread};
 
 use super::infeed::Series;
 use super::track::{Failure, Strokes, Track, View};
-use super::{Expand, Part, Start};
+use super::{CycleItem, Expand, Start};
 
 /// Most cuts of one thread.
 const MOST_CUTS: u64 = 100_000;
 
 impl Expand for Thread {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }

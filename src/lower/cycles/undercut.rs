@@ -12,7 +12,7 @@ use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
 use super::track::Failure;
-use super::{Expand, Part, Start};
+use super::{CycleItem, Expand, Start};
 
 /// Most depth steps.
 const MOST_STEPS: f64 = 10_000.0;
@@ -20,8 +20,8 @@ const MOST_STEPS: f64 = 10_000.0;
 const SLACK: f64 = 1e-9;
 
 impl Expand for UndercutCycle {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
-        expand(self, start.in_turning_plane()?, &mut |mv| out(Part::Move(*mv)))
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        expand(self, start.in_turning_plane()?, &mut |mv| out(CycleItem::Move(*mv)))
     }
 }
 

@@ -23,7 +23,7 @@ pub const KEYS: &[Key] = &[
     })
     .or(r#""itnc530""#),
     key("sinumerik", Kind::Choice(SINUMERIKS), "SINUMERIK control", |s, v| {
-        put(&mut s.control.sinumerik, text(v).to_owned())
+        put(&mut s.control.sinumerik.model, text(v).to_owned())
     }),
     key("heidenhain_turning", Kind::Choice(TURNINGS), "HEIDENHAIN turning control", |s, v| {
         put(&mut s.control.heidenhain_turning, text(v).to_owned())
@@ -50,7 +50,7 @@ pub const KEYS: &[Key] = &[
         "word that changes the tool; default: t on a SINUMERIK lathe, TOOL CALL (t) of a Klartext program without M6, else m6",
         |s, v| {
             s.control.mtc200.t_changes = is(v, "t");
-            put(&mut s.control.siemens.tool_change_by_t, Some(is(v, "t")))
+            put(&mut s.control.sinumerik.tool_change_by_t, Some(is(v, "t")))
         },
     ),
 ];

@@ -5,43 +5,43 @@ use crate::machine::tree::{ConfigError, Node};
 use crate::machine::values::{flag, is, number, put, whole};
 
 pub const KEYS: &[Key] = &[
-    key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too", |s, v| put(&mut s.control.siemens.frame_offset_incremental, Some(flag(v)))),
-    key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm", |s, v| put(&mut s.control.siemens.circle_error, not_below_zero(v)?)).or("0.01"),
-    key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius", |s, v| put(&mut s.control.siemens.circle_error_factor, not_below_zero(v)?)).or("0.001"),
+    key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too", |s, v| put(&mut s.control.sinumerik.frame_offset_incremental, Some(flag(v)))),
+    key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm", |s, v| put(&mut s.control.sinumerik.circle_error, not_below_zero(v)?)).or("0.01"),
+    key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius", |s, v| put(&mut s.control.sinumerik.circle_error_factor, not_below_zero(v)?)).or("0.001"),
     key(
                 "large_corners",
                 Kind::Choice(&["refuse", "shorten"]),
-                "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path", |s, v| put(&mut s.control.siemens.shorten_corners, is(v, "shorten"))).or(r#""refuse""#),
-    key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94", |s, v| put(&mut s.control.siemens.feed_per_revolution, Some(is(v, "g95")))),
+                "SINUMERIK: a chamfer or rounding that does not fit; shorten: as large as it fits, in the order of the path", |s, v| put(&mut s.control.sinumerik.shorten_corners, is(v, "shorten"))).or(r#""refuse""#),
+    key("md20150", Kind::Choice(&["g94", "g95"]), "SINUMERIK: kind of feed at the start of a program; default: g94", |s, v| put(&mut s.control.sinumerik.feed_per_revolution, Some(is(v, "g95")))),
     key(
                 "md10760",
                 Kind::Flag,
-                "SINUMERIK: G53, G153 and SUPA suppress the tool length, too, so that they place the spindle, not the tip", |s, v| put(&mut s.control.siemens.machine_moves_without_tool, flag(v))).or("false"),
+                "SINUMERIK: G53, G153 and SUPA suppress the tool length, too, so that they place the spindle, not the tip", |s, v| put(&mut s.control.sinumerik.machine_moves_without_tool, flag(v))).or("false"),
     key(
                 "md30455",
                 Kind::Choice(&["absolute", "shortest"]),
-                "SINUMERIK: way of a modulo axis to an absolute position: inside its turn, or the shortest", |s, v| put(&mut s.control.siemens.modulo_shortest, is(v, "shortest"))).or(r#""absolute""#),
+                "SINUMERIK: way of a modulo axis to an absolute position: inside its turn, or the shortest", |s, v| put(&mut s.control.sinumerik.modulo_shortest, is(v, "shortest"))).or(r#""absolute""#),
     key(
                 "arc_chamfers",
                 Kind::Choice(&["refuse", "bisector"]),
-                "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements", |s, v| put(&mut s.control.siemens.arc_chamfers, is(v, "bisector"))).or(r#""refuse""#),
+                "SINUMERIK: a chamfer beside an arc; bisector: across the bisector of the corner, its ends on both elements", |s, v| put(&mut s.control.sinumerik.arc_chamfers, is(v, "bisector"))).or(r#""refuse""#),
     key(
                 "g40_without_motion",
                 Kind::Choice(&["warn", "error"]),
-                "SINUMERIK: G40 in front of a move that leaves the plane alone: its offset waits for the next one in the plane, or alarm 10754", |s, v| put(&mut s.control.siemens.g40_needs_motion, is(v, "error"))).or(r#""warn""#),
-    key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset", |s, v| put(&mut s.control.siemens.save_restores_offset, Some(whole(v) & 1 != 0))),
+                "SINUMERIK: G40 in front of a move that leaves the plane alone: its offset waits for the next one in the plane, or alarm 10754", |s, v| put(&mut s.control.sinumerik.g40_needs_motion, is(v, "error"))).or(r#""warn""#),
+    key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset", |s, v| put(&mut s.control.sinumerik.save_restores_offset, Some(whole(v) & 1 != 0))),
     key(
                 "cycle86_lift",
                 Kind::Choice(&["lift", "none"]),
-                "SINUMERIK: what CYCLE86 does under `_GMODE` 1 and 2: lift off at the bottom, or straight out; refused if not given", |s, v| put(&mut s.control.siemens.cycle86_lift, Some(is(v, "lift")))),
+                "SINUMERIK: what CYCLE86 does under `_GMODE` 1 and 2: lift off at the bottom, or straight out; refused if not given", |s, v| put(&mut s.control.sinumerik.cycle86_lift, Some(is(v, "lift")))),
     key(
                 "thread_flank",
                 Kind::Choice(&["crest", "root"]),
                 "SINUMERIK: what stands at the programmed start of a thread with a flank infeed; default: crest", |s, v| {
     let root = is(v, "root");
-    put(&mut s.control.siemens.thread_flank, Some(if root { FlankReference::Root } else { FlankReference::Crest }))
+    put(&mut s.control.sinumerik.thread_flank, Some(if root { FlankReference::Root } else { FlankReference::Crest }))
 }),
-    key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.siemens.main_variables_visible, flag(v))).or("false"),
+    key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.sinumerik.main_variables_visible, flag(v))).or("false"),
 ];
 
 fn not_below_zero(node: &Node) -> Result<f64, ConfigError> {
@@ -50,7 +50,9 @@ fn not_below_zero(node: &Node) -> Result<f64, ConfigError> {
 
 /// SINUMERIK: machine and setting data that change what a program means.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Siemens {
+pub struct Sinumerik {
+    /// The control (`802d`, `840dsl`), where a word means something else on it.
+    pub model: String,
     /// An increment behind a change of the frame travels the change, too (SD 42440).
     pub frame_offset_incremental: Option<bool>,
     /// Largest difference of the radii at start and end of a circle: in mm, and as a part of the radius
@@ -90,9 +92,10 @@ pub enum FlankReference {
     Root,
 }
 
-impl Default for Siemens {
-    fn default() -> Siemens {
-        Siemens {
+impl Default for Sinumerik {
+    fn default() -> Sinumerik {
+        Sinumerik {
+            model: String::new(),
             frame_offset_incremental: None,
             circle_error: 0.01,
             circle_error_factor: 0.001,

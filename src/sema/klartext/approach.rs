@@ -55,7 +55,7 @@ pub(super) struct Approach {
 
 /// The last move in the working plane, for its direction at the end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Last {
+pub(super) struct LastMove {
     from: Point2,
     to: Point2,
     path: Path,
@@ -269,7 +269,7 @@ impl Run<'_> {
         let (first, second, _) = plane.axes();
         let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
         let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
-        let element = Last { from: approach.to, to, path: *path };
+        let element = LastMove { from: approach.to, to, path: *path };
         let here = std::mem::replace(&mut self.here, approach.here);
         let made = match element.direction(true) {
             Some(heading) => self.make_approach(&approach, heading),
@@ -483,9 +483,9 @@ struct Circle {
     ccw: bool,
 }
 
-impl Last {
-    pub fn new(from: Point2, to: Point2, path: Path) -> Last {
-        Last { from, to, path }
+impl LastMove {
+    pub fn new(from: Point2, to: Point2, path: Path) -> LastMove {
+        LastMove { from, to, path }
     }
 
     /// Direction of travel at the start or the end.

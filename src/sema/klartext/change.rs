@@ -102,7 +102,7 @@ impl Run<'_> {
     pub(super) fn call_for_change(&mut self, number: u32) {
         let height = self.st.position.get(self.st.axis());
         let announced = self.st.tool.change == Change::Announced;
-        let waits = match self.job.settings.control.siemens.tool_change_by_t {
+        let waits = match self.job.settings.control.sinumerik.tool_change_by_t {
             Some(at_call) => !at_call,
             None => !announced && self.writes_m6(),
         };
@@ -134,7 +134,7 @@ impl Run<'_> {
                 self.print_change(number);
                 return Ok(());
             }
-            Change::Printed { moved: true } if self.job.settings.control.siemens.tool_change_by_t.is_none() => {
+            Change::Printed { moved: true } if self.job.settings.control.sinumerik.tool_change_by_t.is_none() => {
                 return self.fail_help(
                     codes::K2802,
                     span,

@@ -12,7 +12,7 @@ use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
 use crate::text::Span;
 
-use super::cycle_definition::{Open, Part, What};
+use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::{Nature, find};
 use super::defined_cycle::DefinedCycle;
 use super::drilling::Retract;
@@ -134,7 +134,7 @@ impl Run<'_> {
     pub(super) fn keep_part(&mut self, what: What, value: f64) {
         let open = self.open_cycle();
         if let Some(part) = open.part {
-            open.parts.push(Part { part, what, value });
+            open.parts.push(DottedValue { part, what, value });
         }
     }
 

@@ -22,7 +22,7 @@ pub(super) struct Open {
     /// Parameters stand in lines of their own, without `~`.
     pub loose: bool,
     /// What the parts of an old machining cycle hold.
-    pub parts: Vec<Part>,
+    pub parts: Vec<DottedValue>,
     pub table_row: bool,
     pub program: Option<String>,
     pub failed: bool,
@@ -64,7 +64,7 @@ impl Open {
 
 /// A value in a part of an old machining cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Part {
+pub(super) struct DottedValue {
     pub part: u32,
     pub what: What,
     pub value: f64,

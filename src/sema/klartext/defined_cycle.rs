@@ -3,7 +3,7 @@
 use crate::sema::cycle_table::Name;
 use crate::text::Loc;
 
-use super::cycle_definition::{Open, Part, What};
+use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::{self, Q, Row};
 
 /// A machining cycle as it was defined.
@@ -16,7 +16,7 @@ pub(super) struct DefinedCycle {
     pub mm: f64,
     parameters: Vec<u32>,
     words: Vec<(u32, &'static str)>,
-    parts: Vec<Part>,
+    parts: Vec<DottedValue>,
 }
 
 impl DefinedCycle {

@@ -10,7 +10,7 @@ use crate::parser::klartext::ast::{Block, LabelRef, Op, Operand, Operator, Relat
 use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, evaluate, noun};
 use crate::text::{Span, decode::readable};
 
-use super::calls::{FrameKind, innermost_locals};
+use super::flow::{FrameKind, innermost_locals};
 use super::text_functions;
 use super::vars::{Slot, Val, exists};
 use super::{Outcome, Reported, Run};

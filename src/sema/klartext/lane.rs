@@ -5,7 +5,9 @@
 
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
-use crate::parser::klartext::literal::straight;
+use crate::parser::klartext::ast::Block;
+use crate::parser::klartext::straight;
+use crate::parser::straight::Straight;
 
 use super::Run;
 use super::change::Change;
@@ -27,17 +29,35 @@ impl Run<'_> {
             && !st.compensation.is_lost()
     }
 
-    /// Executes the next block, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.
+    /// Executes the next block where it stands, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.
     #[inline]
-    pub(super) fn straight_block(&mut self) -> bool {
+    pub(super) fn straight_line(&mut self) -> bool {
         if !self.plain {
             return false;
         }
-        let Some(line) = self.core.straight_ahead(straight) else { return false };
-        if line.feed.is_none() && self.st.feed.word().is_none() && !line.rapid {
+        let Some(line) = self.core.straight_ahead(straight::of_line).filter(|line| self.knows_feed(line)) else {
             return false;
-        }
+        };
         self.core.take_straight(&line);
+        self.go_straight(&line);
+        true
+    }
+
+    /// The same for a block that was read; false if it is another one.
+    pub(super) fn straight_block(&mut self, block: &Block) -> bool {
+        let line = if self.plain { straight::of_block(block) } else { None };
+        let Some(line) = line.filter(|line| self.knows_feed(line)) else { return false };
+        self.go_straight(&line);
+        true
+    }
+
+    #[inline(always)]
+    fn knows_feed(&self, line: &Straight) -> bool {
+        line.rapid || line.feed.is_some() || self.st.feed.word().is_some()
+    }
+
+    #[inline(always)]
+    fn go_straight(&mut self, line: &Straight) {
         if let Some(written) = line.feed {
             let feed = self.feed_of(written);
             self.st.feed.program(feed, written);
@@ -49,6 +69,5 @@ impl Run<'_> {
         self.st.feed.last_rapid = line.rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;
-        true
     }
 }

@@ -7,9 +7,7 @@
 mod approach;
 mod arcs;
 mod blank;
-mod calls;
 mod change;
-mod coordinates;
 mod cycle;
 mod cycle_definition;
 mod cycle_words;
@@ -18,23 +16,26 @@ mod defined_cycle;
 mod drilling;
 mod eval;
 mod feed;
+mod flow;
+mod frames;
 mod help;
 mod labels;
 mod lane;
 mod m_functions;
-mod other;
+mod numbered_functions;
 mod path;
 mod pattern_def;
 mod patterns;
 mod plane;
 mod polar;
 mod probing;
+mod refused;
 mod rotary;
 mod state;
 mod system;
 mod text_functions;
 mod tool;
-mod transform;
+mod transformation;
 mod unexecuted;
 mod vars;
 mod words;
@@ -59,8 +60,8 @@ use super::run::unexecuted::Blocks;
 use super::run::{self, Core, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
-use calls::{Frame, FrameKind};
 use cycle::Cycles;
+use flow::{Frame, FrameKind};
 use labels::Labels;
 use state::State;
 use vars::{Locals, Vars};
@@ -100,7 +101,7 @@ pub fn check_form(job: &Job<'_>) {
             // What follows END PGM is reported as a whole.
             Stmt::End { unit, .. } => {
                 check_end(job, unit, head, loc);
-                calls::report_behind_end(job, &mut blocks.texts.cursor, job.main, CallPath::MAIN);
+                flow::report_behind_end(job, &mut blocks.texts.cursor, job.main, CallPath::MAIN);
                 break;
             }
             _ => {}
@@ -113,7 +114,7 @@ fn check_end(job: &Job<'_>, unit: Option<Unit>, head: Option<(Unit, Loc)>, here:
     if let (Some(unit), Some((begun, begin))) = (unit, head)
         && unit != begun
     {
-        job.diags.push(calls::other_unit(here, begin));
+        job.diags.push(flow::other_unit(here, begin));
     }
 }
 
@@ -232,15 +233,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
-        self.plain = false;
-        self.execute_any(block, text);
-        self.plain = self.is_plain();
+        if !self.straight_block(block) {
+            // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
+            self.plain = false;
+            self.execute_any(block, text);
+            self.plain = self.is_plain();
+        }
     }
 
     #[inline]
     fn line_lane(&mut self) -> bool {
-        self.straight_block()
+        self.straight_line()
     }
 
     fn end_of_file(&mut self) {

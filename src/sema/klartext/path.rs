@@ -10,7 +10,7 @@ use crate::machine::{Axis, AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 use crate::text::Loc;
 
-use super::approach::Last;
+use super::approach::LastMove;
 use super::m_functions::Args;
 use super::state::State;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
@@ -39,7 +39,7 @@ impl State {
         };
         let arc = matches!(path, Path::Arc(..));
         if arc || from != to {
-            self.last = Some(Last::new(from, to, path));
+            self.last = Some(LastMove::new(from, to, path));
         }
     }
 }

@@ -9,8 +9,8 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::text::decode::readable;
 
-use super::calls::innermost_locals;
 use super::cycles::find;
+use super::flow::innermost_locals;
 use super::vars::{Slot, exists};
 use super::{Outcome, Run};
 

@@ -10,15 +10,15 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
-use super::approach::Last;
-use super::coordinates::FrameState;
+use super::approach::LastMove;
 use super::feed::FeedState;
+use super::frames::FrameState;
 use super::m_functions::SpindleState;
 use super::path::CornerMade;
 use super::polar::PolarState;
 use super::rotary::RotaryState;
 use super::tool::ToolState;
-use super::transform::Transformation;
+use super::transformation::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ pub(super) struct State {
     pub feed: FeedState,
     pub compensation: Compensation,
     /// The last compensated move in the plane, for its direction.
-    pub last: Option<Last>,
+    pub last: Option<LastMove>,
     /// RND or CHF that waits for its second element.
     pub corner: Option<CornerMade>,
     pub tool: ToolState,

@@ -18,7 +18,7 @@ use super::cycles::{Nature, find};
 use super::labels::{Label, Labels};
 use super::path::{PATH, corner_words, path_words};
 use super::words::{Admits, same_matter};
-use super::{m_functions, other, plane};
+use super::{m_functions, plane, refused};
 
 /// Looks at every block of the main program after its run.
 pub fn check_unexecuted(job: &Job<'_>) {
@@ -143,7 +143,7 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
             Refused::Pattern => Some(codes::K9010),
             Refused::Contour => Some(codes::K9018),
             Refused::GlobalDef => Some(codes::K9011),
-            Refused::Function if !other::is_harmless(block.span.of(text)) => Some(codes::K9011),
+            Refused::Function if !refused::is_harmless(block.span.of(text)) => Some(codes::K9011),
             Refused::Function | Refused::SelectTable => None,
         },
         Stmt::FnOther { number: 26..=28, .. } => Some(codes::K9006),

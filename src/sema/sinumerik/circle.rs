@@ -12,7 +12,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::Code;
+use super::g_groups::GCode;
 use super::state::Diameter;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
@@ -219,7 +219,7 @@ impl Run<'_> {
     /// Largest difference of the radii at start and end (MD 21000, MD 21010).
     fn circle_tolerance(&self, radius: f64) -> f64 {
         let control = &self.job.settings.control;
-        control.siemens.circle_error.max(control.siemens.circle_error_factor * radius.abs())
+        control.sinumerik.circle_error.max(control.sinumerik.circle_error_factor * radius.abs())
     }
 
     fn arc_span(&self, w: &Words) -> Span {
@@ -284,7 +284,7 @@ impl Run<'_> {
             w.take(*address);
             any = true;
             let absolute = match given.mode {
-                Mode::Plain => follows_g90 && !self.st.is(Code::G91),
+                Mode::Plain => follows_g90 && !self.st.is(GCode::G91),
                 Mode::Ac => true,
                 Mode::Ic => false,
                 _ => {

@@ -10,7 +10,7 @@ use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
@@ -35,7 +35,7 @@ impl FeedState {
         FeedState {
             word: settings.control.feed.map(Feed::PerMinute),
             lost: false,
-            kind_open: lathe && settings.control.siemens.feed_per_revolution.is_none(),
+            kind_open: lathe && settings.control.sinumerik.feed_per_revolution.is_none(),
             axes: BTreeMap::new(),
         }
     }
@@ -91,7 +91,7 @@ impl FeedState {
 impl State {
     /// A programmed feed with the kind that is in force.
     pub(super) fn feed_of(&self, value: f64) -> Feed {
-        if self.is(Code::G93) {
+        if self.is(GCode::G93) {
             return Feed::InverseTime(value);
         }
         let value = value * self.feed_unit();
@@ -148,7 +148,7 @@ impl Run<'_> {
 
     /// The feed of a path block that cuts.
     pub(super) fn cutting_feed(&mut self, w: &mut Words) -> Outcome<Feed> {
-        if self.st.is(Code::G93) && !self.is_capturing() {
+        if self.st.is(GCode::G93) && !self.is_capturing() {
             self.time_of_block(w)?;
         }
         if let Some(fb) = self.block_feed(w)? {
@@ -242,9 +242,9 @@ impl Run<'_> {
         self.fail_help(codes::S9009, place, message, "program the feed by G94 or G95 for it")
     }
 
-    pub(super) fn feed_code(&mut self, code: Code, span: Span) -> Outcome {
+    pub(super) fn feed_code(&mut self, code: GCode, span: Span) -> Outcome {
         let old = self.st.codes.of(Group::FeedType);
-        use Code as G;
+        use GCode as G;
         if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
             let message = format!("{} gives feeds that plain G-code cannot say", code.word());
             return self.fail_help(codes::S9009, span, message, "program the feed by G94 or G95");

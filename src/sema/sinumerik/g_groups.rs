@@ -134,15 +134,15 @@ impl Group {
 
 /// A code of a G group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) struct Code {
+pub(super) struct GCode {
     pub group: Group,
     /// From 1, in the order of the control.
     pub index: u8,
 }
 
-impl Code {
-    pub const fn new(group: Group, index: u8) -> Code {
-        Code { group, index }
+impl GCode {
+    pub const fn new(group: Group, index: u8) -> GCode {
+        GCode { group, index }
     }
 
     /// The code as a program writes it.
@@ -156,18 +156,18 @@ impl Code {
     /// Tapping in step with the spindle.
     #[inline]
     pub fn is_tapping(self) -> bool {
-        matches!(self, Code::G331 | Code::G332)
+        matches!(self, GCode::G331 | GCode::G332)
     }
 
     /// S counts as cutting speed.
     #[inline]
     pub fn holds_cutting_speed(self) -> bool {
-        matches!(self, Code::G96 | Code::G961)
+        matches!(self, GCode::G96 | GCode::G961)
     }
 
     /// S counts in turns again, up to LIMS.
     pub fn ends_cutting_speed(self) -> bool {
-        matches!(self, Code::G97 | Code::G971)
+        matches!(self, GCode::G97 | GCode::G971)
     }
 }
 
@@ -190,33 +190,33 @@ impl ActiveCodes {
         }
         let machine = &settings.machine;
         if machine.kind == MachineKind::Lathe {
-            codes.activate(Code::G18);
+            codes.activate(GCode::G18);
             if machine.power_on_diameter && machine.diameter_axis.is_some() {
-                codes.activate(Code::DIAMON);
+                codes.activate(GCode::DIAMON);
             }
         }
-        if settings.control.siemens.feed_per_revolution == Some(true) {
-            codes.activate(Code::G95);
+        if settings.control.sinumerik.feed_per_revolution == Some(true) {
+            codes.activate(GCode::G95);
         }
         if settings.control.unit == Some(Unit::Inch) {
-            codes.activate(Code::G70);
+            codes.activate(GCode::G70);
         }
         codes
     }
 
     /// The code in force.
     #[inline]
-    pub fn of(&self, group: Group) -> Code {
-        Code { group, index: self.active[group as usize] }
+    pub fn of(&self, group: Group) -> GCode {
+        GCode { group, index: self.active[group as usize] }
     }
 
     #[inline]
-    pub fn is(&self, code: Code) -> bool {
+    pub fn is(&self, code: GCode) -> bool {
         self.active[code.group as usize] == code.index
     }
 
     #[inline]
-    pub fn activate(&mut self, code: Code) {
+    pub fn activate(&mut self, code: GCode) {
         self.active[code.group as usize] = code.index;
     }
 
@@ -229,7 +229,7 @@ impl ActiveCodes {
     #[inline]
     pub fn length_unit(&self) -> f64 {
         match self.of(Group::Unit) {
-            Code::G70 | Code::G700 => Unit::Inch.mm(),
+            GCode::G70 | GCode::G700 => Unit::Inch.mm(),
             _ => 1.0,
         }
     }
@@ -237,8 +237,8 @@ impl ActiveCodes {
     /// Millimetres in the unit of length of F, where the control's basic unit is `basic`.
     pub fn feed_unit(&self, basic: Unit) -> f64 {
         match self.of(Group::Unit) {
-            Code::G700 => Unit::Inch.mm(),
-            Code::G710 => 1.0,
+            GCode::G700 => Unit::Inch.mm(),
+            GCode::G710 => 1.0,
             _ => basic.mm(),
         }
     }
@@ -246,7 +246,7 @@ impl ActiveCodes {
     /// Does F count per revolution?
     #[inline]
     pub fn per_revolution(&self) -> bool {
-        matches!(self.of(Group::FeedType), Code::G95 | Code::G96 | Code::G97)
+        matches!(self.of(Group::FeedType), GCode::G95 | GCode::G96 | GCode::G97)
     }
 }
 
@@ -355,15 +355,15 @@ const LAST_LONG: u32 = 599;
 const INDEX_OF_FIRST_LONG: u8 = 6;
 
 /// Every code that has a name, with it.
-pub(super) fn named_codes() -> impl Iterator<Item = (&'static str, Code)> {
-    TABLE.iter().flat_map(|row| row.names.split(' ').zip(1..).map(|(name, index)| (name, Code::new(row.group, index))))
+pub(super) fn named_codes() -> impl Iterator<Item = (&'static str, GCode)> {
+    TABLE.iter().flat_map(|row| row.names.split(' ').zip(1..).map(|(name, index)| (name, GCode::new(row.group, index))))
 }
 
 /// Codes that the compiler asks for by name.
 macro_rules! code_names {
     ($($name:ident = $group:ident $index:literal)*) => {
-        impl Code {
-            $(pub const $name: Code = Code { group: Group::$group, index: $index };)*
+        impl GCode {
+            $(pub const $name: GCode = GCode { group: Group::$group, index: $index };)*
         }
     };
 }
@@ -397,7 +397,7 @@ const MOST_G: usize = 1000;
 /// The G codes by number.
 #[derive(Debug)]
 pub(super) struct GCodes {
-    codes: Box<[Option<Code>]>,
+    codes: Box<[Option<GCode>]>,
 }
 
 impl GCodes {
@@ -406,19 +406,19 @@ impl GCodes {
         for row in TABLE {
             for (index, name) in row.names.split(' ').enumerate() {
                 if let Some(number) = name.strip_prefix('G').and_then(|digits| digits.parse::<usize>().ok()) {
-                    codes[number] = Some(Code::new(row.group, index as u8 + 1));
+                    codes[number] = Some(GCode::new(row.group, index as u8 + 1));
                 }
             }
         }
         for number in FIRST_LONG..=LAST_LONG {
             let index = INDEX_OF_FIRST_LONG + (number - FIRST_LONG) as u8;
-            codes[number as usize] = Some(Code::new(Group::WorkOffset, index));
+            codes[number as usize] = Some(GCode::new(Group::WorkOffset, index));
         }
         GCodes { codes }
     }
 
     #[inline]
-    pub fn get(&self, number: f64) -> Option<Code> {
+    pub fn get(&self, number: f64) -> Option<GCode> {
         if number.fract() != 0.0 || number < 0.0 {
             return None;
         }
@@ -433,10 +433,10 @@ mod tests {
     #[test]
     fn codes_by_number() {
         let codes = GCodes::new();
-        assert_eq!(codes.get(0.0), Some(Code::G0));
-        assert_eq!(codes.get(33.0), Some(Code::G33));
-        assert_eq!(codes.get(505.0), Some(Code::new(Group::WorkOffset, 6)));
-        assert_eq!(codes.get(599.0), Some(Code::new(Group::WorkOffset, 100)));
+        assert_eq!(codes.get(0.0), Some(GCode::G0));
+        assert_eq!(codes.get(33.0), Some(GCode::G33));
+        assert_eq!(codes.get(505.0), Some(GCode::new(Group::WorkOffset, 6)));
+        assert_eq!(codes.get(599.0), Some(GCode::new(Group::WorkOffset, 100)));
         assert_eq!(codes.get(997.0), None);
         assert_eq!(codes.get(1.5), None);
     }
@@ -445,20 +445,20 @@ mod tests {
     fn named_constants_are_the_codes_of_the_table() {
         let named = |name: &str| named_codes().find(|(known, _)| *known == name).map(|(_, code)| code);
         let constants = [
-            (Code::G0, "G0"),
-            (Code::G336, "G336"),
-            (Code::CT, "CT"),
-            (Code::INVCCW, "INVCCW"),
-            (Code::G59, "G59"),
-            (Code::G42, "G42"),
-            (Code::G971, "G971"),
-            (Code::G710, "G710"),
-            (Code::DIAMCYCOF, "DIAMCYCOF"),
-            (Code::RTLION, "RTLION"),
-            (Code::FTOCON, "FTOCON"),
-            (Code::G291, "G291"),
-            (Code::PAROT, "PAROT"),
-            (Code::CUTCONON, "CUTCONON"),
+            (GCode::G0, "G0"),
+            (GCode::G336, "G336"),
+            (GCode::CT, "CT"),
+            (GCode::INVCCW, "INVCCW"),
+            (GCode::G59, "G59"),
+            (GCode::G42, "G42"),
+            (GCode::G971, "G971"),
+            (GCode::G710, "G710"),
+            (GCode::DIAMCYCOF, "DIAMCYCOF"),
+            (GCode::RTLION, "RTLION"),
+            (GCode::FTOCON, "FTOCON"),
+            (GCode::G291, "G291"),
+            (GCode::PAROT, "PAROT"),
+            (GCode::CUTCONON, "CUTCONON"),
         ];
         for (code, name) in constants {
             assert_eq!(named(name), Some(code), "{name}");
@@ -471,7 +471,7 @@ mod tests {
         assert_eq!(Group::of(8), Some(Group::WorkOffset));
         assert_eq!((Group::of(5), Group::of(64)), (None, None));
         assert_eq!(Group::WorkOffset.size(), 100);
-        assert_eq!(Code::new(Group::WorkOffset, 7).word(), "G506");
+        assert_eq!(GCode::new(Group::WorkOffset, 7).word(), "G506");
         for row in TABLE {
             assert_eq!(Group::of(row.group.number()), Some(row.group));
         }
@@ -480,11 +480,11 @@ mod tests {
     #[test]
     fn a_code_takes_the_place_of_its_group() {
         let mut codes = ActiveCodes::at_start(&Settings::default());
-        assert!(codes.is(Code::G94) && !codes.per_revolution());
-        codes.activate(Code::G96);
-        assert_eq!(codes.of(Group::FeedType), Code::G96);
+        assert!(codes.is(GCode::G94) && !codes.per_revolution());
+        codes.activate(GCode::G96);
+        assert_eq!(codes.of(Group::FeedType), GCode::G96);
         assert!(codes.per_revolution() && codes.of(Group::FeedType).holds_cutting_speed());
-        codes.activate(Code::G700);
+        codes.activate(GCode::G700);
         assert_eq!((codes.length_unit(), codes.feed_unit(Unit::Mm)), (25.4, 25.4));
         assert_eq!((codes.shown(15), codes.shown(5), codes.shown(65)), (Some(4), Some(0), None));
     }

@@ -7,10 +7,12 @@ use crate::geo::Plane;
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
-use crate::parser::sinumerik::literal::straight;
+use crate::parser::sinumerik::ast::Block;
+use crate::parser::sinumerik::straight;
+use crate::parser::straight::Straight;
 
 use super::Run;
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 
 impl Run<'_> {
     /// Does a straight block do nothing but move?
@@ -22,8 +24,8 @@ impl Run<'_> {
     fn moves_straight(&self) -> bool {
         let st = &self.st;
         let straight = match st.codes.of(Group::Motion) {
-            Code::G0 => true,
-            Code::G1 => {
+            GCode::G0 => true,
+            GCode::G1 => {
                 matches!(st.feed.word(), Some(Feed::PerMinute(_))) && !st.feed.is_lost() && !st.feed.is_kind_open()
             }
             _ => false,
@@ -32,8 +34,8 @@ impl Run<'_> {
         let named = |(letter, axis)| self.axis_names.letter(letter).and_then(|named| named.axis) == axis;
         straight
             && st.offsets.are_noted()
-            && !st.is(Code::G91)
-            && !st.is(Code::G93)
+            && !st.is(GCode::G91)
+            && !st.is(GCode::G93)
             && !st.codes.per_revolution()
             && !st.codes.of(Group::FeedType).holds_cutting_speed()
             && !st.spindles.is_cutting()
@@ -60,23 +62,36 @@ impl Run<'_> {
             && self.st.corners.rounding() == 0.0
     }
 
-    /// Executes the next block, if it is one of X, Y, Z and F while nothing else is on.
+    /// Executes the next block where it stands, if it is one of X, Y, Z and F while nothing else is on.
     #[inline]
-    pub(super) fn straight_block(&mut self) -> bool {
+    pub(super) fn straight_line(&mut self) -> bool {
         if !self.plain {
             return false;
         }
-        let Some(line) = self.core.straight_ahead(straight) else { return false };
+        let Some(line) = self.core.straight_ahead(straight::of_line) else { return false };
         self.core.take_straight(&line);
+        self.go_straight(&line);
+        true
+    }
+
+    /// The same for a block that was read; false if it is another one.
+    pub(super) fn straight_block(&mut self, block: &Block) -> bool {
+        let line = if self.plain { straight::of_block(block) } else { None };
+        let Some(line) = line else { return false };
+        self.go_straight(&line);
+        true
+    }
+
+    #[inline(always)]
+    fn go_straight(&mut self, line: &Straight) {
         if let Some(feed) = line.feed {
             self.st.feed.program(self.st.feed_of(feed));
         }
-        let path = if self.st.is(Code::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let path = if self.st.is(GCode::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
         let mm = self.st.length_unit();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         self.note_heading(&end, &path);
         self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);
-        true
     }
 }

@@ -8,7 +8,7 @@ use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::value::Val;
 use super::{Outcome, Run};
 
@@ -25,7 +25,7 @@ impl Run<'_> {
     }
 
     /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
-    pub(super) fn left_out_code(&self, code: Code, span: Span) {
+    pub(super) fn left_out_code(&self, code: GCode, span: Span) {
         match code.group {
             Group::ExactStop
             | Group::ExactStopBlock
@@ -38,7 +38,7 @@ impl Run<'_> {
             | Group::PathReference
             | Group::CornerDeceleration
             | Group::Dynamics => self.dynamics_are_left_out(span),
-            _ if matches!(code, Code::CFC | Code::FNORM | Code::RTLION) => self.dynamics_are_left_out(span),
+            _ if matches!(code, GCode::CFC | GCode::FNORM | GCode::RTLION) => self.dynamics_are_left_out(span),
             Group::CurveFeed | Group::FeedProfile => {
                 let name = code.word();
                 let what = if code.group == Group::CurveFeed {
@@ -56,7 +56,7 @@ impl Run<'_> {
             }
             Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
             Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
-            Group::FineToolOffset if code == Code::FTOCON => {
+            Group::FineToolOffset if code == GCode::FTOCON => {
                 self.tool_data_differ(code, "lets other programs shift the tool", span);
             }
             Group::OrientationReference
@@ -94,7 +94,7 @@ impl Run<'_> {
         }
     }
 
-    fn tool_data_differ(&self, code: Code, what: &str, span: Span) {
+    fn tool_data_differ(&self, code: GCode, what: &str, span: Span) {
         let message = format!("{} {what}: the target has tool data of its own", code.word());
         let found = Diagnostic::new(codes::S8010, self.loc(span), message);
         if !self.job.diags.knows(&found) {

@@ -4,32 +4,36 @@
 //! for the second. Order inside a block: assignments, G codes, F S T D, spindle and coolant, motion, stops and
 //! end, modal call. Source: S 0 to 6 (docs/sources.md).
 
+mod angle_lines;
 mod archive;
 mod assign;
 mod axis_names;
+mod block;
 mod calls;
 mod capture;
 mod circle;
-mod contour;
+mod corners;
 mod cycles;
 mod declare;
 mod editor_contour;
+mod end_point;
 mod eval;
 mod externs;
 mod feed;
 mod flow;
 mod formula_functions;
+mod frame_statements;
 mod frames;
+mod g_functions;
 mod g_groups;
 mod known_words;
 mod lane;
 mod left_out;
 mod machine_place;
 mod macros;
-mod modal;
-mod motion;
 mod moves;
-mod names;
+mod named_words;
+mod nonmodal;
 mod offsets;
 mod parameters;
 mod polar;
@@ -37,16 +41,15 @@ mod procedures;
 mod programs;
 mod report;
 mod rotary;
-mod special;
 mod spindle;
-mod spindles;
+mod spindle_state;
 mod stand_in;
 mod state;
 mod system;
 mod tangent;
 mod technology;
 mod threads;
-mod tools;
+mod tool;
 mod undercut_sizes;
 mod unexecuted;
 mod value;
@@ -182,7 +185,7 @@ const MOST_TEXTS: u32 = 8;
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
         let mut vars = Vars::new(&job.settings.variables);
-        vars.main_visible = job.settings.control.siemens.main_variables_visible;
+        vars.main_visible = job.settings.control.sinumerik.main_variables_visible;
         Run {
             core: Core::new(job, out),
             st: State::new(job.settings),
@@ -237,15 +240,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
-        self.plain = false;
-        self.execute_any(block, text);
-        self.plain = self.is_plain();
+        if !self.straight_block(block) {
+            // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
+            self.plain = false;
+            self.execute_any(block, text);
+            self.plain = self.is_plain();
+        }
     }
 
     #[inline]
     fn line_lane(&mut self) -> bool {
-        self.straight_block()
+        self.straight_line()
     }
 
     fn end_of_file(&mut self) {

@@ -10,7 +10,7 @@ use crate::ir::{Feed, Pos, Side};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::offsets::Outer;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
@@ -78,9 +78,9 @@ impl Run<'_> {
     }
 
     /// A block under G53, G153 or SUPA.
-    pub(super) fn machine_move(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
+    pub(super) fn machine_move(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
-        if !matches!(code, Code::G0 | Code::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
+        if !matches!(code, GCode::G0 | GCode::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
             return self.fail_help(
                 codes::S9011,
                 span,
@@ -91,12 +91,12 @@ impl Run<'_> {
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, span, "a block in machine coordinates under radius compensation");
         }
-        let feed = self.path_feed(w, code == Code::G0)?;
+        let feed = self.path_feed(w, code == GCode::G0)?;
         let mut end = Pos::UNKNOWN;
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
             let incremental = match given.mode {
-                Mode::Plain => self.st.is(Code::G91),
+                Mode::Plain => self.st.is(GCode::G91),
                 Mode::Ic | Mode::Dic | Mode::Ric => true,
                 _ => false,
             };
@@ -115,7 +115,7 @@ impl Run<'_> {
                 self.note_once(codes::S8044, given.span, message);
             }
             let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
-            if !self.job.settings.control.siemens.machine_moves_without_tool {
+            if !self.job.settings.control.sinumerik.machine_moves_without_tool {
                 value = self.machine_place(axis, value, given.span)?;
             }
             end.set(axis, value);

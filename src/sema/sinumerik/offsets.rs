@@ -7,7 +7,7 @@ use crate::ir::{Function, Side};
 use crate::sema::run::Where;
 
 use super::frames::FrameValue;
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::system::offset_word;
 use super::{Outcome, Run};
 
@@ -88,7 +88,7 @@ impl Run<'_> {
         let place = place.into();
         self.pending_must_be_done(place)?;
         let number = index - 1;
-        self.st.codes.activate(Code::new(Group::WorkOffset, index));
+        self.st.codes.activate(GCode::new(Group::WorkOffset, index));
         self.st.frames.select_offset(number);
         if self.st.side() != Side::None {
             return self.fail(codes::S2080, place, "the work offset changes while radius compensation is on");

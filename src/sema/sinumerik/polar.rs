@@ -9,7 +9,7 @@ use crate::ir::Pos;
 use crate::machine::AxisSet;
 use crate::text::Span;
 
-use super::g_groups::Code;
+use super::g_groups::GCode;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Outcome, Reported, Run};
@@ -52,13 +52,13 @@ impl Polar {
 
 impl Run<'_> {
     /// G110, G111 or G112: the pole, by coordinates or by angle and radius.
-    pub(super) fn pole_block(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+    pub(super) fn pole_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let result = self.set_pole(code, span, w);
         self.st.polar.lost = result.is_err();
         result
     }
 
-    fn set_pole(&mut self, code: Code, span: Span, w: &mut Words) -> Outcome {
+    fn set_pole(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let plane = self.st.plane();
         let [first, second, third] = self.st.roles();
         for axis in w.axes.iter() {
@@ -71,8 +71,8 @@ impl Run<'_> {
             }
         }
         let base = match code {
-            Code::G111 => Point2::origin(),
-            Code::G112 => {
+            GCode::G111 => Point2::origin(),
+            GCode::G112 => {
                 if self.st.polar.lost {
                     return Err(Reported);
                 }
@@ -172,7 +172,7 @@ impl Run<'_> {
             Some(ap) => {
                 self.check_angle(ap, 14210)?;
                 let incremental = match ap.mode {
-                    Mode::Plain => self.st.is(Code::G91),
+                    Mode::Plain => self.st.is(GCode::G91),
                     Mode::Ac => false,
                     Mode::Ic => true,
                     _ => return self.fail(codes::S2012.alarm(12020), ap.span, "only AC(…) and IC(…) fit AP="),

@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::machine::Axis;
 use crate::text::Span;
 
-use super::g_groups::Code;
+use super::g_groups::GCode;
 use super::words::{Given, Mode};
 use super::{Outcome, Reported, Run};
 
@@ -14,7 +14,7 @@ impl Run<'_> {
     /// The end point of a rotary axis in degrees. Those of a modulo axis count on from the last one, turn by turn.
     pub(super) fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         let incremental = match given.mode {
-            Mode::Plain => self.st.is(Code::G91),
+            Mode::Plain => self.st.is(GCode::G91),
             Mode::Ac => false,
             Mode::Ic => true,
             Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(axis, given),
@@ -54,10 +54,10 @@ impl Run<'_> {
             return Ok(given.value);
         };
         let shift = self.st.ctx.frame.shift_of(axis);
-        if reduced(shift) != 0.0 && !self.job.settings.control.siemens.modulo_shortest {
+        if reduced(shift) != 0.0 && !self.job.settings.control.sinumerik.modulo_shortest {
             return self.modulo_under_a_shift(axis, given.span);
         }
-        let shortest = self.job.settings.control.siemens.modulo_shortest;
+        let shortest = self.job.settings.control.sinumerik.modulo_shortest;
         Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
     }
 
@@ -83,7 +83,7 @@ impl Run<'_> {
 
     /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
     fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(Code::G0) || self.st.position.is_lost(axis) {
+        if given.mode != Mode::Dc || !self.st.is(GCode::G0) || self.st.position.is_lost(axis) {
             return self.unknown_axis(axis, given.span);
         }
         let letter = axis.letter();

@@ -8,8 +8,8 @@ use crate::ir::function::Spindle;
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
-use super::spindles::MAIN_SPINDLE;
+use super::g_groups::{GCode, Group};
+use super::spindle_state::MAIN_SPINDLE;
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words};
@@ -167,7 +167,7 @@ impl Run<'_> {
     }
 
     /// LIMS= counts under G97, and no more under G94 and G95.
-    fn feed_kind_limits_speed(&mut self, code: Code, span: Span) {
+    fn feed_kind_limits_speed(&mut self, code: GCode, span: Span) {
         let spindles = &self.st.spindles;
         let (Some(before), Some(speed), false) = (spindles.turns(), spindles.speed(), spindles.is_cutting()) else {
             return;

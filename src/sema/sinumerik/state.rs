@@ -12,18 +12,19 @@ use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
 use super::Run;
+use super::angle_lines::Pair;
 use super::calls::ModalCall;
-use super::contour::{Corners, Pair};
+use super::corners::Corners;
 use super::editor_contour::Stored;
 use super::feed::FeedState;
 use super::frames::{FrameValue, Frames, SavedFrames};
-use super::g_groups::{ActiveCodes, Code, Group};
+use super::g_groups::{ActiveCodes, GCode, Group};
 use super::offsets::OffsetUse;
 use super::polar::Polar;
-use super::spindles::Spindles;
+use super::spindle_state::Spindles;
 use super::tangent::Heading;
 use super::threads::Threads;
-use super::tools::{CompensationState, ToolInUse};
+use super::tool::{CompensationState, ToolInUse};
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,7 +91,7 @@ impl State {
             codes,
             channel: Channel { geometry_axes: machine.geometry_axes, lathe, basic_unit },
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
-            position: Position::new(Start::new(settings, codes.is(Code::DIAMON))),
+            position: Position::new(Start::new(settings, codes.is(GCode::DIAMON))),
             modulo: machine.modulo,
             heading: Heading::None,
             polar: Polar::default(),
@@ -121,7 +122,7 @@ impl State {
         self.spindles.close_cut_speed();
     }
 
-    pub fn is(&self, code: Code) -> bool {
+    pub fn is(&self, code: GCode) -> bool {
         self.codes.is(code)
     }
 
@@ -149,23 +150,23 @@ impl State {
     pub fn counts_as(&self, feed: Feed) -> bool {
         match feed {
             Feed::PerRevolution(_) => self.per_revolution(),
-            Feed::InverseTime(_) => self.is(Code::G93),
-            Feed::PerMinute(_) => !self.per_revolution() && !self.is(Code::G93),
+            Feed::InverseTime(_) => self.is(GCode::G93),
+            Feed::PerMinute(_) => !self.per_revolution() && !self.is(GCode::G93),
         }
     }
 
     pub fn side(&self) -> Side {
         match self.codes.of(Group::Compensation) {
-            Code::G41 => Side::Left,
-            Code::G42 => Side::Right,
+            GCode::G41 => Side::Left,
+            GCode::G42 => Side::Right,
             _ => Side::None,
         }
     }
 
     pub fn diameter_mode(&self) -> Diameter {
         self.diameter.unwrap_or(match self.codes.of(Group::Diameter) {
-            Code::DIAMON => Diameter::On,
-            Code::DIAM90 => Diameter::Absolute,
+            GCode::DIAMON => Diameter::On,
+            GCode::DIAM90 => Diameter::Absolute,
             _ => Diameter::Off,
         })
     }
@@ -183,10 +184,10 @@ impl State {
     }
 
     /// The context with the plane of group 6.
-    pub(super) fn set_plane(&mut self, code: Code) {
+    pub(super) fn set_plane(&mut self, code: GCode) {
         let (i, j) = match code {
-            Code::G18 => (2, 0),
-            Code::G19 => (1, 2),
+            GCode::G18 => (2, 0),
+            GCode::G19 => (1, 2),
             _ => (0, 1),
         };
         let axes = self.channel.geometry_axes;
@@ -223,7 +224,7 @@ impl Run<'_> {
 
     /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
     fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
-        let chosen = self.job.settings.control.siemens.save_restores_offset;
+        let chosen = self.job.settings.control.sinumerik.save_restores_offset;
         if chosen == Some(true) {
             self.st.frames.set_settable(frame);
         } else if chosen.is_none() {

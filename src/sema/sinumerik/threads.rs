@@ -9,7 +9,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
@@ -231,7 +231,7 @@ impl Run<'_> {
     }
 
     /// G331 and G332: along one axis, the spindle turning with it.
-    pub(super) fn tap_block(&mut self, w: &mut Words, code: Code, span: Span) -> Outcome {
+    pub(super) fn tap_block(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.master_is_main(span, "rigid tapping")?;
         self.tapping_speed(span)?;
         let end = self.targets(w)?;
@@ -246,7 +246,7 @@ impl Run<'_> {
         self.taps_along(axis, &end, w, span)?;
         let forward = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
         let back = if lead > 0.0 { Turn::CounterClockwise } else { Turn::Clockwise };
-        let turn = if code == Code::G331 { forward } else { back };
+        let turn = if code == GCode::G331 { forward } else { back };
         if !self.is_capturing() {
             self.turn_with_the_tap(turn, code, span);
         }
@@ -254,7 +254,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn turn_with_the_tap(&mut self, turn: Turn, code: Code, span: Span) {
+    fn turn_with_the_tap(&mut self, turn: Turn, code: GCode, span: Span) {
         let word = code.word();
         self.note_once(codes::S8025, span, format!("{word}: the tap needs a compensating chuck on the target"));
         if let Some(before) = self.st.spindles.turn() {
@@ -395,7 +395,7 @@ struct Lead {
 
 /// A word that does not belong between two threads, and the alarm for it.
 fn breaks_chain(w: &Words) -> Option<(Span, u32)> {
-    let dwell = w.code_of(Group::Nonmodal).filter(|(code, _)| *code == Code::G4).map(|(_, span)| span);
+    let dwell = w.code_of(Group::Nonmodal).filter(|(code, _)| *code == GCode::G4).map(|(_, span)| span);
     let stop = w.get(Address::Spos).or(w.get(Address::Sposa)).map(|given| given.span);
     if let Some(span) = dwell.or(stop).or(standstill_behind(w)) {
         return Some((span, STANDSTILL));

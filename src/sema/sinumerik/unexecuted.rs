@@ -6,7 +6,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diag::{Code as Found, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, codes};
 use crate::parser::sinumerik::ast::{
     Block, CallForm, Formula, Jump, JumpTarget, Op, Search, Stmt, Target, Value, Word,
 };
@@ -18,7 +18,7 @@ use crate::text::{FileError, Loc, Request, Span};
 
 use super::calls::EXTENSIONS;
 use super::cycles::is_built;
-use super::g_groups::{Code, GCodes};
+use super::g_groups::{GCode, GCodes};
 use super::macros::Sinumerik;
 use super::programs::{Skeleton, Units, bare_name, without_extension};
 use super::vocabulary::{self, Meaning, Procedure};
@@ -252,7 +252,7 @@ impl<'a> Unexecuted<'a> {
     }
 
     /// The G code that a word is.
-    fn code_of(&self, word: &Word) -> Option<Result<Code, f64>> {
+    fn code_of(&self, word: &Word) -> Option<Result<GCode, f64>> {
         match (word.target, word.value) {
             (Target::Letter(b'G'), Value::Literal { value, .. }) => Some(self.gcodes.get(value).ok_or(value)),
             (Target::Name(name), Value::None) => match self.vocabulary.get(self.symbols.name(name)) {
@@ -265,7 +265,7 @@ impl<'a> Unexecuted<'a> {
 
     /// G codes that do not exist or exclude each other.
     fn codes(&self, block: &Block, here: &Site) -> Option<Diagnostic> {
-        let mut seen: Vec<(Code, Span)> = Vec::new();
+        let mut seen: Vec<(GCode, Span)> = Vec::new();
         for word in &block.words {
             let code = match self.code_of(word) {
                 None => continue,
@@ -278,7 +278,7 @@ impl<'a> Unexecuted<'a> {
                     );
                 }
             };
-            let shapes = |code: Code| code.group.shapes_block();
+            let shapes = |code: GCode| code.group.shapes_block();
             let other = seen
                 .iter()
                 .find(|(known, _)| *known != code && (known.group == code.group || shapes(*known) && shapes(code)));
@@ -356,7 +356,7 @@ fn repeated_words(check: &Unexecuted<'_>, block: &Block, here: &Site) -> Option<
     None
 }
 
-fn refused(job: &Job<'_>, here: &Site, span: Span, code: &'static Found) -> Diagnostic {
+fn refused(job: &Job<'_>, here: &Site, span: Span, code: &'static Code) -> Diagnostic {
     let message = format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
     Diagnostic::new(codes::S8040, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
 }

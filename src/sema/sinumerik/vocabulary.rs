@@ -7,7 +7,7 @@ use crate::diag::{self, codes};
 use rustc_hash::FxHashMap;
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{Code, named_codes};
+use super::g_groups::{GCode, named_codes};
 use super::known_words::{KNOWN, Known};
 
 /// Addresses of more than one letter and those of one letter that are no axes. The value is a bit number.
@@ -66,7 +66,7 @@ pub(super) const ADDRESSES: usize = Address::Dynamics as usize + 1;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Meaning {
     Axis(NamedAxis),
-    Code(Code),
+    Code(GCode),
     Address(Address),
     /// `X1`, `Z1`: machine axes, in G74 and G75 only.
     Procedure(Procedure),
@@ -329,6 +329,6 @@ mod tests {
 
     #[test]
     fn codes_are_words() {
-        assert_eq!(words().get("DIAMON"), Some(&Meaning::Code(Code::DIAMON)));
+        assert_eq!(words().get("DIAMON"), Some(&Meaning::Code(GCode::DIAMON)));
     }
 }

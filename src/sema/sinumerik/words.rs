@@ -10,7 +10,7 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::value::Val;
 use super::vocabulary::{ADDRESSES, Address, Indexed, Meaning};
 use super::{Outcome, Run};
@@ -135,7 +135,7 @@ pub(super) struct Words {
     axis_words: [Given; AXES],
     given: u64,
     addresses: Vec<Given>,
-    pub codes: Vec<(Code, Span)>,
+    pub codes: Vec<(GCode, Span)>,
     pub m: Vec<MWord>,
     pub s: Vec<SWord>,
     pub h: Option<Span>,
@@ -234,7 +234,7 @@ impl Words {
 
     /// Code of a group, if the block has one.
     #[inline]
-    pub fn code_of(&self, group: Group) -> Option<(Code, Span)> {
+    pub fn code_of(&self, group: Group) -> Option<(GCode, Span)> {
         self.codes.iter().copied().find(|(code, _)| code.group == group)
     }
 
@@ -426,7 +426,7 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn code_word(&mut self, words: &mut Words, code: Code, span: Span) -> Outcome {
+    pub(super) fn code_word(&mut self, words: &mut Words, code: GCode, span: Span) -> Outcome {
         if let Some((first, other)) = words.codes.iter().copied().find(|(known, _)| known.group == code.group) {
             if first == code {
                 return Ok(());

@@ -6,9 +6,9 @@ use crate::diag::codes;
 use crate::parser::turning::ast::Block;
 use crate::text::{Loc, Span};
 
-use super::contour::{Builder, Outline};
 use super::cycle_table::{Behind, Cycle};
 use super::geometry::note_adjusted;
+use super::outline::{Builder, Outline};
 use super::sections::Family;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};

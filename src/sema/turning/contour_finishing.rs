@@ -9,7 +9,7 @@ use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 use crate::ir::cycle::roughing::Nose;
 
-use super::contour::Outline;
+use super::outline::Outline;
 use super::readings::Question;
 use super::state::Oversize;
 use super::words::{Fun, Words};

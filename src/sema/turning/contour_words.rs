@@ -6,8 +6,8 @@ use crate::diag::codes;
 use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};
 
 use super::chain::{AGREES, Coord, Data};
-use super::contour::{Builder, Flaw, Mark, Outline};
-use super::coordinates::{Transition, transition_of};
+use super::element_data::{Transition, transition_of};
+use super::outline::{Builder, Flaw, Mark, Outline};
 use super::readings::Question;
 use super::words::Words;
 use super::{Outcome, Reported, Run};

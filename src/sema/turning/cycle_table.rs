@@ -7,7 +7,7 @@ use crate::sema::cycle_table::{
     Kind, Name, Parameter, Rule, Signature, Status, angle, count, dwell, feed, length, number, words,
 };
 
-use super::contour::Outline;
+use super::outline::Outline;
 use super::sections::Family;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Outcome, Run};

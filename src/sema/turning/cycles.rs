@@ -4,8 +4,8 @@ use crate::diag::codes;
 use crate::ir::cycle::Cycle;
 use crate::machine::AxisSet;
 
-use super::contour::{Edge, MOST_EDGES, Outline, Section};
 use super::geometry::Described;
+use super::outline::{Edge, MOST_EDGES, Outline, Section};
 use super::words::{Num, Words};
 use super::{Outcome, Reported, Run};
 

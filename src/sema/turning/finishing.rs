@@ -10,8 +10,8 @@ use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
 use crate::machine::Tool;
 
-use super::contour::Outline;
 use super::geometry::Blank;
+use super::outline::Outline;
 use super::state::Oversize;
 use super::words::Words;
 use super::{Outcome, Run};

@@ -7,7 +7,7 @@ use crate::parser::turning::ast::{Block, Formula, Stmt};
 use crate::text::Loc;
 use crate::text::blocks::Place;
 
-use super::sections::Part;
+use super::sections::ProgramPart;
 use super::{Outcome, Parsed, Reported, Run};
 use crate::sema::run::Read;
 
@@ -35,7 +35,7 @@ impl Run<'_> {
     /// An assignment or a block of a control structure.
     pub(super) fn flow_block(&mut self, block: &Block) -> Outcome {
         self.settle_chain()?;
-        if !matches!(self.sections.part, Part::Start | Part::Machining) || self.capture.is_some() {
+        if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Machining) || self.capture.is_some() {
             return self.fail(
                 codes::T1008,
                 block.span,

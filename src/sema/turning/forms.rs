@@ -5,7 +5,7 @@
 use crate::geo::{Element, Point2, SAME_DIRECTION, Vec2, direction, left};
 
 use super::chain::Solved;
-use super::coordinates::Transition;
+use super::element_data::Transition;
 
 /// How far the reference element may be from an axis-parallel line, in mm.
 const PARALLEL: f64 = 1e-6;

@@ -12,9 +12,9 @@ use crate::parser::turning::ast::Block;
 use crate::text::decode::readable;
 
 use super::chain::Coord;
-use super::contour::{Builder, Flaw, Mark, Outline};
-use super::coordinates::{Follows, Transition};
+use super::element_data::{Follows, Transition};
 use super::geometry_forms::{ALL_CODES, CODES_OF_G22};
+use super::outline::{Builder, Flaw, Mark, Outline};
 use super::readings::Question;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Job, Outcome, Reported, Run};

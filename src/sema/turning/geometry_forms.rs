@@ -10,9 +10,9 @@ use crate::standard::{din13, din76, din509};
 use crate::text::Span;
 
 use super::chain::Coord;
-use super::contour::{Builder, Mark, ThreadData};
-use super::coordinates::{Transition, transition_of};
+use super::element_data::{Transition, transition_of};
 use super::forms::{Along, Recess};
+use super::outline::{Builder, Mark, ThreadData};
 use super::readings::Question;
 use super::undercuts::{self, Thread, Undercut};
 use super::words::{Words, letters};
@@ -37,7 +37,7 @@ fn code_of_undercut(form: f64) -> u32 {
 
 impl Run<'_> {
     /// The last element, complete; forms belong to it.
-    fn reference<'b>(&self, builder: &'b mut Builder, what: &str) -> Outcome<&'b mut super::contour::Piece> {
+    fn reference<'b>(&self, builder: &'b mut Builder, what: &str) -> Outcome<&'b mut super::outline::BuiltElement> {
         let settled = builder.settle();
         self.checked(settled)?;
         match builder.pieces.last_mut() {

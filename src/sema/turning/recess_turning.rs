@@ -11,8 +11,8 @@ use crate::ir::cycle::turning::Towards;
 use crate::machine::RecessDepth;
 use crate::machine::tools::Corner;
 
-use super::contour::Outline;
 use super::geometry::Blank;
+use super::outline::Outline;
 use super::readings::Question;
 use super::sides::tool_is_left;
 use super::words::Words;

@@ -12,8 +12,8 @@ use crate::ir::cycle::{Cycle, Roughing};
 use crate::machine::{Axis, RecessDepth};
 
 use super::chain::Coord;
-use super::contour::Outline;
 use super::geometry::Blank;
+use super::outline::Outline;
 use super::readings::Question;
 use super::sides::tool_is_left;
 use super::state::Oversize;

@@ -7,7 +7,7 @@ use crate::parser::turning::ast::{Block, Section, Stmt, Value};
 use crate::parser::turning::parse_block;
 use crate::text::{Loc, Next, Span, decode::readable};
 
-use super::subprograms::LevelKind;
+use super::calls::LevelKind;
 use super::words::{Words, letters};
 use super::{Outcome, Reported, Run};
 
@@ -22,7 +22,7 @@ pub(super) enum Family {
 
 /// What the blocks are read as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum ProgramPart {
     /// No section yet: blocks are executed.
     Start,
     Head,
@@ -41,7 +41,7 @@ pub(super) enum Part {
 pub(super) struct Sections {
     configured: Option<Family>,
     family: Option<Family>,
-    pub part: Part,
+    pub part: ProgramPart,
     /// Position, edge and name of the tools of the turret.
     tools: Vec<(u32, u8, String)>,
     unit_said: bool,
@@ -62,7 +62,7 @@ impl Sections {
         Sections {
             configured,
             family: configured,
-            part: Part::Start,
+            part: ProgramPart::Start,
             tools: Vec::new(),
             unit_said: false,
             unit_open: false,
@@ -87,7 +87,7 @@ impl Sections {
 
     #[inline]
     pub fn is_unread(&self) -> bool {
-        self.part == Part::Unread
+        self.part == ProgramPart::Unread
     }
 
     pub fn tool_name(&self, number: u32, edge: u8) -> Option<String> {
@@ -142,7 +142,7 @@ impl Run<'_> {
     /// `#UNIT METRIC`
     pub(super) fn head_line(&mut self, key: &[u8], value: &[u8], span: Span) -> Outcome {
         self.enter_din_plus()?;
-        if !matches!(self.sections.part, Part::Start | Part::Head) {
+        if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Head) {
             return self.fail(codes::T1008, self.block_span(), "header lines stand in the section HEADER");
         }
         let key = key.to_ascii_uppercase();
@@ -208,9 +208,9 @@ impl Run<'_> {
         self.level().frame.begun = true;
         self.finish_contour();
         self.sections.part = match section {
-            Section::Head => Part::Head,
-            Section::Turret => Part::Turret,
-            Section::Clamping | Section::AuxiliaryBlank | Section::Milling => Part::Unread,
+            Section::Head => ProgramPart::Head,
+            Section::Turret => ProgramPart::Turret,
+            Section::Clamping | Section::AuxiliaryBlank | Section::Milling => ProgramPart::Unread,
             Section::Contours => self.contours(rest, text)?,
             Section::Blank | Section::Finished | Section::AuxiliaryContour => {
                 self.geometry.in_blank = section == Section::Blank;
@@ -225,17 +225,17 @@ impl Run<'_> {
                     );
                 }
                 self.begin_contour(name.map(|name| readable(name).into_owned()));
-                Part::Contour
+                ProgramPart::Contour
             }
-            Section::Machining => Part::Machining,
+            Section::Machining => ProgramPart::Machining,
             Section::Assignment => {
                 self.assignment(rest, text)?;
-                Part::Machining
+                ProgramPart::Machining
             }
-            Section::Names => Part::Names,
+            Section::Names => ProgramPart::Names,
             Section::Subprogram => {
                 self.sections.passing = true;
-                Part::Unread
+                ProgramPart::Unread
             }
             Section::Return | Section::End => self.sections.part,
         };
@@ -243,7 +243,7 @@ impl Run<'_> {
     }
 
     /// `CONTOUR Q1 X0 Z0`: one part at the workpiece zero is what every program means.
-    fn contours(&mut self, rest: Span, text: &[u8]) -> Outcome<Part> {
+    fn contours(&mut self, rest: Span, text: &[u8]) -> Outcome<ProgramPart> {
         let mut block = Block::default();
         parse_block(rest.of(text), &mut block, &mut self.problems);
         let plain = block.words.iter().all(|word| match (word.address.addr.letter(), word.value) {
@@ -260,7 +260,7 @@ impl Run<'_> {
                 "compile a program with one part at the workpiece zero",
             );
         }
-        Ok(Part::Between)
+        Ok(ProgramPart::Between)
     }
 
     fn assignment(&mut self, rest: Span, text: &[u8]) -> Outcome {
@@ -324,7 +324,7 @@ impl Run<'_> {
     fn return_section(&mut self) -> Outcome {
         if self.sections.passing {
             self.sections.passing = false;
-            self.sections.part = Part::Between;
+            self.sections.part = ProgramPart::Between;
             return Ok(());
         }
         match self.level().frame.kind {

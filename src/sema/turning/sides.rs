@@ -9,8 +9,8 @@ use crate::ir::cycle::turning::Towards;
 use crate::text::Loc;
 
 use super::chain::Solved;
-use super::contour::{Flaw, Outline, Section};
 use super::forms;
+use super::outline::{Flaw, Outline, Section};
 use super::{Outcome, Reported, Run};
 
 /// What the side of a form is told by.

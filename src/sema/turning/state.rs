@@ -12,7 +12,7 @@ use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::chain::Solved;
-use super::modal::SpindleState;
+use super::technology::SpindleState;
 
 /// What S means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

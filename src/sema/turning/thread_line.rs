@@ -9,7 +9,7 @@ use crate::ir::cycle::turning::Towards;
 use crate::machine::Axis;
 
 use super::chain::{AGREES, Coord};
-use super::contour::Outline;
+use super::outline::Outline;
 use super::readings::Question;
 use super::words::Words;
 use super::{Outcome, Run};

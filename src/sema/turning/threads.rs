@@ -9,7 +9,7 @@ use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Thread};
 use crate::text::Span;
 
-use super::contour::{Outline, ThreadData};
+use super::outline::{Outline, ThreadData};
 use super::readings::Question;
 use super::sections::Family;
 use super::thread_line::ThreadLine;

@@ -10,7 +10,7 @@ use crate::machine::undercut::ThreadLength;
 use crate::standard::{SAME, din76};
 
 use super::chain::Solved;
-use super::coordinates::Transition;
+use super::element_data::Transition;
 
 /// An undercut with all its sizes, or why they are missing. Which of the two is cut follows from the corner.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -30,7 +30,7 @@ fn words(drilling: &Drilling) -> Vec<String> {
     let mut list = Vec::new();
     expand(drilling, &start, XYZ, &mut |part| {
         list.push(match part {
-            Part::Move(mv) => {
+            CycleItem::Move(mv) => {
                 let end = mv.end;
                 let axes: Vec<_> = end.iter().map(|(axis, v)| format!("{}{}", axis.letter(), number(v))).collect();
                 let word = match mv.path {
@@ -41,7 +41,7 @@ fn words(drilling: &Drilling) -> Vec<String> {
                 };
                 format!("{word} {}", axes.join(" "))
             }
-            Part::Function(function) => match function {
+            CycleItem::Function(function) => match function {
                 Function::Dwell(s) => format!("G4 {}", number(s)),
                 Function::Spindle(Spindle::Start(Turn::Clockwise)) => "M3".to_owned(),
                 Function::Spindle(Spindle::Start(Turn::CounterClockwise)) => "M4".to_owned(),

@@ -20,7 +20,7 @@ use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::{NoValley, Slot, Valley, seen};
-use super::{Expand, Part, Start};
+use super::{CycleItem, Expand, Start};
 
 /// Most levels of one groove.
 const MOST_LEVELS: u64 = 100_000;
@@ -29,7 +29,7 @@ const MOST_LEVELS: u64 = 100_000;
 const OFFSET_SHARE: f64 = 0.8;
 
 impl Expand for RecessTurning {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }

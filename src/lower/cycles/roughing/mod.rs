@@ -22,13 +22,13 @@ use super::infeed;
 use super::slope::{NoSlope, Slope};
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::seen;
-use super::{Expand, Part, Start};
+use super::{CycleItem, Expand, Start};
 
 /// Most cuts of one cycle.
 const MOST_CUTS: u64 = 100_000;
 
 impl Expand for Roughing {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(Part)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }

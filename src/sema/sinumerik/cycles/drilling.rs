@@ -420,7 +420,7 @@ impl Run<'_> {
 
     /// The units of `_GMODE` say whether the tool lifts off: 0 does; what 1 and 2 do says the configuration.
     fn lifts_off(&self, args: &Arguments) -> Outcome<bool> {
-        match (args.digit(GMODE, 0), self.job.settings.control.siemens.cycle86_lift) {
+        match (args.digit(GMODE, 0), self.job.settings.control.sinumerik.cycle86_lift) {
             (0, _) => Ok(true),
             (_, Some(lift)) => Ok(lift),
             (digit, None) => {

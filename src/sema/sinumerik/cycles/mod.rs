@@ -4,7 +4,7 @@
 
 mod alarms;
 mod arguments;
-mod contours;
+mod called_contours;
 mod drilling;
 mod modes;
 mod pattern;
@@ -33,7 +33,7 @@ use super::{Outcome, Reported, Run};
 use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
-pub(super) use contours::Contours;
+pub(super) use called_contours::Contours;
 pub use table::signatures;
 pub(super) use table::{find, rows};
 
@@ -267,7 +267,7 @@ impl Run<'_> {
     }
 
     fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
-        if !self.st.is(super::g_groups::Code::G93) {
+        if !self.st.is(super::g_groups::GCode::G93) {
             return Ok(());
         }
         self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")

@@ -293,7 +293,7 @@ impl Run<'_> {
 
     /// One flank: which pass stands at the programmed start is not documented. Alternating ones close in on the last pass.
     fn flank_reference(&self, args: &Arguments, key: Key, angle: f64) -> Flank {
-        let chosen = self.job.settings.control.siemens.thread_flank;
+        let chosen = self.job.settings.control.sinumerik.thread_flank;
         if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
             let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
             let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(key)), message);

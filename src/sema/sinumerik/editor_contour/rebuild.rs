@@ -8,7 +8,7 @@ use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
 use crate::sema::run::Where;
 
-use super::super::g_groups::Code;
+use super::super::g_groups::GCode;
 use super::super::state::Diameter;
 use super::super::words::Words;
 use super::super::{Outcome, Run};
@@ -123,7 +123,7 @@ impl Run<'_> {
         let here = self.here.origin;
         self.tell_of_records(made, stored);
         self.stand_at(stored, made.start_record);
-        self.st.codes.activate(Code::G0);
+        self.st.codes.activate(GCode::G0);
         self.tapping_ends();
         self.st.threads.end_chain();
         self.st.compensation.begins_no_more();
@@ -149,9 +149,9 @@ impl Run<'_> {
         let (code, path) = match block.arc {
             Some((center, ccw)) => {
                 let shape = ArcShape::Center { center, ccw, tol: 2.0 * TOLERANCE * unit };
-                (if ccw { Code::G3 } else { Code::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }, feed))
+                (if ccw { GCode::G3 } else { GCode::G2 }, Path::Arc(Arc { plane, shape, turns: 0 }, feed))
             }
-            None => (Code::G1, Path::Line(feed)),
+            None => (GCode::G1, Path::Line(feed)),
         };
         self.st.codes.activate(code);
         self.st.corners.open.close();

@@ -3,7 +3,7 @@
 use crate::sema::cycle_table::{Parameter, Rule, Signature, Status, angle, count, dwell, feed, length, number, words};
 
 use super::super::arguments::{MID, VARI};
-use super::super::contours::{groove_width, last_digits};
+use super::super::called_contours::{groove_width, last_digits};
 use super::{Cycle, Source, Unpublished, Variant, Work};
 
 /// The tracks of these cycles are made inside the control.

@@ -7,7 +7,7 @@ use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
 use crate::parser::symbols::Symbol;
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::value::{Val, whole};
 use super::vocabulary::{Address, Indexed, Meaning, Procedure, Refusal};
 use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
@@ -221,7 +221,7 @@ impl Run<'_> {
                 let size = known.size();
                 let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
                 match index {
-                    Some(index) => self.code_word(words, Code::new(known, index), word.span),
+                    Some(index) => self.code_word(words, GCode::new(known, index), word.span),
                     None => {
                         let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
                         self.fail(codes::S2011.alarm(12475), word.span, message)

@@ -3,18 +3,15 @@
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Target};
-use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{Code, Group};
-use super::state::Diameter;
+use super::g_groups::{GCode, Group};
 use super::vocabulary::{Address, Meaning};
-use super::words::{Given, Mode, Words};
+use super::words::Words;
 use super::{Outcome, Reported, Run};
 
 /// Addresses that shape an arc.
@@ -98,14 +95,14 @@ impl Run<'_> {
             self.check_codes(w)?;
             if let Some((code, span)) = w.code_of(Group::Nonmodal) {
                 self.modal_codes(w)?;
-                return self.special_block(code, span, w);
+                return self.nonmodal_block(code, span, w);
             }
             if let Some((code, span)) = w.code_of(Group::Frame) {
                 self.modal_codes(w)?;
                 return self.frame_block(code, span, w);
             }
             self.modal_codes(w)?;
-            if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != Code::FIFOCTRL) {
+            if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
                 return self.buffer_code(code, span, w);
             }
         }
@@ -170,9 +167,9 @@ impl Run<'_> {
     fn motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         let interpolation = self.st.codes.of(Group::Motion);
         self.modal_contour_words(w)?;
-        let suppressed = w.code_of(Group::Suppression).filter(|(code, _)| *code != Code::SUPD);
+        let suppressed = w.code_of(Group::Suppression).filter(|(code, _)| *code != GCode::SUPD);
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
-        let round = matches!(interpolation, Code::G2 | Code::G3);
+        let round = matches!(interpolation, GCode::G2 | GCode::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
         let moves = !w.axes.is_empty() || polar || arc || w.get(Address::Ang).is_some();
         if !w.beside.positioning.is_empty() {
@@ -180,13 +177,13 @@ impl Run<'_> {
             self.positioning(w)?;
         }
         if let Some(angle) = w.get(Address::Ang)
-            && !matches!(interpolation, Code::G0 | Code::G1)
+            && !matches!(interpolation, GCode::G0 | GCode::G1)
         {
             let help = "program G1 or G0 in front of it";
             self.st.pair.drop_first();
             return self.fail_help(codes::S2070.alarm(10792), angle.span, "ANG= is for straight lines only", help);
         }
-        if !moves && matches!(interpolation, Code::G33 | Code::G331 | Code::G332) {
+        if !moves && matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332) {
             let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
             if let Some(lead) = lead {
                 let help = "program the end point of the thread with it";
@@ -202,7 +199,7 @@ impl Run<'_> {
             }
             return Ok(false);
         }
-        if interpolation != Code::G33 {
+        if interpolation != GCode::G33 {
             self.st.threads.end_chain();
         }
         if let Some((_, span)) = suppressed {
@@ -217,20 +214,20 @@ impl Run<'_> {
         };
         self.check_offsets(w)?;
         self.check_start_of_compensation(interpolation, in_plane, block.span)?;
-        if interpolation == Code::G33 {
+        if interpolation == GCode::G33 {
             self.no_corner_at_thread(w, block.span)?;
         }
         let corner = self.corner_words(w)?;
-        if !matches!(interpolation, Code::G0 | Code::G1) {
+        if !matches!(interpolation, GCode::G0 | GCode::G1) {
             self.only_lines_in_a_pair(block.span)?;
         }
         match interpolation {
-            Code::G0 | Code::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
-            Code::G2 | Code::G3 => self.circle_block(w, interpolation == Code::G3, polar)?,
-            Code::CIP => self.via_block(w)?,
-            Code::CT => self.tangent_block(w)?,
-            Code::G33 => self.thread_block(w, block.span)?,
-            Code::G331 | Code::G332 => {
+            GCode::G0 | GCode::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
+            GCode::G2 | GCode::G3 => self.circle_block(w, interpolation == GCode::G3, polar)?,
+            GCode::CIP => self.via_block(w)?,
+            GCode::CT => self.tangent_block(w)?,
+            GCode::G33 => self.thread_block(w, block.span)?,
+            GCode::G331 | GCode::G332 => {
                 self.tap_block(w, interpolation, block.span)?;
                 return Ok(true);
             }
@@ -263,14 +260,14 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn check_interpolation(&self, code: Code, span: Span) -> Outcome {
+    pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {
         let what = match code {
-            Code::G0 | Code::G1 | Code::G2 | Code::G3 | Code::CIP | Code::CT => return Ok(()),
-            Code::G33 | Code::G331 | Code::G332 => return Ok(()),
-            Code::G34 | Code::G35 => "a thread of changing lead",
-            Code::ASPLINE | Code::BSPLINE | Code::CSPLINE | Code::POLY => "a spline or polynomial",
-            Code::INVCW | Code::INVCCW => "an involute",
-            Code::G335 | Code::G336 => "a thread on an arc",
+            GCode::G0 | GCode::G1 | GCode::G2 | GCode::G3 | GCode::CIP | GCode::CT => return Ok(()),
+            GCode::G33 | GCode::G331 | GCode::G332 => return Ok(()),
+            GCode::G34 | GCode::G35 => "a thread of changing lead",
+            GCode::ASPLINE | GCode::BSPLINE | GCode::CSPLINE | GCode::POLY => "a spline or polynomial",
+            GCode::INVCW | GCode::INVCCW => "an involute",
+            GCode::G335 | GCode::G336 => "a thread on an arc",
             _ => "an interpolation of the machine builder",
         };
         let message = format!("{} is {what}, which plain G-code cannot say", code.word());
@@ -280,143 +277,16 @@ impl Run<'_> {
     fn line_block(
         &mut self,
         w: &mut Words,
-        code: Code,
+        code: GCode,
         polar: bool,
         corner: Option<&crate::ir::contour::Corner>,
     ) -> Outcome {
-        let path = Path::straight(self.path_feed(w, code == Code::G0)?);
+        let path = Path::straight(self.path_feed(w, code == GCode::G0)?);
         if w.get(Address::Ang).is_some() || self.st.pair.is_open() {
             return self.angle_block(w, path, corner);
         }
         let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
         self.send(&end, path);
         Ok(())
-    }
-
-    /// The programmed end points of all axes of the block.
-    #[inline]
-    pub(super) fn targets(&mut self, w: &Words) -> Outcome<Pos> {
-        let mut end = Pos::UNKNOWN;
-        for axis in w.axes.iter() {
-            if let Some(given) = w.axis(axis) {
-                let value = self.target(axis, given)?;
-                end.set(axis, value);
-            }
-        }
-        Ok(end)
-    }
-
-    /// The end point of one axis in mm (radius) or degrees.
-    #[inline]
-    pub(super) fn target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if axis.is_rotary() {
-            return self.rotary_target(axis, given);
-        }
-        let incremental = match given.mode {
-            Mode::Plain => self.st.is(Code::G91),
-            Mode::Ac | Mode::Dac | Mode::Rac => false,
-            Mode::Ic | Mode::Dic | Mode::Ric => true,
-            Mode::Dc | Mode::Acp | Mode::Acn => {
-                let message = format!("{} is no rotary axis", axis.letter());
-                let alarm = match given.mode {
-                    Mode::Dc => 16800,
-                    Mode::Acp => 16810,
-                    _ => 16820,
-                };
-                return self.fail_help(
-                    codes::S2061.alarm(alarm),
-                    given.span,
-                    message,
-                    "DC, ACP and ACN are for rotary axes",
-                );
-            }
-            Mode::Quick => return self.does_not_fit(given.span),
-        };
-        let value = self.length(axis, given, incremental)?;
-        if incremental { Ok(self.increment_base(axis, given.span)? + value) } else { Ok(value) }
-    }
-
-    /// A length along an axis as a radius in mm.
-    #[inline]
-    pub(super) fn length(&self, axis: Axis, given: Given, incremental: bool) -> Outcome<f64> {
-        let value = given.value * self.st.length_unit();
-        let diameter = match given.mode {
-            Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric => {
-                if !self.is_diameter_axis(axis) {
-                    return self.no_diameter_axis(given.span);
-                }
-                matches!(given.mode, Mode::Dac | Mode::Dic)
-            }
-            _ if !self.is_diameter_axis(axis) => false,
-            _ => match self.st.diameter_mode() {
-                Diameter::Off => false,
-                Diameter::On => true,
-                Diameter::Absolute => !incremental,
-            },
-        };
-        Ok(if diameter { value / 2.0 } else { value })
-    }
-
-    #[inline]
-    pub(super) fn is_diameter_axis(&self, axis: Axis) -> bool {
-        self.job.settings.machine.diameter_axis == Some(axis)
-    }
-
-    pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
-        if let Some(axis) = self.job.settings.machine.diameter_axis {
-            let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
-            let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
-            return self.fail_help(codes::S2060.alarm(16510), span, message, help);
-        }
-        self.fail_help(
-            codes::S2060.alarm(16510),
-            span,
-            "no diameter axis is configured (MD 20100)",
-            "set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe",
-        )
-    }
-
-    /// What an increment counts from: the value last programmed, or where the axis stands (SD 42440).
-    pub(super) fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        let Some(at) = self.st.position.get(axis) else { return self.unknown_axis(axis, span) };
-        let programmed = self.st.position.programmed(axis).unwrap_or(at);
-        if (programmed - at).abs() <= 1e-9 {
-            return Ok(at);
-        }
-        let with_offset = match self.vars.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
-            Some(set) => set,
-            None => self.job.settings.control.siemens.frame_offset_incremental.unwrap_or(true),
-        };
-        let chosen = if with_offset { programmed } else { at };
-        if self.job.settings.control.siemens.frame_offset_incremental.is_some() {
-            return Ok(chosen);
-        }
-        let found = Diagnostic::new(
-            codes::S8007,
-            self.loc(span),
-            format!("the increment of {} follows a change of the frame", axis.letter()),
-        );
-        let how = if with_offset {
-            "the frame is travelled, too (SD 42440 = 1)"
-        } else {
-            "only the increment is travelled (SD 42440 = 0)"
-        };
-        self.report(found.here(how).help("set `[control] sd42440`, or program the position absolutely"));
-        Ok(chosen)
-    }
-
-    pub(super) fn unknown_axis<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
-        if self.st.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        self.fail_help(
-            codes::S2042,
-            place,
-            format!("where {} stands is not known", axis.letter()),
-            self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
-        )
     }
 }

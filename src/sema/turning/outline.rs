@@ -10,7 +10,7 @@ use crate::geo::{Element, Point2, SAME_POINT, arc, distance};
 use crate::text::Loc;
 
 use super::chain::{Chain, Choice, Data, Fault, RULES, Solved, by_distance, in_words};
-use super::coordinates::Transition;
+use super::element_data::Transition;
 use super::forms::{self, Recess};
 use super::sides::Form;
 use super::undercuts::{self, Undercut};
@@ -56,7 +56,7 @@ pub(super) struct ThreadData {
 
 /// A complete element, and what belongs to it.
 #[derive(Debug, Clone)]
-pub(super) struct Piece {
+pub(super) struct BuiltElement {
     pub solved: Solved,
     pub mark: Mark,
     pub recesses: Vec<(Recess, Mark)>,
@@ -87,7 +87,7 @@ impl Flaw {
 pub(super) struct Builder {
     start: Option<Point2>,
     chain: Chain<Mark>,
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<BuiltElement>,
     adjusted: Option<(f64, Loc)>,
 }
 
@@ -136,7 +136,7 @@ impl Builder {
                         self.chain.clear();
                     }
                     let solved = settled?;
-                    self.pieces.push(Piece {
+                    self.pieces.push(BuiltElement {
                         solved,
                         mark,
                         recesses: Vec::new(),
@@ -229,7 +229,7 @@ impl Builder {
                 let next = self.pieces.get(i + 1).map(|next| next.solved);
                 let form = Form::undercut(&piece.solved, next.as_ref(), mark.loc);
                 for (element, transition) in made.elements {
-                    rough.push(Part { element, transition, mark, corner_of: mark.number, form, thread: None });
+                    rough.push(OutlinePart { element, transition, mark, corner_of: mark.number, form, thread: None });
                 }
                 skip_start = Some(made.joins);
             }
@@ -246,11 +246,11 @@ fn is_left_out(codes: u32, left_out: u32) -> bool {
 }
 
 fn element_with_recesses(
-    piece: &Piece,
+    piece: &BuiltElement,
     line: Solved,
     transition: Transition,
     left_out: u32,
-    out: &mut Vec<Part>,
+    out: &mut Vec<OutlinePart>,
 ) -> Result<(), Flaw> {
     let mut recesses: Vec<_> = Vec::new();
     let codes = piece.codes.0.iter().copied();
@@ -267,7 +267,7 @@ fn element_with_recesses(
             return Err(Flaw::new(codes::T3004, mark.loc, message));
         }
         let element = Element::Line { from, to: made.from };
-        out.push(Part {
+        out.push(OutlinePart {
             element,
             transition: made.edges.0,
             mark: piece.mark,
@@ -277,12 +277,12 @@ fn element_with_recesses(
         });
         let form = Form::recess(&line, &made, mark.loc);
         for (element, transition) in made.elements {
-            out.push(Part { element, transition, mark, corner_of: mark.number, form, thread: None });
+            out.push(OutlinePart { element, transition, mark, corner_of: mark.number, form, thread: None });
         }
         from = made.to;
     }
     let element = if from == line.from { line.element() } else { Element::Line { from, to: line.to } };
-    out.push(Part {
+    out.push(OutlinePart {
         element,
         transition,
         mark: piece.mark,
@@ -295,7 +295,7 @@ fn element_with_recesses(
 
 /// An element before its corners are cut.
 #[derive(Debug, Clone)]
-struct Part {
+struct OutlinePart {
     element: Element,
     transition: Transition,
     mark: Mark,
@@ -388,7 +388,7 @@ fn reversed(element: Element) -> Element {
 }
 
 /// Puts the chamfers and roundings in.
-fn cut_corners(parts: Vec<Part>) -> Result<Outline, Flaw> {
+fn cut_corners(parts: Vec<OutlinePart>) -> Result<Outline, Flaw> {
     let mut edges: Vec<Edge> = Vec::new();
     let mut parts = parts.into_iter().filter(|part| part.element.length() > SAME_POINT).peekable();
     let mut cut_from: Option<Point2> = None;

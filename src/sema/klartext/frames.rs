@@ -11,7 +11,7 @@ use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::text::Span;
 
 use super::cycle_definition::{AxisValue, Open};
-use super::transform::Transformation;
+use super::transformation::Transformation;
 use super::{Outcome, Reported, Run};
 
 /// The transformation in force, and the input systems that it made.

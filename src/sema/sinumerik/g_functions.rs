@@ -7,7 +7,7 @@ use crate::ir::Side;
 use crate::machine::AxisSet;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -27,7 +27,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn modal_code(&mut self, code: Code, span: Span) -> Outcome {
+    pub(super) fn modal_code(&mut self, code: GCode, span: Span) -> Outcome {
         let old = self.st.codes.of(code.group);
         match code.group {
             Group::Motion => {
@@ -46,11 +46,11 @@ impl Run<'_> {
             Group::WorkOffset => self.work_offset(code.index, span)?,
             Group::FeedType => self.feed_code(code, span)?,
             Group::Diameter => {
-                if code != Code::DIAMOF && self.job.settings.machine.diameter_axis.is_none() {
+                if code != GCode::DIAMOF && self.job.settings.machine.diameter_axis.is_none() {
                     return self.no_diameter_axis(span);
                 }
                 // DIAMCYCOF counts inside of cycles only.
-                if code == Code::DIAMCYCOF {
+                if code == GCode::DIAMCYCOF {
                     self.control_words_are_left_out(span);
                 } else {
                     self.st.codes.activate(code);
@@ -69,7 +69,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn plane_change(&mut self, code: Code, span: Span) -> Outcome {
+    pub(super) fn plane_change(&mut self, code: GCode, span: Span) -> Outcome {
         if self.st.side() != Side::None {
             return self.fail_help(
                 codes::S2080.alarm(10757),
@@ -91,9 +91,9 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn refused_code(&mut self, code: Code, span: Span) -> Outcome {
+    pub(super) fn refused_code(&mut self, code: GCode, span: Span) -> Outcome {
         let what = match code {
-            Code::G291 => {
+            GCode::G291 => {
                 self.iso = true;
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
@@ -104,13 +104,13 @@ impl Run<'_> {
                     "translate the ISO part, or compile it by itself",
                 );
             }
-            Code { group: Group::PointToPoint, index: 2.. } => "point-to-point travel",
-            Code::PAROT => "a frame turned to the workpiece",
-            Code { group: Group::ToolFrame, index: 2.. } => "a frame turned to the tool",
-            Code { group: Group::ToolCarrier, index: 2.. } => "an orientable tool carrier",
-            Code { group: Group::Punching, index: 2.. } => "punching",
-            Code { group: Group::Builder1 | Group::Builder2, .. } => "a code of the machine builder",
-            Code::CUTCONON => "compensation with a constant offset",
+            GCode { group: Group::PointToPoint, index: 2.. } => "point-to-point travel",
+            GCode::PAROT => "a frame turned to the workpiece",
+            GCode { group: Group::ToolFrame, index: 2.. } => "a frame turned to the tool",
+            GCode { group: Group::ToolCarrier, index: 2.. } => "an orientable tool carrier",
+            GCode { group: Group::Punching, index: 2.. } => "punching",
+            GCode { group: Group::Builder1 | Group::Builder2, .. } => "a code of the machine builder",
+            GCode::CUTCONON => "compensation with a constant offset",
             _ => return Ok(()),
         };
         let message = format!("{} is {what}, which cannot be printed", code.word());
@@ -126,7 +126,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn two_shapes(&self, a: Code, first: Span, b: Code, second: Span) -> Outcome {
+    pub(super) fn two_shapes(&self, a: GCode, first: Span, b: GCode, second: Span) -> Outcome {
         let (a, b) = (a.word(), b.word());
         let message = format!("{a} and {b} cannot stand in one block");
         let found = Diagnostic::new(codes::S2009.alarm(12070), self.loc(second), message);

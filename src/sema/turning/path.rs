@@ -14,7 +14,7 @@ use crate::sema::common::position::Missing;
 use crate::text::Span;
 
 use super::chain::{AGREES, Choice, Coord, Data, Fault, RULES, Solved, by_distance, in_words};
-use super::coordinates::{Follows, Transition};
+use super::element_data::{Follows, Transition};
 use super::sections::Family;
 use super::words::Words;
 use super::{Outcome, Reported, Run};

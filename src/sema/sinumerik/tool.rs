@@ -9,7 +9,7 @@ use crate::machine::{Axis, AxisSet, Compensation, Tool};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::g_groups::{Code, Group};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::words::{Given, Words};
 use super::{Outcome, Run};
@@ -145,7 +145,7 @@ impl Run<'_> {
 
     /// Turrets change with T (MD 22550 = 0), mills with M6.
     pub(super) fn changes_by_t(&self) -> bool {
-        self.job.settings.control.siemens.tool_change_by_t.unwrap_or(self.st.channel.lathe)
+        self.job.settings.control.sinumerik.tool_change_by_t.unwrap_or(self.st.channel.lathe)
     }
 
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
@@ -224,8 +224,8 @@ impl Run<'_> {
         Some(tool)
     }
 
-    pub(super) fn compensation_code(&mut self, code: Code, span: Span) -> Outcome {
-        if code != Code::G40 {
+    pub(super) fn compensation_code(&mut self, code: GCode, span: Span) -> Outcome {
+        if code != GCode::G40 {
             if self.job.settings.output.compensation == Compensation::Resolve {
                 return self.fail_help(
                     codes::S9010,
@@ -244,10 +244,10 @@ impl Run<'_> {
         } else {
             self.st.compensation.open = None;
         }
-        if code != Code::G40 && self.st.compensation.leaving_open {
+        if code != GCode::G40 && self.st.compensation.leaving_open {
             return self.g40_had_no_move(span, "G41 or G42 stands behind a G40 that has had no move in the plane yet");
         }
-        if code == Code::G40 && self.st.side() != Side::None {
+        if code == GCode::G40 && self.st.side() != Side::None {
             self.st.compensation.leaving = self.st.side();
         }
         self.st.compensation.starts = !self.st.is(code) || self.st.compensation.leaving_open;
@@ -296,7 +296,7 @@ impl Run<'_> {
     pub(super) fn select_cutter_or_end(&mut self, span: Span) -> Outcome {
         let result = self.select_cutter(span);
         if result.is_err() {
-            self.st.codes.activate(Code::G40);
+            self.st.codes.activate(GCode::G40);
             self.st.compensation.starts = false;
         }
         result
@@ -341,13 +341,13 @@ impl Run<'_> {
     }
 
     /// Compensation starts and ends on a straight line.
-    pub(super) fn check_start_of_compensation(&mut self, code: Code, in_plane: bool, span: Span) -> Outcome {
+    pub(super) fn check_start_of_compensation(&mut self, code: GCode, in_plane: bool, span: Span) -> Outcome {
         if !self.st.compensation.starts {
             return Ok(());
         }
         let on = self.st.side() != Side::None;
-        let line = matches!(code, Code::G0 | Code::G1);
-        if !on && line && !in_plane && !self.job.settings.control.siemens.g40_needs_motion {
+        let line = matches!(code, GCode::G0 | GCode::G1);
+        if !on && line && !in_plane && !self.job.settings.control.sinumerik.g40_needs_motion {
             // The plane position does not change, so the offset can wait for the next move in the plane.
             self.st.compensation.leaving_open = true;
             if self.job.diags.first_time(codes::S8134) {

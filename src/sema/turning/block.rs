@@ -11,7 +11,7 @@ use crate::text::decode::readable;
 
 use super::cycle_table::Cycle;
 use super::g_functions::{Function, Kind, find};
-use super::sections::Part;
+use super::sections::ProgramPart;
 use super::state::SpeedMode;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Outcome, Reported, Run};
@@ -26,7 +26,7 @@ impl Run<'_> {
             self.put_back(w);
             result
         });
-        if result.is_err() && matches!(self.sections.part, Part::Start | Part::Machining) {
+        if result.is_err() && matches!(self.sections.part, ProgramPart::Start | ProgramPart::Machining) {
             self.lose_all();
         }
         result
@@ -35,12 +35,12 @@ impl Run<'_> {
     #[inline]
     fn words_of_part(&mut self, w: &Words, block: &Block, text: &[u8]) -> Outcome {
         match self.sections.part {
-            Part::Start | Part::Machining if self.capture.is_none() => self.machine(w, text),
-            Part::Start | Part::Machining => self.capture_block(w, block),
-            Part::Contour => self.geometry_block(w, block, text),
-            Part::Turret => self.turret_line(w, text),
-            Part::Unread => Ok(()),
-            Part::Head | Part::Names | Part::Between => self.fail_help(
+            ProgramPart::Start | ProgramPart::Machining if self.capture.is_none() => self.machine(w, text),
+            ProgramPart::Start | ProgramPart::Machining => self.capture_block(w, block),
+            ProgramPart::Contour => self.geometry_block(w, block, text),
+            ProgramPart::Turret => self.turret_line(w, text),
+            ProgramPart::Unread => Ok(()),
+            ProgramPart::Head | ProgramPart::Names | ProgramPart::Between => self.fail_help(
                 codes::T1008,
                 block.span,
                 "words have no place in this section",

@@ -15,7 +15,7 @@ use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Span, decode::readable};
 
 use super::flow::Nest;
-use super::sections::{Family, Part};
+use super::sections::{Family, ProgramPart};
 use super::vars::Locals;
 use super::words::{Words, letters};
 use super::{Outcome, Reported, Run, Turning};
@@ -34,7 +34,7 @@ pub(super) struct Frame {
     /// A block of it ran.
     pub begun: bool,
     /// How the blocks of its caller are read.
-    part: Part,
+    part: ProgramPart,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,7 +56,7 @@ impl Frame {
             nests: Vec::new(),
             number: 1,
             begun: false,
-            part: Part::Start,
+            part: ProgramPart::Start,
         }
     }
 }
@@ -192,7 +192,7 @@ impl Run<'_> {
             return self.too_deep(format!("subprograms are nested deeper than {limit} levels"));
         }
         let number = self.next_number();
-        let part = std::mem::replace(&mut self.sections.part, Part::Machining);
+        let part = std::mem::replace(&mut self.sections.part, ProgramPart::Machining);
         self.enter(program, to, Frame { kind, locals, nests: Vec::new(), number, begun: false, part })
     }
 

@@ -6,7 +6,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
-use crate::ir::captured::{Captured, PieceKind};
+use crate::ir::captured::{Captured, CapturedKind};
 use crate::parser::sinumerik::ast::Search;
 use crate::sema::cycle_table::{Kind, Parameter, Rule};
 use crate::text::Span;
@@ -244,10 +244,10 @@ impl Run<'_> {
             let full = matches!(piece.element, Element::Arc { from, to, .. }
                 if crate::geo::arc::closing(to - from) == Closing::Closed);
             let (alarm, what) = match piece.kind {
-                PieceKind::Rapid => (61936, "rapid traverse inside a contour"),
-                PieceKind::Thread => (10930, "a thread inside a contour"),
-                PieceKind::Cut if turned && full => (10931, "a full circle inside a turned contour"),
-                PieceKind::Cut => continue,
+                CapturedKind::Rapid => (61936, "rapid traverse inside a contour"),
+                CapturedKind::Thread => (10930, "a thread inside a contour"),
+                CapturedKind::Cut if turned && full => (10931, "a full circle inside a turned contour"),
+                CapturedKind::Cut => continue,
             };
             let found = Diagnostic::new(codes::S2091.alarm(alarm), piece.origin.loc, what);
             let found = found.called(piece.origin.call).also(call.loc, "the contour is called here");

@@ -1,0 +1,89 @@
+//! Statements that are known by name only: refused, or left out because no path depends on them.
+
+use super::{Outcome, Run};
+use crate::diag::{Diagnostic, codes};
+use crate::parser::klartext::ast::{Block, Refused};
+
+impl Run<'_> {
+    /// A statement that is known by name only.
+    pub(super) fn refused(&mut self, what: Refused, block: &Block, text: &[u8]) -> Outcome {
+        let (name, span) = self.block_name(block, text, if matches!(what, Refused::Function) { 1 } else { 2 });
+        match what {
+            Refused::Plane => self.plane_block(block, text),
+            Refused::TouchProbe => self.probe(block, text),
+            Refused::Pattern => {
+                self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
+            }
+            Refused::SelectTable if span.end < block.span.end => {
+                self.left_out(
+                    "SEL TABLE only selects, a shift from the table is refused where it is programmed, and it",
+                );
+                Ok(())
+            }
+            Refused::SelectTable => self.fail_help(
+                codes::K1006,
+                span,
+                format!("{name} names no table"),
+                "write the name of the table: `SEL TABLE \"NAME.D\"`",
+            ),
+            Refused::Contour => {
+                self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
+            }
+            Refused::GlobalDef => self.fail_help(
+                codes::K9011,
+                span,
+                "GLOBAL DEF sets parameters for cycles that take them by PREDEF, which is not supported",
+                "write the values into the cycles that say PREDEF, and remove this block",
+            ),
+            Refused::Function if is_harmless(block.span.of(text)) => {
+                self.job.diags.push_once(Diagnostic::new(
+                    codes::K2703,
+                    self.here.origin.loc,
+                    format!("{} has no word in the output", self.block_name(block, text, 3).0),
+                ));
+                Ok(())
+            }
+            Refused::Function => {
+                let (name, span) =
+                    self.block_name(block, text, if name.eq_ignore_ascii_case("FUNCTION") { 2 } else { 1 });
+                self.refuse_motion(codes::K9011, span, &format!("{name} is not supported"))
+            }
+        }
+    }
+}
+
+/// FUNCTION blocks that no path depends on: milling mode, which is the only one here; the end of functions that are
+/// refused where they begin; dwells and speed changes that break chips; counters; supervision.
+pub(super) fn is_harmless(code: &[u8]) -> bool {
+    let text = crate::text::decode::readable(code).to_ascii_uppercase();
+    let words: Vec<&str> = text.split_whitespace().take(4).collect();
+    match words.as_slice() {
+        ["FUNCTION", "MODE", "MILL"] | ["FUNCTION", "RESET", "TCPM"] | ["FUNCTION", "TCPM", "RESET"] => true,
+        ["FUNCTION", "FEED", "DWELL", ..] | ["FUNCTION", "S-PULSE", ..] | ["FUNCTION", "LIFTOFF", ..] => true,
+        ["FUNCTION", "COUNT", what, ..] => *what != "REPEAT",
+        ["SECTION", "MONITORING", ..] | ["MONITORING", ..] => true,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_harmless;
+
+    #[test]
+    fn functions_without_a_path() {
+        for text in
+            ["FUNCTION MODE MILL", "function reset tcpm", "FUNCTION FEED DWELL D-TIME0.5 F-TIME5", "FUNCTION COUNT INC"]
+        {
+            assert!(is_harmless(text.as_bytes()), "{text}");
+        }
+        for text in [
+            "FUNCTION MODE TURN",
+            "FUNCTION TCPM F TCP AXIS POS",
+            "FUNCTION COUNT REPEAT LBL \"A\"",
+            "FUNCTION MODE MILL \"K\"",
+        ] {
+            assert!(!is_harmless(text.as_bytes()), "{text}");
+        }
+    }
+}

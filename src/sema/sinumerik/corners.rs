@@ -1,0 +1,181 @@
+//! Chamfers and roundings at the end of a block: CHF, CHR, RND, RNDM, FRC, FRCM.
+
+use super::g_groups::GCode;
+use super::vocabulary::Address;
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Feed;
+use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
+use crate::sema::common::corner::OpenCorner;
+use crate::sema::run::Where;
+use crate::text::Span;
+
+/// Blocks without a move over which the control looks for the end of a corner (MD 20200).
+const MOST_BETWEEN: u32 = 3;
+
+/// Chamfers and roundings.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Corners {
+    /// RNDM in mm, 0 for none.
+    rounding: f64,
+    /// FRCM
+    feed: Option<Feed>,
+    /// A corner that waits for its second line.
+    pub open: OpenCorner,
+}
+
+impl Corners {
+    /// Radius of the rounding that holds on, in mm; 0 for none.
+    pub fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
+    /// Feed of corners that holds on.
+    pub fn feed(&self) -> Option<Feed> {
+        self.feed
+    }
+}
+
+impl Run<'_> {
+    pub(super) fn has_corner_words(&self, w: &Words) -> bool {
+        [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().any(|address| w.get(*address).is_some())
+    }
+
+    pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
+        self.fail_help(
+            codes::S2071.alarm(10882),
+            span,
+            "a chamfer or rounding stands in a block that does not move",
+            "write it into the block that leads to the corner",
+        )
+    }
+
+    /// RNDM and FRCM.
+    pub(super) fn modal_contour_words(&mut self, w: &mut Words) -> Outcome {
+        if let Some(rndm) = w.take(Address::Rndm) {
+            if rndm.value < 0.0 {
+                return self.negative(rndm.span);
+            }
+            self.st.corners.rounding = rndm.value * self.st.length_unit();
+        }
+        if let Some(frcm) = w.take(Address::Frcm) {
+            if frcm.value < 0.0 {
+                return self.fail(codes::S2041.alarm(14800), frcm.span, "the feed FRCM= is negative");
+            }
+            self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
+        }
+        Ok(())
+    }
+
+    fn negative<T>(&self, span: Span) -> Outcome<T> {
+        self.fail(codes::S2071.alarm(16500), span, "a chamfer or rounding is negative")
+    }
+
+    /// The corner that the block asks for at its end.
+    pub(super) fn corner_words(&mut self, w: &mut Words) -> Outcome<Option<Corner>> {
+        if !self.has_corner_words(w) && self.st.corners.rounding == 0.0 {
+            return Ok(None);
+        }
+        if self.st.is(GCode::G93) {
+            let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
+            let span = corner.map(|given| given.span).unwrap_or_default();
+            return self.not_by_time(span, "a chamfer or rounding has no share of the time that G93 gives the blocks");
+        }
+        let (rnd, chr, chf, frc) =
+            (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
+        for given in [rnd, chr, chf].into_iter().flatten() {
+            if given.value < 0.0 {
+                return self.negative(given.span);
+            }
+        }
+        let unit = self.st.length_unit();
+        // A rounding goes before a chamfer in the same block.
+        if let (Some(_), Some(other)) = (rnd, chr.or(chf)) {
+            let found = Diagnostic::new(
+                codes::S8008,
+                self.loc(other.span),
+                "RND and a chamfer stand in one block: only RND counts",
+            );
+            self.report(found.help("delete one of them"));
+        }
+        if let (Some(_), Some(chf)) = (chr, chf) {
+            return self.fail_help(codes::S2071, chf.span, "CHR and CHF stand in one block", "keep one of them");
+        }
+        let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
+        let shape = match (rnd, chr, chf) {
+            (Some(rnd), _, _) => CornerShape::Rounding { radius: rnd.value * unit },
+            (None, Some(chr), _) => CornerShape::Chamfer { side: chr.value * unit },
+            (None, None, Some(chf)) => CornerShape::ChamferLength { length: chf.value * unit },
+            (None, None, None) => CornerShape::Rounding { radius: self.st.corners.rounding },
+        };
+        let feed = match frc {
+            Some(frc) if frc.value > 0.0 => Some(self.st.feed_of(frc.value)),
+            Some(frc) => return self.fail(codes::S2041.alarm(14800), frc.span, "the feed FRC= is not above 0"),
+            None => self.modal_corner_feed()?,
+        };
+        if !explicit && self.st.corners.rounding == 0.0 {
+            return self.fail_help(
+                codes::S2071,
+                frc.map(|given| given.span).unwrap_or_default(),
+                "FRC= stands without a chamfer or rounding",
+                "give RND=, CHR= or CHF= in the same block",
+            );
+        }
+        let size = match shape {
+            CornerShape::Rounding { radius } => radius,
+            CornerShape::Chamfer { side } => side,
+            CornerShape::ChamferLength { length } => length,
+            CornerShape::Undercut(_) => 0.0,
+        };
+        let (large, at_arc, blocks) = (self.large_corner(), self.arc_chamfer(), Blocks::PassedOver);
+        Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc, blocks }))
+    }
+
+    /// FRCM, which counts as the feeds did where it was programmed.
+    pub(super) fn modal_corner_feed(&self) -> Outcome<Option<Feed>> {
+        let fits = self.st.corners.feed.is_none_or(|feed| self.st.counts_as(feed));
+        if fits {
+            return Ok(self.st.corners.feed);
+        }
+        let message = "the kind of feed has changed since FRCM=, whose value counts in the other one";
+        let help = "program FRCM= again behind G94, G95 and G96, or FRCM=0";
+        self.fail_help(codes::S2040.alarm(10860), Where::Block, message, help)
+    }
+
+    /// What the control does with a corner that does not fit.
+    pub(super) fn large_corner(&self) -> LargeCorner {
+        if self.job.settings.control.sinumerik.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
+    }
+
+    pub(super) fn arc_chamfer(&self) -> ArcChamfer {
+        if self.job.settings.control.sinumerik.arc_chamfers { ArcChamfer::AcrossBisector } else { ArcChamfer::Ask }
+    }
+
+    pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
+        let Some(corner) = corner else { return };
+        // A modal rounding is for moves that cut.
+        if corner.modal && self.st.is(GCode::G0) {
+            return;
+        }
+        if self.st.stored.is_some() {
+            self.st.note_stored_corner(&corner);
+        }
+        self.core.send_corner(&corner, &self.st.ctx);
+        if !corner.modal {
+            self.st.corners.open.open(self.here.origin.loc);
+        }
+    }
+
+    /// A block without a move behind a corner: the control looks ahead over a few of them only (MD 20200).
+    pub(super) fn block_behind_corner(&mut self, moved: bool) -> Outcome {
+        if moved {
+            return Ok(());
+        }
+        let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
+        let message = format!("more than {MOST_BETWEEN} blocks without a move stand behind the chamfer or rounding");
+        let found = Diagnostic::new(codes::S2071.alarm(10880), loc, message);
+        self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
+        Err(Reported)
+    }
+}

@@ -1,0 +1,142 @@
+//! Where a block leads: its axis words as absolute positions in millimetres and radii.
+//!
+//! Source: S 2.1 (docs/sources.md).
+
+use super::g_groups::GCode;
+use super::state::Diameter;
+use super::words::{Given, Mode, Words};
+use super::{Outcome, Reported, Run};
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::machine::Axis;
+use crate::sema::run::Where;
+use crate::text::Span;
+
+impl Run<'_> {
+    /// The programmed end points of all axes of the block.
+    #[inline]
+    pub(super) fn targets(&mut self, w: &Words) -> Outcome<Pos> {
+        let mut end = Pos::UNKNOWN;
+        for axis in w.axes.iter() {
+            if let Some(given) = w.axis(axis) {
+                let value = self.target(axis, given)?;
+                end.set(axis, value);
+            }
+        }
+        Ok(end)
+    }
+
+    /// The end point of one axis in mm (radius) or degrees.
+    #[inline]
+    pub(super) fn target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        if axis.is_rotary() {
+            return self.rotary_target(axis, given);
+        }
+        let incremental = match given.mode {
+            Mode::Plain => self.st.is(GCode::G91),
+            Mode::Ac | Mode::Dac | Mode::Rac => false,
+            Mode::Ic | Mode::Dic | Mode::Ric => true,
+            Mode::Dc | Mode::Acp | Mode::Acn => {
+                let message = format!("{} is no rotary axis", axis.letter());
+                let alarm = match given.mode {
+                    Mode::Dc => 16800,
+                    Mode::Acp => 16810,
+                    _ => 16820,
+                };
+                return self.fail_help(
+                    codes::S2061.alarm(alarm),
+                    given.span,
+                    message,
+                    "DC, ACP and ACN are for rotary axes",
+                );
+            }
+            Mode::Quick => return self.does_not_fit(given.span),
+        };
+        let value = self.length(axis, given, incremental)?;
+        if incremental { Ok(self.increment_base(axis, given.span)? + value) } else { Ok(value) }
+    }
+
+    /// A length along an axis as a radius in mm.
+    #[inline]
+    pub(super) fn length(&self, axis: Axis, given: Given, incremental: bool) -> Outcome<f64> {
+        let value = given.value * self.st.length_unit();
+        let diameter = match given.mode {
+            Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric => {
+                if !self.is_diameter_axis(axis) {
+                    return self.no_diameter_axis(given.span);
+                }
+                matches!(given.mode, Mode::Dac | Mode::Dic)
+            }
+            _ if !self.is_diameter_axis(axis) => false,
+            _ => match self.st.diameter_mode() {
+                Diameter::Off => false,
+                Diameter::On => true,
+                Diameter::Absolute => !incremental,
+            },
+        };
+        Ok(if diameter { value / 2.0 } else { value })
+    }
+
+    #[inline]
+    pub(super) fn is_diameter_axis(&self, axis: Axis) -> bool {
+        self.job.settings.machine.diameter_axis == Some(axis)
+    }
+
+    pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
+        if let Some(axis) = self.job.settings.machine.diameter_axis {
+            let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
+            let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
+            return self.fail_help(codes::S2060.alarm(16510), span, message, help);
+        }
+        self.fail_help(
+            codes::S2060.alarm(16510),
+            span,
+            "no diameter axis is configured (MD 20100)",
+            "set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe",
+        )
+    }
+
+    /// What an increment counts from: the value last programmed, or where the axis stands (SD 42440).
+    pub(super) fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
+        if self.st.position.is_lost(axis) {
+            return Err(Reported);
+        }
+        let Some(at) = self.st.position.get(axis) else { return self.unknown_axis(axis, span) };
+        let programmed = self.st.position.programmed(axis).unwrap_or(at);
+        if (programmed - at).abs() <= 1e-9 {
+            return Ok(at);
+        }
+        let with_offset = match self.vars.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
+            Some(set) => set,
+            None => self.job.settings.control.sinumerik.frame_offset_incremental.unwrap_or(true),
+        };
+        let chosen = if with_offset { programmed } else { at };
+        if self.job.settings.control.sinumerik.frame_offset_incremental.is_some() {
+            return Ok(chosen);
+        }
+        let found = Diagnostic::new(
+            codes::S8007,
+            self.loc(span),
+            format!("the increment of {} follows a change of the frame", axis.letter()),
+        );
+        let how = if with_offset {
+            "the frame is travelled, too (SD 42440 = 1)"
+        } else {
+            "only the increment is travelled (SD 42440 = 0)"
+        };
+        self.report(found.here(how).help("set `[control] sd42440`, or program the position absolutely"));
+        Ok(chosen)
+    }
+
+    pub(super) fn unknown_axis<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
+        if self.st.position.is_lost(axis) {
+            return Err(Reported);
+        }
+        self.fail_help(
+            codes::S2042,
+            place,
+            format!("where {} stands is not known", axis.letter()),
+            self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
+        )
+    }
+}

@@ -1,0 +1,183 @@
+//! Codes of group 3: the programmable frame, poles, working area limits.
+//!
+//! Source: S 1.5 and 5.6 (docs/sources.md).
+
+use super::frames::FrameValue;
+use super::g_groups::{GCode, Group};
+use super::vocabulary::Address;
+use super::words::{Given, Mode, Words};
+use super::{Outcome, Run};
+use crate::diag::codes;
+use crate::ir::Side;
+use crate::text::Span;
+
+impl Run<'_> {
+    /// A code of group 3.
+    pub(super) fn frame_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+        if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
+            return self.not_alone(suppressed);
+        }
+        match code {
+            GCode::G110 | GCode::G111 | GCode::G112 => self.pole_block(code, span, w)?,
+            GCode::G25 | GCode::G26 => {
+                if code == GCode::G26 {
+                    for at in 0..w.s.len() {
+                        self.highest_speed(w.s[at]);
+                    }
+                }
+                w.s.clear();
+                w.beside.left_out.clear();
+                self.limits_are_left_out(span);
+            }
+            GCode::G58 | GCode::G59 => self.axial_shift(code, span, w)?,
+            _ => {
+                self.pending_must_be_done(span)?;
+                self.frame_statement(code, span, w)?;
+            }
+        }
+        if let Some(m) = w.m.first() {
+            return self.not_alone(m.span);
+        }
+        self.nothing_left(w)
+    }
+
+    fn frame_statement(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+        // What a frame does to an axis that is left out moves nothing.
+        w.beside.left_out.clear();
+        let adds = matches!(code, GCode::ATRANS | GCode::AROT | GCode::ASCALE | GCode::AMIRROR);
+        if self.st.side() != Side::None {
+            return self.fail_help(
+                codes::S2080,
+                span,
+                "the frame changes while radius compensation is on",
+                "program G40 in a block in front of it",
+            );
+        }
+        let rpl = w.take(Address::Rpl);
+        if let Some(rpl) = rpl.filter(|_| !matches!(code, GCode::ROT | GCode::AROT)) {
+            return self.does_not_fit(rpl.span);
+        }
+        let bare = w.axes.is_empty() && rpl.is_none();
+        let frame = match code {
+            GCode::TRANS | GCode::ATRANS => {
+                let mut values = Vec::new();
+                for axis in w.axes.iter() {
+                    let Some(given) = w.axis(axis) else { continue };
+                    self.parameter_of_frame(given)?;
+                    let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
+                    values.push((axis, given.value * unit));
+                }
+                if adds {
+                    let frame = self.st.frames.programmable().translated(&values);
+                    self.st.frames.set_programmable(frame);
+                    self.refresh_frame();
+                    return Ok(());
+                }
+                FrameValue::shifted(&values)
+            }
+            GCode::ROT | GCode::AROT => {
+                let mut angles = self.geometry_values(w, 0.0)?;
+                if let Some(rpl) = rpl {
+                    if !w.axes.is_empty() {
+                        return self.not_alone(rpl.span);
+                    }
+                    let [_, _, third] = self.st.roles();
+                    if let Some(angle) = angles.get_mut(third.index()) {
+                        *angle = rpl.value;
+                    }
+                }
+                FrameValue::rotated(angles)
+            }
+            GCode::SCALE | GCode::ASCALE => {
+                let scale = self.geometry_values(w, 1.0)?;
+                if scale.contains(&0.0) {
+                    return self.fail(codes::S2034, span, "a scaling factor is 0");
+                }
+                FrameValue::scaled(scale)
+            }
+            GCode::MIRROR | GCode::AMIRROR => {
+                self.geometry_values(w, 0.0)?;
+                let mut mirror = [false; 3];
+                for axis in w.axes.iter() {
+                    if let Some(place) = mirror.get_mut(axis.index()) {
+                        *place = true;
+                    }
+                }
+                FrameValue::mirrored(mirror)
+            }
+            _ => {
+                let message = format!("{} turns the plane by solid angles, which is not supported", code.word());
+                return self.fail_help(codes::S9001, span, message, "use ROT with angles about the axes");
+            }
+        };
+        let frame = match (adds, bare) {
+            (true, true) => return Ok(()),
+            (true, false) => self.st.frames.programmable().chain(&frame),
+            // Without axes the whole programmable frame goes.
+            (false, true) => FrameValue::default(),
+            (false, false) => frame,
+        };
+        self.st.frames.set_programmable(frame);
+        self.refresh_frame();
+        Ok(())
+    }
+
+    /// AC and IC have no meaning in frames and poles, and no effect; a diameter or a sense of rotation would have one.
+    pub(super) fn parameter_of_frame(&self, given: Given) -> Outcome {
+        match given.mode {
+            Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
+            _ => self.misplaced_modifier(given.span),
+        }
+    }
+
+    fn geometry_values(&self, w: &Words, neutral: f64) -> Outcome<[f64; 3]> {
+        let mut values = [neutral; 3];
+        for axis in w.axes.iter() {
+            let Some(given) = w.axis(axis) else { continue };
+            self.parameter_of_frame(given)?;
+            match values.get_mut(axis.index()) {
+                Some(place) => *place = given.value,
+                None => {
+                    let message = format!("{} is no geometry axis", axis.letter());
+                    return self.fail(codes::S2031.alarm(16440), given.span, message);
+                }
+            }
+        }
+        Ok(values)
+    }
+
+    /// G58 and G59: parts of the programmable shift; settable offsets on small controls.
+    fn axial_shift(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+        let small = self.job.settings.control.sinumerik.model == "802d";
+        if w.axes.is_empty() && !small {
+            let message = format!("{} has no axes", code.word());
+            let help = "on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`";
+            return self.fail_help(codes::S2013.alarm(12120), span, message, help);
+        }
+        if small && !w.axes.is_empty() {
+            let message = format!("{} selects a work offset on an 802D and moves in the same block", code.word());
+            return self.fail_help(codes::S2013, span, message, "give the selection a block of its own");
+        }
+        if w.axes.is_empty() && small {
+            let number = if code == GCode::G58 { 5 } else { 6 };
+            return self.work_offset(number + 1, span);
+        }
+        self.pending_must_be_done(span)?;
+        w.beside.left_out.clear();
+        for axis in w.axes.iter() {
+            let Some(given) = w.axis(axis) else { continue };
+            self.parameter_of_frame(given)?;
+            let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
+            let place = if code == GCode::G58 {
+                &mut self.st.frames.programmable_mut().shift
+            } else {
+                &mut self.st.frames.programmable_mut().fine
+            };
+            if let Some(place) = place.get_mut(axis.index()) {
+                *place = given.value * unit;
+            }
+        }
+        self.refresh_frame();
+        Ok(())
+    }
+}

@@ -1,0 +1,201 @@
+//! Codes of group 2 and their kin: dwell, tapping with a chuck, reference and fixed points.
+//!
+//! Source: S 1.5, 2.1, 4.2, 5.6 and 6 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::contour::{Coords, Move, Path};
+use crate::ir::{Function, Pos, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::g_groups::{GCode, Group};
+use super::vocabulary::Address;
+use super::words::Words;
+use super::{Outcome, Run};
+
+/// Longest dwell.
+const MOST_SECONDS: f64 = 1e5;
+
+impl Run<'_> {
+    /// A code of group 2.
+    pub(super) fn nonmodal_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+        let mut moved = false;
+        if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
+            return self.not_alone(suppressed);
+        }
+        if code != GCode::G4 {
+            self.st.threads.end_chain();
+        }
+        match code {
+            GCode::G4 => {
+                if let Some(m) = w.m.first() {
+                    return self.not_alone(m.span);
+                }
+                self.dwell(span, w)?;
+            }
+            GCode::G63 => {
+                self.technology(w)?;
+                self.early_functions(w)?;
+                moved = true;
+                let feed = self.cutting_feed(w)?;
+                let end = self.targets(w)?;
+                self.pending_must_be_done(span)?;
+                if !end.known().is_empty() {
+                    self.send(&end, Path::Line(feed));
+                }
+                w.beside.left_out.clear();
+            }
+            GCode::G74 | GCode::G75 => {
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.fixed_point(code, span, w)?;
+                w.beside.machine.clear();
+                w.beside.left_out.clear();
+            }
+            _ => {
+                let message = format!("{} is not supported", code.word());
+                return self.fail_help(
+                    codes::S9001,
+                    span,
+                    message,
+                    "program the approach and the retraction by plain moves",
+                );
+            }
+        }
+        self.nothing_left(w)?;
+        self.late_functions(w)?;
+        if moved && !self.has_ended() {
+            self.call_modal()?;
+        }
+        Ok(())
+    }
+
+    /// STARTFIFO and STOPFIFO only steer the buffer of the control.
+    pub(super) fn buffer_code(&mut self, code: GCode, span: Span, w: &Words) -> Outcome {
+        let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
+        if let Some(other) = axis.or(w.m.first().map(|m| m.span)) {
+            return self.not_alone(other);
+        }
+        self.nothing_left(w)?;
+        self.dynamics_are_left_out(span);
+        self.st.codes.activate(code);
+        Ok(())
+    }
+
+    pub(super) fn nothing_left(&self, w: &Words) -> Outcome {
+        let s = w.s.first().map(|s| s.span);
+        let words = w.left().or(w.calls.passes).map(|given| given.span).or(s).or(w.h);
+        match words.or(w.axis_word_left()).or(w.diameter.map(|(_, _, span)| span)) {
+            Some(span) => self.not_alone(span),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn not_alone<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2013.alarm(12120),
+            span,
+            "this word cannot stand beside the code that shapes the block",
+            "give it a block of its own",
+        )
+    }
+
+    fn dwell(&mut self, span: Span, w: &mut Words) -> Outcome {
+        if let Some(axis) = w.axes.iter().next().and_then(|axis| w.axis(axis)) {
+            return self.not_alone(axis.span);
+        }
+        let seconds = match (w.take(Address::F), w.s.pop()) {
+            (Some(f), None) => f.value,
+            (None, Some(s)) => {
+                let turns = self.st.spindles.fixed_turns(s.spindle);
+                let speed = turns.filter(|speed| *speed > 0.0);
+                match speed {
+                    Some(speed) => s.value * 60.0 / speed,
+                    None => {
+                        let help = "give the time in seconds: G4 F1.5";
+                        return self.fail_help(
+                            codes::S2045.alarm(10900),
+                            s.span,
+                            "a dwell in turns needs a fixed spindle speed",
+                            help,
+                        );
+                    }
+                }
+            }
+            _ => {
+                let help = "G4 F1.5 waits seconds, G4 S20 turns of the spindle; G4 P is of another language";
+                return self.fail_help(codes::S2013.alarm(12120), span, "G4 takes F or S", help);
+            }
+        };
+        if !(0.0..=MOST_SECONDS).contains(&seconds) {
+            return self.fail(codes::S2041, span, "a dwell lies between 0 and 100000 seconds");
+        }
+        self.function(Function::Dwell(seconds));
+        Ok(())
+    }
+
+    /// A rapid to a place in machine coordinates, behind which its axes stand at no known place of the workpiece.
+    pub(super) fn machine_rapid(&mut self, end: Pos) {
+        let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
+        self.core.send_move(&mv, &self.st.ctx);
+        for axis in end.known().iter() {
+            self.st.position.forget(AxisSet::of(axis));
+        }
+    }
+
+    /// FP of G75; without it the first fixed point is meant (MD 30600).
+    fn fixed_point_number(&self, w: &mut Words) -> Outcome<u8> {
+        let Some(given) = w.take(Address::Fp) else { return Ok(1) };
+        match super::value::whole(given.value).and_then(|n| u8::try_from(n).ok()) {
+            Some(n @ 1..=4) if f64::from(n) == given.value => Ok(n),
+            _ => {
+                let message = format!("there is no fixed point {}", given.value);
+                self.fail_help(codes::S2012, given.span, message, "G75 has the fixed points FP=1 to FP=4")
+            }
+        }
+    }
+
+    /// G74 and G75: points that are machine data.
+    fn fixed_point(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
+        self.pending_must_be_done(span)?;
+        let number = if code == GCode::G75 { self.fixed_point_number(w)? } else { 0 };
+        let mut named: Vec<Axis> = w.axes.iter().collect();
+        for machine_axis in &w.beside.machine {
+            named.extend(self.machine_axis(*machine_axis)?);
+        }
+        let machine = &self.job.settings.machine;
+        let (points, key) = match number {
+            0 => (&machine.reference_point, "reference_point"),
+            1 => (&machine.fixed_point[0], "fixed_point"),
+            2 => (&machine.fixed_point[1], "fixed_point_2"),
+            3 => (&machine.fixed_point[2], "fixed_point_3"),
+            _ => (&machine.fixed_point[3], "fixed_point_4"),
+        };
+        let mut end = Pos::UNKNOWN;
+        for axis in &named {
+            match points.get(axis) {
+                Some(value) => end.set(*axis, *value),
+                None => {
+                    let letter = axis.letter();
+                    return self.fail_help(
+                        codes::S9008,
+                        span,
+                        format!("where {} moves {letter} to is a machine datum", code.word()),
+                        format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`"),
+                    );
+                }
+            }
+        }
+        if self.st.side() != Side::None {
+            return self.fail(codes::S2080.alarm(14091), span, "a fixed point is approached under radius compensation");
+        }
+        if named.is_empty() && w.beside.machine.is_empty() && w.beside.left_out.is_empty() {
+            let message = format!("{} names no axis: nothing moves", code.word());
+            let found = Diagnostic::new(codes::S8192, self.loc(span), message);
+            self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", code.word())));
+        } else if !named.is_empty() {
+            self.machine_rapid(end);
+        }
+        Ok(())
+    }
+}
