@@ -134,12 +134,11 @@ impl<'a> Lower<'a> {
         if step.mv.machine {
             return self.machine_element(mv);
         }
-        step.mv.end = self.at;
-        step.mv.end.update(programmed);
         if let Some(path) = arcs::straight(&mv.path) {
+            self.at.update(programmed);
+            step.mv.end = self.at;
             step.mv.path = path;
             self.last.follow(step);
-            self.at = step.mv.end;
             return self.push();
         }
         self.bent_element(mv, origin);
@@ -169,6 +168,8 @@ impl<'a> Lower<'a> {
     #[inline(never)]
     fn bent_element(&mut self, mv: &contour::Move, origin: &Origin) {
         let step = self.corners.slot();
+        step.mv.end = self.at;
+        step.mv.end.update(&mv.end);
         match arcs::resolve(&mv.path, step, &self.last, &mut self.adjusted) {
             Ok(extra) => {
                 self.last.follow(step);

@@ -91,7 +91,7 @@ pub(super) fn words<S: Shape>(
 pub(super) fn after_blanks(text: &[u8], at: usize) -> usize {
     let next = at + usize::from(text.get(at) == Some(&b' '));
     match text.get(next) {
-        Some(b' ' | b'\t') => after_more_blanks(text, next),
+        Some(&byte) if byte <= b' ' && matches!(byte, b' ' | b'\t') => after_more_blanks(text, next),
         _ => next,
     }
 }

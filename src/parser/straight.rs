@@ -67,5 +67,5 @@ pub(super) fn read<S: Shape<Block = Straight>>(text: &[u8], from: usize, at: usi
 /// Does `byte` end the line?
 #[inline(always)]
 pub(super) fn ends_line(byte: u8) -> bool {
-    matches!(byte, b'\n' | b'\r')
+    byte < b' ' && matches!(byte, b'\n' | b'\r')
 }
