@@ -223,6 +223,11 @@ impl<'a> DerefMut for Run<'a> {
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Klartext;
 
+    #[inline]
+    fn core(&mut self) -> &mut Core<'a, Klartext> {
+        &mut self.core
+    }
+
     fn begin(&mut self, program: usize) -> Level<Frame> {
         let settings = self.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);

@@ -159,6 +159,11 @@ impl<'a> Run<'a> {
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Mtc200;
 
+    #[inline]
+    fn core(&mut self) -> &mut Core<'a, Mtc200> {
+        &mut self.core
+    }
+
     fn begin(&mut self, program: usize) -> Level<Frame> {
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::default())

@@ -12,8 +12,6 @@ mod site;
 mod source;
 pub mod unexecuted;
 
-use std::ops::DerefMut;
-
 use crate::diag::Code;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
@@ -66,8 +64,11 @@ pub trait Language: Default {
 }
 
 /// What the blocks of a language do.
-pub trait Interpreter<'a>: DerefMut<Target = Core<'a, Self::Language>> {
+pub trait Interpreter<'a> {
     type Language: Language;
+
+    /// The machine under it.
+    fn core(&mut self) -> &mut Core<'a, Self::Language>;
 
     /// The main program is open, and nothing of it was read. Says where the machine stands.
     fn begin(&mut self, program: usize) -> Level<<Self::Language as Language>::Frame>;
@@ -101,10 +102,10 @@ pub trait Interpreter<'a>: DerefMut<Target = Core<'a, Self::Language>> {
 
 /// Runs the main program to its end; false if it cannot be opened.
 pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
-    let Some(program) = run.open_main() else { return false };
+    let Some(program) = run.core().open_main() else { return false };
     let level = run.begin(program);
-    run.levels.push(level);
-    while !run.has_ended() {
+    run.core().levels.push(level);
+    while !run.core().has_ended() {
         step(run);
     }
     run.finish();
@@ -114,27 +115,27 @@ pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
 /// Executes one block.
 #[inline]
 pub fn step<'a, I: Interpreter<'a>>(run: &mut I) {
-    if !run.has_steps() || run.level_ends() || run.line_lane() {
+    if !run.core().has_steps() || run.level_ends() || run.line_lane() {
         return;
     }
-    if let Some(parsed) = run.read_before() {
-        run.here.mark(I::Language::span(&parsed.block));
+    if let Some(parsed) = run.core().read_before() {
+        run.core().here.mark(I::Language::span(&parsed.block));
         return run.execute(&parsed.block, &parsed.text);
     }
-    let mut parsed = run.scratch.take().unwrap_or_default();
-    match run.read(&mut parsed) {
+    let mut parsed = run.core().scratch.take().unwrap_or_default();
+    match run.core().read(&mut parsed) {
         Read::Block(site) => {
-            run.here = site;
-            if !run.problems.is_empty() {
+            run.core().here = site;
+            if !run.core().problems.is_empty() {
                 run.forgive(&parsed.block);
-                run.report_problems();
+                run.core().report_problems();
             }
-            run.here.mark(I::Language::span(&parsed.block));
+            run.core().here.mark(I::Language::span(&parsed.block));
             run.execute(&parsed.block, &parsed.text);
         }
         Read::TooLong => run.unread_block(),
         Read::End => run.end_of_file(),
-        Read::Broken => run.stop_run(),
+        Read::Broken => run.core().stop_run(),
     }
-    run.scratch = Some(parsed);
+    run.core().scratch = Some(parsed);
 }

@@ -16,7 +16,7 @@ use super::g_groups::GCode;
 use super::offsets::Outer;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Outcome, Reported};
 
 /// By how much a line may run backwards: what rounding makes of none, in mm.
 const BACK: f64 = 1e-9;
@@ -88,7 +88,7 @@ impl Pair {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A line with ANG, or the line behind one without an end.
     pub(super) fn angle_block(&mut self, w: &mut Words, path: Path, corner: Option<&Corner>) -> Outcome {
         let plane = self.st.plane();

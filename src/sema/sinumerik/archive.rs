@@ -7,7 +7,7 @@ use crate::sema::run::Where;
 use crate::text::Span;
 use crate::text::blocks::Place;
 
-use super::{Outcome, Run, programs};
+use super::{Core, Outcome, Run, programs};
 
 impl Run<'_> {
     /// A `%` line: the program of an archive that follows is another one.
@@ -44,13 +44,15 @@ impl Run<'_> {
             let first = &mut self.units.list[unit];
             first.name = name;
             first.kind = kind;
-            first.start = Place { at: self.core.here.at, line: self.core.here.line };
+            first.start = Place { at: self.channel.core.here.at, line: self.channel.core.here.line };
             let main = self.main_unit(unit);
             self.level().frame.unit = main;
         }
         Ok(())
     }
+}
 
+impl Core<'_> {
     /// Does the `%` of this line have no name, and a block behind it?
     fn blocks_behind_the_end(&self) -> bool {
         const AHEAD: u32 = 4096;

@@ -13,7 +13,7 @@ use super::frames::Component;
 use super::value::{NoValue, Val, type_name, whole};
 use super::vars::{MOST_R, Slot, Var};
 use super::vocabulary::Meaning;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 
 impl Run<'_> {
     /// `target = formula`
@@ -201,57 +201,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// LLI and ULI; the alarms are those below and above.
-    pub(super) fn check_limits(&self, value: &Val, limits: [Option<f64>; 2], alarms: [u32; 2], span: Span) -> Outcome {
-        let Some(number) = value.number() else { return Ok(()) };
-        match limits {
-            [Some(least), _] if number < least => {
-                self.fail(codes::S2029.alarm(alarms[0]), span, format!("{number} is below the limit LLI {least}"))
-            }
-            [_, Some(most)] if number > most => {
-                self.fail(codes::S2029.alarm(alarms[1]), span, format!("{number} is above the limit ULI {most}"))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    pub(super) fn check_length(&self, value: &Val, length: usize, span: Span) -> Outcome {
-        match value {
-            Val::Text(text) if text.len() > length => {
-                let message = format!("the text has {} characters, the variable takes {length}", text.len());
-                self.fail(codes::S2030.alarm(12210), span, message)
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// A value as one of another type.
-    pub(super) fn converted(&self, value: &Val, kind: TypeName, span: Span) -> Outcome<Val> {
-        self.converted_or(value, kind, span, [12150, 12560])
-    }
-
-    /// The same with the alarms for a wrong type and a value out of range.
-    pub(super) fn converted_or(&self, value: &Val, kind: TypeName, span: Span, alarms: [u32; 2]) -> Outcome<Val> {
-        match value.converted(kind) {
-            Ok(made) => {
-                if kind == TypeName::Int
-                    && let (Some(value), Some(made)) = (value.number(), made.number())
-                {
-                    self.says_negative_half(value, made, span);
-                }
-                Ok(made)
-            }
-            Err(NoValue::Type) => {
-                let message = format!("{} does not become {}", value.what(), type_name(kind));
-                self.fail(codes::S2005.alarm(alarms[0]), span, message)
-            }
-            Err(NoValue::Range) => {
-                let message = format!("the value lies outside what {} holds", type_name(kind));
-                self.fail(codes::S2029.alarm(alarms[1]), span, message)
-            }
-        }
-    }
-
     // Lists of values.
 
     /// The values of `SET(…)`, `(…)` or `REP(…)`; `None` for anything else.
@@ -340,6 +289,107 @@ impl Run<'_> {
         Ok(())
     }
 
+    pub(super) fn meaning(&mut self, name: Symbol) -> Meaning {
+        let at = name.0 as usize;
+        if let Some(Some(known)) = self.meanings.get(at) {
+            return *known;
+        }
+        let word = self.symbols.name(name);
+        let meaning = match self.axis_names.find(word) {
+            Some(axis) => Meaning::Axis(axis),
+            None => self.vocabulary.get(word).copied().unwrap_or(Meaning::Unknown),
+        };
+        if self.meanings.len() <= at {
+            self.meanings.resize(at + 1, None);
+        }
+        self.meanings[at] = Some(meaning);
+        meaning
+    }
+}
+
+impl Channel<'_> {
+    pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
+        let (axis, component) = self.frame_place(args, span)?;
+        let Some(axis) = axis else {
+            return self.fail(codes::S2028, span, "the frame of an axis that is left out is not known");
+        };
+        match frame.component(axis, component) {
+            Some(value) => Ok(Val::Real(value / self.st.component_unit(axis, component))),
+            None => self.fail(codes::S2034, span, "this chain of rotations and scales has no such components"),
+        }
+    }
+
+    pub(super) fn set_frame_component(
+        &self,
+        frame: &mut super::frames::FrameValue,
+        args: &[Val],
+        value: &Val,
+        span: Span,
+    ) -> Outcome {
+        let (axis, component) = self.frame_place(args, span)?;
+        let value = self.as_number(value, span)?;
+        // The frame of an axis that is left out moves nothing.
+        let Some(axis) = axis else { return Ok(()) };
+        let value = value * self.st.component_unit(axis, component);
+        if frame.set_component(axis, component, value) {
+            return Ok(());
+        }
+        self.fail(codes::S2034, span, "this component cannot be set: a chain of rotations and scales, or a factor 0")
+    }
+}
+
+impl Core<'_> {
+    /// LLI and ULI; the alarms are those below and above.
+    pub(super) fn check_limits(&self, value: &Val, limits: [Option<f64>; 2], alarms: [u32; 2], span: Span) -> Outcome {
+        let Some(number) = value.number() else { return Ok(()) };
+        match limits {
+            [Some(least), _] if number < least => {
+                self.fail(codes::S2029.alarm(alarms[0]), span, format!("{number} is below the limit LLI {least}"))
+            }
+            [_, Some(most)] if number > most => {
+                self.fail(codes::S2029.alarm(alarms[1]), span, format!("{number} is above the limit ULI {most}"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn check_length(&self, value: &Val, length: usize, span: Span) -> Outcome {
+        match value {
+            Val::Text(text) if text.len() > length => {
+                let message = format!("the text has {} characters, the variable takes {length}", text.len());
+                self.fail(codes::S2030.alarm(12210), span, message)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A value as one of another type.
+    pub(super) fn converted(&self, value: &Val, kind: TypeName, span: Span) -> Outcome<Val> {
+        self.converted_or(value, kind, span, [12150, 12560])
+    }
+
+    /// The same with the alarms for a wrong type and a value out of range.
+    pub(super) fn converted_or(&self, value: &Val, kind: TypeName, span: Span, alarms: [u32; 2]) -> Outcome<Val> {
+        match value.converted(kind) {
+            Ok(made) => {
+                if kind == TypeName::Int
+                    && let (Some(value), Some(made)) = (value.number(), made.number())
+                {
+                    self.says_negative_half(value, made, span);
+                }
+                Ok(made)
+            }
+            Err(NoValue::Type) => {
+                let message = format!("{} does not become {}", value.what(), type_name(kind));
+                self.fail(codes::S2005.alarm(alarms[0]), span, message)
+            }
+            Err(NoValue::Range) => {
+                let message = format!("the value lies outside what {} holds", type_name(kind));
+                self.fail(codes::S2029.alarm(alarms[1]), span, message)
+            }
+        }
+    }
+
     pub(super) fn filled(&self, var: &Var, start: usize, fill: &Fill, span: Span) -> Outcome<Var> {
         let mut made = var.clone();
         made.written = true;
@@ -385,52 +435,6 @@ impl Run<'_> {
                 "for example [X,TR]",
             ),
         }
-    }
-
-    pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
-        let (axis, component) = self.frame_place(args, span)?;
-        let Some(axis) = axis else {
-            return self.fail(codes::S2028, span, "the frame of an axis that is left out is not known");
-        };
-        match frame.component(axis, component) {
-            Some(value) => Ok(Val::Real(value / self.st.component_unit(axis, component))),
-            None => self.fail(codes::S2034, span, "this chain of rotations and scales has no such components"),
-        }
-    }
-
-    pub(super) fn set_frame_component(
-        &self,
-        frame: &mut super::frames::FrameValue,
-        args: &[Val],
-        value: &Val,
-        span: Span,
-    ) -> Outcome {
-        let (axis, component) = self.frame_place(args, span)?;
-        let value = self.as_number(value, span)?;
-        // The frame of an axis that is left out moves nothing.
-        let Some(axis) = axis else { return Ok(()) };
-        let value = value * self.st.component_unit(axis, component);
-        if frame.set_component(axis, component, value) {
-            return Ok(());
-        }
-        self.fail(codes::S2034, span, "this component cannot be set: a chain of rotations and scales, or a factor 0")
-    }
-
-    pub(super) fn meaning(&mut self, name: Symbol) -> Meaning {
-        let at = name.0 as usize;
-        if let Some(Some(known)) = self.meanings.get(at) {
-            return *known;
-        }
-        let word = self.symbols.name(name);
-        let meaning = match self.axis_names.find(word) {
-            Some(axis) => Meaning::Axis(axis),
-            None => self.vocabulary.get(word).copied().unwrap_or(Meaning::Unknown),
-        };
-        if self.meanings.len() <= at {
-            self.meanings.resize(at + 1, None);
-        }
-        self.meanings[at] = Some(meaning);
-        meaning
     }
 }
 

@@ -13,7 +13,7 @@ use crate::machine::{Axis, AxisUse, LONGEST_AXIS_NAME, Settings};
 use crate::text::Span;
 
 use super::words::{Given, MachineAxis, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// An axis by the name that the program gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -121,7 +121,7 @@ impl AxisNames {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// The printed axis that a name stands for; `None` for one that is left out, which is noted.
     #[inline]
     pub(super) fn printed_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
@@ -182,7 +182,9 @@ impl Run<'_> {
             _ => self.unnamed_axis(axis),
         }
     }
+}
 
+impl Core<'_> {
     /// `B1=90` without an entry in the configuration.
     pub(super) fn unnamed_axis<T>(&self, axis: MachineAxis) -> Outcome<T> {
         let name = format!("{}{}", axis.letter as char, axis.number);

@@ -12,7 +12,7 @@ use super::axis_names::NamedAxis;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::{Address, Meaning};
 use super::words::Words;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 
 /// Addresses that shape an arc.
 const ARC_ADDRESSES: [Address; 9] = [
@@ -137,30 +137,9 @@ impl Run<'_> {
         }
         Ok(())
     }
+}
 
-    /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
-    fn warn_of_trigger(&self, span: Span) {
-        if self.job.diags.first_time(codes::S8033) {
-            let message =
-                "under MCALL of a drilling cycle this block moves no axis; it is read as one that drills nothing";
-            let found = Diagnostic::new(codes::S8033, self.loc(span), message);
-            self.report(found.help("put it in front of MCALL: some controls drill behind it once more"));
-        }
-    }
-
-    pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
-        self.does_not_fit_code(span, 12110)
-    }
-
-    fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
-        self.fail_help(
-            codes::S2012.alarm(alarm),
-            span,
-            "the word does not fit the other words of the block",
-            "check which G code of group 1 is in force, and what it takes",
-        )
-    }
-
+impl Channel<'_> {
     // Motion.
 
     /// The motion of the block. True if axes moved along a path.
@@ -248,7 +227,7 @@ impl Run<'_> {
             return Ok(());
         }
         let [_, _, third] = self.st.roles();
-        let lengths = if self.st.channel.lathe { [Axis::X, Axis::Z] } else { [third, third] };
+        let lengths = if self.st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
         match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
             Some(given) => self.fail_help(
                 codes::S9016,
@@ -258,20 +237,6 @@ impl Run<'_> {
             ),
             None => Ok(()),
         }
-    }
-
-    pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {
-        let what = match code {
-            GCode::G0 | GCode::G1 | GCode::G2 | GCode::G3 | GCode::CIP | GCode::CT => return Ok(()),
-            GCode::G33 | GCode::G331 | GCode::G332 => return Ok(()),
-            GCode::G34 | GCode::G35 => "a thread of changing lead",
-            GCode::ASPLINE | GCode::BSPLINE | GCode::CSPLINE | GCode::POLY => "a spline or polynomial",
-            GCode::INVCW | GCode::INVCCW => "an involute",
-            GCode::G335 | GCode::G336 => "a thread on an arc",
-            _ => "an interpolation of the machine builder",
-        };
-        let message = format!("{} is {what}, which plain G-code cannot say", code.word());
-        self.fail_help(codes::S9002, span, message, "have the CAM system put out lines and arcs")
     }
 
     fn line_block(
@@ -288,5 +253,44 @@ impl Run<'_> {
         let end = if polar { self.polar_end(w)? } else { self.targets(w)? };
         self.send(&end, path);
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
+    fn warn_of_trigger(&self, span: Span) {
+        if self.job.diags.first_time(codes::S8033) {
+            let message =
+                "under MCALL of a drilling cycle this block moves no axis; it is read as one that drills nothing";
+            let found = Diagnostic::new(codes::S8033, self.loc(span), message);
+            self.report(found.help("put it in front of MCALL: some controls drill behind it once more"));
+        }
+    }
+
+    pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
+        self.does_not_fit_code(span, 12110)
+    }
+
+    fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
+        self.fail_help(
+            codes::S2012.alarm(alarm),
+            span,
+            "the word does not fit the other words of the block",
+            "check which G code of group 1 is in force, and what it takes",
+        )
+    }
+
+    pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {
+        let what = match code {
+            GCode::G0 | GCode::G1 | GCode::G2 | GCode::G3 | GCode::CIP | GCode::CT => return Ok(()),
+            GCode::G33 | GCode::G331 | GCode::G332 => return Ok(()),
+            GCode::G34 | GCode::G35 => "a thread of changing lead",
+            GCode::ASPLINE | GCode::BSPLINE | GCode::CSPLINE | GCode::POLY => "a spline or polynomial",
+            GCode::INVCW | GCode::INVCCW => "an involute",
+            GCode::G335 | GCode::G336 => "a thread on an arc",
+            _ => "an interpolation of the machine builder",
+        };
+        let message = format!("{} is {what}, which plain G-code cannot say", code.word());
+        self.fail_help(codes::S9002, span, message, "have the CAM system put out lines and arcs")
     }
 }

@@ -15,7 +15,7 @@ use super::programs::{UnitKind, bare_name, without_extension};
 use super::state::Saved;
 use super::value::Val;
 use super::vars::Slot;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 
 /// What a level of the call stack holds.
 #[derive(Debug)]
@@ -146,56 +146,6 @@ impl ModalCall {
 }
 
 impl Run<'_> {
-    fn program_level_at(&self) -> usize {
-        self.levels.iter().rposition(|level| !matches!(level.frame.kind, FrameKind::Section { .. })).unwrap_or(0)
-    }
-
-    /// What the level of a program holds, below any repeats.
-    pub(super) fn program_level(&mut self) -> &mut Frame {
-        let at = self.program_level_at();
-        &mut self.levels[at].frame
-    }
-
-    /// The block that called the program that runs.
-    pub(super) fn call_site(&self) -> Loc {
-        self.levels[self.program_level_at()].site
-    }
-
-    pub(super) fn enter_section(&mut self, from: Place, stop: u32, times: u32) -> Outcome {
-        self.check_depth()?;
-        let (site, back) = (self.here.origin.loc, self.place());
-        let level = self.level();
-        let (program, unit, call) = (level.program, level.frame.unit, level.call);
-        let frame = Frame {
-            kind: FrameKind::Section { from, stop, left: times - 1 },
-            unit,
-            counting: None,
-            arguments: None,
-            given: Vec::new(),
-            executed: true,
-            declares: true,
-            further_pass: false,
-        };
-        self.levels.push(Level { program, back, call, site, frame });
-        self.note_jump();
-        self.resume(from)
-    }
-
-    fn check_depth(&self) -> Outcome {
-        if self.levels.len() >= self.job.settings.limits.call_depth {
-            let message = format!("programs and repeats are nested deeper than {}", self.levels.len());
-            self.stop_run();
-            self.fail_help(codes::P4003.alarm(14012), Where::Block, message, "check for a program that calls itself")
-        } else {
-            Ok(())
-        }
-    }
-
-    /// Where the current program goes on.
-    pub(super) fn place(&mut self) -> Place {
-        self.program().source.cursor.place()
-    }
-
     /// A section or program ran up to its last block. False if nothing ended.
     pub(super) fn ends_here(&mut self, at: u32) -> bool {
         let level = self.level();
@@ -267,7 +217,7 @@ impl Run<'_> {
             self.stop_run();
             return Err(Reported);
         };
-        let unit = self.units.first_of(&self.core.job, &self.core.programs, file);
+        let unit = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, file);
         let file = self.units.list[unit].file;
         let unit = match self.list_programs(file) {
             Ok(()) => self.units.find_in_file(file, &plain).unwrap_or(unit),
@@ -449,11 +399,6 @@ impl Run<'_> {
         self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
     }
 
-    /// Where the modal call stands that is still on.
-    pub(super) fn open_modal_call(&self) -> Option<Loc> {
-        self.st.modal_call.is_on().then_some(self.st.modal_call.site)
-    }
-
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
         self.st.modal_call.site = self.loc(block.span);
         self.st.modal_call.lost = true;
@@ -494,11 +439,6 @@ impl Run<'_> {
         }
     }
 
-    /// The kind of the program that runs.
-    pub(super) fn in_main(&mut self) -> bool {
-        matches!(self.program_level().kind, FrameKind::Main)
-    }
-
     /// Kinds of programs that end without M17 or M30 are worth a word.
     pub(super) fn end_of_program_text(&mut self) {
         self.tapping_ends();
@@ -514,6 +454,70 @@ impl Run<'_> {
             return;
         }
         self.leave_program();
+    }
+}
+
+impl Channel<'_> {
+    /// Where the modal call stands that is still on.
+    pub(super) fn open_modal_call(&self) -> Option<Loc> {
+        self.st.modal_call.is_on().then_some(self.st.modal_call.site)
+    }
+}
+
+impl Core<'_> {
+    fn program_level_at(&self) -> usize {
+        self.levels.iter().rposition(|level| !matches!(level.frame.kind, FrameKind::Section { .. })).unwrap_or(0)
+    }
+
+    /// What the level of a program holds, below any repeats.
+    pub(super) fn program_level(&mut self) -> &mut Frame {
+        let at = self.program_level_at();
+        &mut self.levels[at].frame
+    }
+
+    /// The block that called the program that runs.
+    pub(super) fn call_site(&self) -> Loc {
+        self.levels[self.program_level_at()].site
+    }
+
+    pub(super) fn enter_section(&mut self, from: Place, stop: u32, times: u32) -> Outcome {
+        self.check_depth()?;
+        let (site, back) = (self.here.origin.loc, self.place());
+        let level = self.level();
+        let (program, unit, call) = (level.program, level.frame.unit, level.call);
+        let frame = Frame {
+            kind: FrameKind::Section { from, stop, left: times - 1 },
+            unit,
+            counting: None,
+            arguments: None,
+            given: Vec::new(),
+            executed: true,
+            declares: true,
+            further_pass: false,
+        };
+        self.levels.push(Level { program, back, call, site, frame });
+        self.note_jump();
+        self.resume(from)
+    }
+
+    fn check_depth(&self) -> Outcome {
+        if self.levels.len() >= self.job.settings.limits.call_depth {
+            let message = format!("programs and repeats are nested deeper than {}", self.levels.len());
+            self.stop_run();
+            self.fail_help(codes::P4003.alarm(14012), Where::Block, message, "check for a program that calls itself")
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Where the current program goes on.
+    pub(super) fn place(&mut self) -> Place {
+        self.program().source.cursor.place()
+    }
+
+    /// The kind of the program that runs.
+    pub(super) fn in_main(&mut self) -> bool {
+        matches!(self.program_level().kind, FrameKind::Main)
     }
 }
 

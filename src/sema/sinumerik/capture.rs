@@ -13,7 +13,7 @@ use crate::text::{Loc, Span};
 use super::calls::FrameKind;
 use super::state::State;
 use super::vars::Vars;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 
 /// Most elements of a contour, roundings and chamfers counted.
 pub(super) const MOST_ELEMENTS: usize = 1000;
@@ -55,7 +55,7 @@ impl Run<'_> {
         }
         let pending = self.pending_must_be_done(Where::Block);
         let capture = self.capture.take();
-        let made = self.core.out.contour_ends(&here.origin);
+        let made = self.channel.core.out.contour_ends(&here.origin);
         self.here = here;
         (self.st, self.vars) = before;
         entered?;
@@ -77,7 +77,7 @@ impl Run<'_> {
         self.st.begin_contour();
         let below = self.levels.len();
         self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
-        self.core.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.core.here.origin);
+        self.channel.core.out.contour_begins(MOST_ELEMENTS, &self.channel.st.ctx, &self.channel.core.here.origin);
         before
     }
 
@@ -88,7 +88,9 @@ impl Run<'_> {
             part => self.call_part(call.unit, Vec::new(), 1, false, part),
         }
     }
+}
 
+impl Channel<'_> {
     fn in_contour(&self) -> bool {
         self.capture.as_ref().is_some_and(|capture| self.levels.len() > capture.below)
     }
@@ -154,7 +156,9 @@ impl Run<'_> {
         let message = format!("{name} stands in the contour `{}`", capture.name);
         self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
     }
+}
 
+impl Core<'_> {
     fn unfit(&mut self, call: &ContourCall, unfit: Unfit) -> Outcome<Captured> {
         let (origin, alarm, message, help) = match unfit {
             Unfit::Reported => return Err(Reported),

@@ -16,7 +16,7 @@ use super::g_groups::GCode;
 use super::state::Diameter;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// Points closer than this are the same, in mm: half the last digit of a program.
 pub(super) const SAME: f64 = 5e-5;
@@ -29,10 +29,10 @@ const MOST_TURNS: f64 = 999.0;
 const CENTER: [Address; 3] = [Address::I, Address::J, Address::K];
 const VIA: [Address; 3] = [Address::I1, Address::J1, Address::K1];
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Interpolation parameters with the geometry axes they belong to (MD 20050).
     fn parameters(&self, names: [Address; 3]) -> [(Address, Axis); 3] {
-        let axes = self.st.channel.geometry_axes;
+        let axes = self.st.machine.geometry_axes;
         [(names[0], axes[0]), (names[1], axes[1]), (names[2], axes[2])]
     }
 
@@ -149,61 +149,6 @@ impl Run<'_> {
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
     }
 
-    /// A centre from which start and end are equally far within the tolerance; moved so that the radius at the
-    /// start holds for both.
-    fn checked_center(&self, start: Point2, to: Point2, center: Point2, ccw: bool, span: Span) -> Outcome<Point2> {
-        let (r1, r2) = (crate::geo::distance(start, center), crate::geo::distance(to, center));
-        let off = (r2 - r1).abs();
-        if r1 <= SAME || r2 <= SAME {
-            let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
-            let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say";
-            return self.fail_help(codes::S3003.alarm(14040), span, message, help);
-        }
-        if off > self.circle_tolerance(r1) + 1e-9 {
-            let message = format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm");
-            return self.fail_help(
-                codes::S3007.alarm(14040),
-                span,
-                message,
-                "check start, end and centre; `[control] md21000` and `md21010` set the tolerance",
-            );
-        }
-        if off <= 1e-9 || crate::geo::distance(start, to) <= SAME {
-            return Ok(center);
-        }
-        let solutions = [r1, -r1].map(|radius| center_by_radius(start, to, radius, ccw, SAME, 0.0));
-        let near = |point: &Point2| crate::geo::distance(*point, center);
-        // A chord longer than twice the radius at the start is a diameter.
-        let middle = Point2::from((start.coords + to.coords) / 2.0);
-        let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b))).or(Some(middle));
-        let seen = |point: Point2| libm::atan2(point.y - start.y, point.x - start.x);
-        let turn = |point: &Point2| {
-            let turn = (seen(*point) - seen(center)).abs();
-            turn.min(core::f64::consts::TAU - turn)
-        };
-        match best.filter(|point| turn(point) < libm::sqrt(MOST_TURN_SQUARED)) {
-            Some(point) => {
-                self.warn_of_moved_centre(near(&point), self.circle_tolerance(r1), span);
-                Ok(point)
-            }
-            None => {
-                let message = format!(
-                    "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm, and no centre near it fits both"
-                );
-                self.fail_help(codes::S3007.alarm(14040), span, message, "check start, end and centre")
-            }
-        }
-    }
-
-    /// A centre that has to move much for a small difference of the radii makes another arc.
-    fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
-        if moved > 10.0 * tolerance && self.job.diags.first_time(codes::G8101) {
-            let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
-            let found = Diagnostic::new(codes::G8101, self.loc(span), message);
-            self.report(found.help("program the end point and the centre with more decimals, or the arc by CR="));
-        }
-    }
-
     pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, place: impl Into<Where>) -> Outcome {
         let place = place.into();
         if let Some(third) =
@@ -216,22 +161,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Largest difference of the radii at start and end (MD 21000, MD 21010).
-    fn circle_tolerance(&self, radius: f64) -> f64 {
-        let control = &self.job.settings.control;
-        control.sinumerik.circle_error.max(control.sinumerik.circle_error_factor * radius.abs())
-    }
-
-    fn arc_span(&self, w: &Words) -> Span {
-        let words = CENTER.into_iter().chain([Address::Cr, Address::Ar]);
-        words.filter_map(|address| w.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
-    }
-
-    fn plane_axes_named(&self, w: &Words, plane: Plane) -> bool {
-        let (first, second, _) = plane.axes();
-        w.axes.contains(Axis::ALL[first]) || w.axes.contains(Axis::ALL[second])
-    }
-
     /// Where the arc starts.
     pub(super) fn start_in(&mut self, plane: Plane, w: &Words) -> Outcome<Point2> {
         if let Some(start) = self.st.position.in_plane(plane) {
@@ -242,12 +171,6 @@ impl Run<'_> {
             [first, second].into_iter().map(|i| Axis::ALL[i]).find(|axis| self.st.position.get(*axis).is_none());
         let span = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span).unwrap_or_default();
         self.unknown_axis(missing.unwrap_or(Axis::X), span)
-    }
-
-    /// The end in the plane; coordinates that are not named stay.
-    pub(super) fn end_in(&self, end: &Pos, plane: Plane, start: Point2) -> Point2 {
-        let (first, second, _) = plane.axes();
-        Point2::new(end.get(Axis::ALL[first]).unwrap_or(start.x), end.get(Axis::ALL[second]).unwrap_or(start.y))
     }
 
     /// The centre from I, J, K; `None` if none of them is given.
@@ -301,33 +224,6 @@ impl Run<'_> {
             }
         }
         Ok(any.then_some(point))
-    }
-
-    fn opening(&self, ar: Given, ccw: bool) -> Outcome<Deg> {
-        if !(0.0001..=359.9999).contains(&ar.value) {
-            let message = format!("AR={} lies outside 0.0001 to 359.9999 degrees", ar.value);
-            return self.fail_help(
-                codes::S3004.alarm(14910),
-                ar.span,
-                message,
-                "the sense of rotation comes from G2 or G3",
-            );
-        }
-        Ok(Deg(if ccw { ar.value } else { -ar.value }))
-    }
-
-    pub(super) fn turns(&self, w: &mut Words) -> Outcome<u32> {
-        let Some(turn) = w.take(Address::Turn) else { return Ok(0) };
-        if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
-            let message = format!("TURN={} is no number of turns", turn.value);
-            return self.fail_help(
-                codes::S3005.alarm(14048),
-                turn.span,
-                message,
-                "TURN counts additional full circles, 0 to 999",
-            );
-        }
-        Ok(turn.value as u32)
     }
 
     /// G2 or G3 with AP and RP: the pole is the centre.
@@ -461,5 +357,111 @@ impl Run<'_> {
             );
         }
         self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
+    }
+}
+
+impl Core<'_> {
+    /// A centre from which start and end are equally far within the tolerance; moved so that the radius at the
+    /// start holds for both.
+    fn checked_center(&self, start: Point2, to: Point2, center: Point2, ccw: bool, span: Span) -> Outcome<Point2> {
+        let (r1, r2) = (crate::geo::distance(start, center), crate::geo::distance(to, center));
+        let off = (r2 - r1).abs();
+        if r1 <= SAME || r2 <= SAME {
+            let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
+            let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say";
+            return self.fail_help(codes::S3003.alarm(14040), span, message, help);
+        }
+        if off > self.circle_tolerance(r1) + 1e-9 {
+            let message = format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm");
+            return self.fail_help(
+                codes::S3007.alarm(14040),
+                span,
+                message,
+                "check start, end and centre; `[control] md21000` and `md21010` set the tolerance",
+            );
+        }
+        if off <= 1e-9 || crate::geo::distance(start, to) <= SAME {
+            return Ok(center);
+        }
+        let solutions = [r1, -r1].map(|radius| center_by_radius(start, to, radius, ccw, SAME, 0.0));
+        let near = |point: &Point2| crate::geo::distance(*point, center);
+        // A chord longer than twice the radius at the start is a diameter.
+        let middle = Point2::from((start.coords + to.coords) / 2.0);
+        let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b))).or(Some(middle));
+        let seen = |point: Point2| libm::atan2(point.y - start.y, point.x - start.x);
+        let turn = |point: &Point2| {
+            let turn = (seen(*point) - seen(center)).abs();
+            turn.min(core::f64::consts::TAU - turn)
+        };
+        match best.filter(|point| turn(point) < libm::sqrt(MOST_TURN_SQUARED)) {
+            Some(point) => {
+                self.warn_of_moved_centre(near(&point), self.circle_tolerance(r1), span);
+                Ok(point)
+            }
+            None => {
+                let message = format!(
+                    "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm, and no centre near it fits both"
+                );
+                self.fail_help(codes::S3007.alarm(14040), span, message, "check start, end and centre")
+            }
+        }
+    }
+
+    /// A centre that has to move much for a small difference of the radii makes another arc.
+    fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
+        if moved > 10.0 * tolerance && self.job.diags.first_time(codes::G8101) {
+            let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
+            let found = Diagnostic::new(codes::G8101, self.loc(span), message);
+            self.report(found.help("program the end point and the centre with more decimals, or the arc by CR="));
+        }
+    }
+
+    /// Largest difference of the radii at start and end (MD 21000, MD 21010).
+    fn circle_tolerance(&self, radius: f64) -> f64 {
+        let control = &self.job.settings.control;
+        control.sinumerik.circle_error.max(control.sinumerik.circle_error_factor * radius.abs())
+    }
+
+    fn arc_span(&self, w: &Words) -> Span {
+        let words = CENTER.into_iter().chain([Address::Cr, Address::Ar]);
+        words.filter_map(|address| w.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
+    }
+
+    fn plane_axes_named(&self, w: &Words, plane: Plane) -> bool {
+        let (first, second, _) = plane.axes();
+        w.axes.contains(Axis::ALL[first]) || w.axes.contains(Axis::ALL[second])
+    }
+
+    /// The end in the plane; coordinates that are not named stay.
+    pub(super) fn end_in(&self, end: &Pos, plane: Plane, start: Point2) -> Point2 {
+        let (first, second, _) = plane.axes();
+        Point2::new(end.get(Axis::ALL[first]).unwrap_or(start.x), end.get(Axis::ALL[second]).unwrap_or(start.y))
+    }
+
+    fn opening(&self, ar: Given, ccw: bool) -> Outcome<Deg> {
+        if !(0.0001..=359.9999).contains(&ar.value) {
+            let message = format!("AR={} lies outside 0.0001 to 359.9999 degrees", ar.value);
+            return self.fail_help(
+                codes::S3004.alarm(14910),
+                ar.span,
+                message,
+                "the sense of rotation comes from G2 or G3",
+            );
+        }
+        Ok(Deg(if ccw { ar.value } else { -ar.value }))
+    }
+
+    pub(super) fn turns(&self, w: &mut Words) -> Outcome<u32> {
+        let Some(turn) = w.take(Address::Turn) else { return Ok(0) };
+        if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
+            let message = format!("TURN={} is no number of turns", turn.value);
+            return self.fail_help(
+                codes::S3005.alarm(14048),
+                turn.span,
+                message,
+                "TURN counts additional full circles, 0 to 999",
+            );
+        }
+        Ok(turn.value as u32)
     }
 }

@@ -3,7 +3,7 @@
 use super::g_groups::GCode;
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
@@ -37,20 +37,7 @@ impl Corners {
     }
 }
 
-impl Run<'_> {
-    pub(super) fn has_corner_words(&self, w: &Words) -> bool {
-        [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().any(|address| w.get(*address).is_some())
-    }
-
-    pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
-        self.fail_help(
-            codes::S2071.alarm(10882),
-            span,
-            "a chamfer or rounding stands in a block that does not move",
-            "write it into the block that leads to the corner",
-        )
-    }
-
+impl Channel<'_> {
     /// RNDM and FRCM.
     pub(super) fn modal_contour_words(&mut self, w: &mut Words) -> Outcome {
         if let Some(rndm) = w.take(Address::Rndm) {
@@ -66,10 +53,6 @@ impl Run<'_> {
             self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
         }
         Ok(())
-    }
-
-    fn negative<T>(&self, span: Span) -> Outcome<T> {
-        self.fail(codes::S2071.alarm(16500), span, "a chamfer or rounding is negative")
     }
 
     /// The corner that the block asks for at its end.
@@ -143,15 +126,6 @@ impl Run<'_> {
         self.fail_help(codes::S2040.alarm(10860), Where::Block, message, help)
     }
 
-    /// What the control does with a corner that does not fit.
-    pub(super) fn large_corner(&self) -> LargeCorner {
-        if self.job.settings.control.sinumerik.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
-    }
-
-    pub(super) fn arc_chamfer(&self) -> ArcChamfer {
-        if self.job.settings.control.sinumerik.arc_chamfers { ArcChamfer::AcrossBisector } else { ArcChamfer::Ask }
-    }
-
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
         let Some(corner) = corner else { return };
         // A modal rounding is for moves that cut.
@@ -177,5 +151,33 @@ impl Run<'_> {
         let found = Diagnostic::new(codes::S2071.alarm(10880), loc, message);
         self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
         Err(Reported)
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn has_corner_words(&self, w: &Words) -> bool {
+        [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().any(|address| w.get(*address).is_some())
+    }
+
+    pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
+        self.fail_help(
+            codes::S2071.alarm(10882),
+            span,
+            "a chamfer or rounding stands in a block that does not move",
+            "write it into the block that leads to the corner",
+        )
+    }
+
+    fn negative<T>(&self, span: Span) -> Outcome<T> {
+        self.fail(codes::S2071.alarm(16500), span, "a chamfer or rounding is negative")
+    }
+
+    /// What the control does with a corner that does not fit.
+    pub(super) fn large_corner(&self) -> LargeCorner {
+        if self.job.settings.control.sinumerik.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
+    }
+
+    pub(super) fn arc_chamfer(&self) -> ArcChamfer {
+        if self.job.settings.control.sinumerik.arc_chamfers { ArcChamfer::AcrossBisector } else { ArcChamfer::Ask }
     }
 }

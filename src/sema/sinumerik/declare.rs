@@ -96,7 +96,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let taken = match self.meaning(name) {
-            Meaning::Axis(named) if named.axis.is_some_and(|axis| self.st.channel.geometry_axes.contains(&axis)) => {
+            Meaning::Axis(named) if named.axis.is_some_and(|axis| self.st.machine.geometry_axes.contains(&axis)) => {
                 Some("a geometry axis")
             }
             Meaning::Axis(named) if self.axis_names.is_given(named) => Some("an axis"),
@@ -223,7 +223,7 @@ impl Run<'_> {
             if at >= end {
                 break;
             }
-            parse_block(&text, &mut block, &mut self.core.symbols, &mut self.core.problems);
+            parse_block(&text, &mut block, &mut self.channel.core.symbols, &mut self.channel.core.problems);
             self.here = crate::sema::run::Site::new(file, at, line, 1, here.origin.call);
             self.here.origin.loc.span = block.span.shifted(at);
             self.report_problems();

@@ -5,14 +5,14 @@
 use super::g_groups::GCode;
 use super::state::Diameter;
 use super::words::{Given, Mode, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::sema::run::Where;
 use crate::text::Span;
 
-impl Run<'_> {
+impl Channel<'_> {
     /// The programmed end points of all axes of the block.
     #[inline]
     pub(super) fn targets(&mut self, w: &Words) -> Outcome<Pos> {
@@ -77,25 +77,6 @@ impl Run<'_> {
         Ok(if diameter { value / 2.0 } else { value })
     }
 
-    #[inline]
-    pub(super) fn is_diameter_axis(&self, axis: Axis) -> bool {
-        self.job.settings.machine.diameter_axis == Some(axis)
-    }
-
-    pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
-        if let Some(axis) = self.job.settings.machine.diameter_axis {
-            let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
-            let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
-            return self.fail_help(codes::S2060.alarm(16510), span, message, help);
-        }
-        self.fail_help(
-            codes::S2060.alarm(16510),
-            span,
-            "no diameter axis is configured (MD 20100)",
-            "set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe",
-        )
-    }
-
     /// What an increment counts from: the value last programmed, or where the axis stands (SD 42440).
     pub(super) fn increment_base(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
         if self.st.position.is_lost(axis) {
@@ -106,7 +87,7 @@ impl Run<'_> {
         if (programmed - at).abs() <= 1e-9 {
             return Ok(at);
         }
-        let with_offset = match self.vars.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
+        let with_offset = match self.st.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
             Some(set) => set,
             None => self.job.settings.control.sinumerik.frame_offset_incremental.unwrap_or(true),
         };
@@ -137,6 +118,27 @@ impl Run<'_> {
             place,
             format!("where {} stands is not known", axis.letter()),
             self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
+        )
+    }
+}
+
+impl Core<'_> {
+    #[inline]
+    pub(super) fn is_diameter_axis(&self, axis: Axis) -> bool {
+        self.job.settings.machine.diameter_axis == Some(axis)
+    }
+
+    pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
+        if let Some(axis) = self.job.settings.machine.diameter_axis {
+            let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
+            let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
+            return self.fail_help(codes::S2060.alarm(16510), span, message, help);
+        }
+        self.fail_help(
+            codes::S2060.alarm(16510),
+            span,
+            "no diameter axis is configured (MD 20100)",
+            "set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe",
         )
     }
 }

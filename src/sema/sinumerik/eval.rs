@@ -18,7 +18,7 @@ use super::known_words::Known;
 use super::value::{Val, to_text, whole};
 use super::vars::{MOST_R, Slot};
 use super::vocabulary::{Meaning, Procedure, Refusal};
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
 /// Relative difference up to which two REAL values are equal.
 const EQUAL: f64 = 1e-12;
@@ -166,14 +166,6 @@ impl Run<'_> {
         self.as_number(&value, formula.span)
     }
 
-    pub(super) fn as_number(&self, value: &Val, span: Span) -> Outcome<f64> {
-        match value.number() {
-            Some(v) if v.is_finite() => Ok(v),
-            Some(_) => self.fail(codes::S2006.alarm(14051), span, "the value is infinite"),
-            None => self.fail(codes::S2005.alarm(12150), span, format!("a number is needed, this is {}", value.what())),
-        }
-    }
-
     /// The value of a formula as a condition.
     pub(super) fn condition(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<bool> {
         let value = self.eval(formula, block, text)?;
@@ -182,19 +174,6 @@ impl Run<'_> {
             None => {
                 let message = format!("a condition is needed, this is {}", value.what());
                 self.fail(codes::S2005.alarm(12150), formula.span, message)
-            }
-        }
-    }
-
-    /// A text in quotes. Bytes stand in it as `'H41'` or `'B1000001'`, too.
-    fn text_value(&self, span: Span, text: &[u8]) -> Outcome<Val> {
-        match resolved_text(span.of(text)) {
-            Ok(bytes) => Ok(Val::text(&bytes)),
-            Err((at, alarm)) => {
-                let what = if alarm == BINARY_TOO_LARGE { "binary" } else { "hexadecimal" };
-                let span = Span::at(span.start + at as u32, 1);
-                let message = format!("the {what} constant in the text is larger than one character");
-                self.fail_help(codes::S2030.alarm(alarm), span, message, "a character has 8 bits: 'H00' to 'HFF'")
             }
         }
     }
@@ -256,11 +235,6 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
-        let message = format!("{} ({}) is not compiled", self.symbols.name(name), known.what);
-        self.fail_help(codes::S9132, span, message, known.help)
-    }
-
     /// A name that nothing is known of.
     pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
         let word = self.symbols.name(name);
@@ -307,16 +281,6 @@ impl Run<'_> {
         }
     }
 
-    /// Indices of an array, as whole numbers.
-    pub(super) fn indices(&self, args: &[Val], span: Span) -> Outcome<Vec<i32>> {
-        args.iter().map(|value| self.index(value, span)).collect()
-    }
-
-    fn index(&self, value: &Val, span: Span) -> Outcome<i32> {
-        let message = || format!("an index is a whole number, this is {}", value.what());
-        value.number().and_then(whole).map_or_else(|| self.fail(codes::S2018.alarm(12410), span, message()), Ok)
-    }
-
     fn indexed_value(&mut self, base: Base, args: &[Val], span: Span) -> Outcome<Val> {
         match base {
             Base::Letter(b'R') => {
@@ -361,18 +325,6 @@ impl Run<'_> {
         self.variable_value(slot, indices, span)
     }
 
-    pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
-        let [index] = args else {
-            self.indices(args, span)?;
-            return self.fail(codes::S2018.alarm(12400), span, "an R parameter has one index");
-        };
-        let index = self.index(index, span)?;
-        match u32::try_from(index) {
-            Ok(n) if n <= MOST_R => Ok(n),
-            _ => self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{index}")),
-        }
-    }
-
     fn function_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
         let Some((word, function)) = formula_functions::find(self.symbols.name(name)) else {
             if !matches!(self.meaning(name), Meaning::Unknown) {
@@ -414,6 +366,56 @@ impl Run<'_> {
                 };
                 self.fail(codes::S2006.alarm(alarm), span, format!("{word}: {why}"))
             }
+        }
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn as_number(&self, value: &Val, span: Span) -> Outcome<f64> {
+        match value.number() {
+            Some(v) if v.is_finite() => Ok(v),
+            Some(_) => self.fail(codes::S2006.alarm(14051), span, "the value is infinite"),
+            None => self.fail(codes::S2005.alarm(12150), span, format!("a number is needed, this is {}", value.what())),
+        }
+    }
+
+    /// A text in quotes. Bytes stand in it as `'H41'` or `'B1000001'`, too.
+    fn text_value(&self, span: Span, text: &[u8]) -> Outcome<Val> {
+        match resolved_text(span.of(text)) {
+            Ok(bytes) => Ok(Val::text(&bytes)),
+            Err((at, alarm)) => {
+                let what = if alarm == BINARY_TOO_LARGE { "binary" } else { "hexadecimal" };
+                let span = Span::at(span.start + at as u32, 1);
+                let message = format!("the {what} constant in the text is larger than one character");
+                self.fail_help(codes::S2030.alarm(alarm), span, message, "a character has 8 bits: 'H00' to 'HFF'")
+            }
+        }
+    }
+
+    pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
+        let message = format!("{} ({}) is not compiled", self.symbols.name(name), known.what);
+        self.fail_help(codes::S9132, span, message, known.help)
+    }
+
+    /// Indices of an array, as whole numbers.
+    pub(super) fn indices(&self, args: &[Val], span: Span) -> Outcome<Vec<i32>> {
+        args.iter().map(|value| self.index(value, span)).collect()
+    }
+
+    fn index(&self, value: &Val, span: Span) -> Outcome<i32> {
+        let message = || format!("an index is a whole number, this is {}", value.what());
+        value.number().and_then(whole).map_or_else(|| self.fail(codes::S2018.alarm(12410), span, message()), Ok)
+    }
+
+    pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
+        let [index] = args else {
+            self.indices(args, span)?;
+            return self.fail(codes::S2018.alarm(12400), span, "an R parameter has one index");
+        };
+        let index = self.index(index, span)?;
+        match u32::try_from(index) {
+            Ok(n) if n <= MOST_R => Ok(n),
+            _ => self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{index}")),
         }
     }
 

@@ -78,9 +78,11 @@ impl Run<'_> {
     /// Holds the EXTERN line of the calling program against the PROC that runs now.
     pub(super) fn check_extern(&mut self, block: &Block) {
         let at = self.levels.iter().rposition(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
-        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.core.levels.get(at)) else { return };
+        let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.channel.core.levels.get(at)) else {
+            return;
+        };
         let name = self.units.list[self.unit()].name.as_str();
-        let symbols = &self.core.symbols;
+        let symbols = &self.channel.core.symbols;
         let known =
             self.externs.iter_mut().find(|known| known.unit == caller.frame.unit && symbols.name(known.name) == name);
         let Some(known) = known.filter(|known| !known.told) else { return };

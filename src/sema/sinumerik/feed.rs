@@ -14,7 +14,7 @@ use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// What F says.
 #[derive(Debug, Clone)]
@@ -107,7 +107,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Says once that F counts per minute because no block says otherwise.
     pub(super) fn feed_kind_is_said(&mut self) {
         if !self.st.feed.take_kind_open() {
@@ -134,16 +134,6 @@ impl Run<'_> {
             return Ok(None);
         }
         self.cutting_feed(w).map(Some)
-    }
-
-    /// FB, for one block.
-    fn block_feed(&self, w: &mut Words) -> Outcome<Option<Given>> {
-        match w.take(Address::Fb) {
-            Some(fb) if fb.value <= 0.0 => {
-                self.fail(codes::S2041.alarm(14800), fb.span, format!("the feed FB={} is not above 0", fb.value))
-            }
-            fb => Ok(fb),
-        }
     }
 
     /// The feed of a path block that cuts.
@@ -237,11 +227,6 @@ impl Run<'_> {
         )
     }
 
-    /// Refuses what has no share of the time of a block.
-    pub(super) fn not_by_time<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
-        self.fail_help(codes::S9009, place, message, "program the feed by G94 or G95 for it")
-    }
-
     pub(super) fn feed_code(&mut self, code: GCode, span: Span) -> Outcome {
         let old = self.st.codes.of(Group::FeedType);
         use GCode as G;
@@ -259,5 +244,22 @@ impl Run<'_> {
             self.st.feed_mode_changed();
         }
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    /// FB, for one block.
+    fn block_feed(&self, w: &mut Words) -> Outcome<Option<Given>> {
+        match w.take(Address::Fb) {
+            Some(fb) if fb.value <= 0.0 => {
+                self.fail(codes::S2041.alarm(14800), fb.span, format!("the feed FB={} is not above 0", fb.value))
+            }
+            fb => Ok(fb),
+        }
+    }
+
+    /// Refuses what has no share of the time of a block.
+    pub(super) fn not_by_time<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
+        self.fail_help(codes::S9009, place, message, "program the feed by G94 or G95 for it")
     }
 }

@@ -6,10 +6,12 @@ use crate::diag::{Diagnostic, codes};
 use crate::machine::tree::did_you_mean;
 use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::parser::symbols::Symbol;
+use crate::sema::run;
+use crate::sema::sinumerik::Core;
 use crate::text::Span;
 use crate::text::blocks::Place;
 
-use crate::sema::run::{Core, Where};
+use crate::sema::run::Where;
 
 use super::calls::FrameKind;
 use super::programs::{Mark, Skeleton, Structure};
@@ -30,25 +32,8 @@ impl Run<'_> {
 
     /// The skeleton of any program.
     pub(super) fn skeleton_of(&mut self, unit: usize) -> std::io::Result<std::rc::Rc<Skeleton>> {
-        let Core { job, programs, symbols, .. } = &mut self.core;
+        let run::Core { job, programs, symbols, .. } = &mut self.channel.core;
         self.units.skeleton(job, programs, unit, symbols)
-    }
-
-    /// Goes on at `place` of the current program. Repeats that do not hold the place end.
-    fn go_to(&mut self, place: Place) -> Outcome {
-        while let FrameKind::Section { from, stop, .. } = self.level().frame.kind
-            && !(from.at <= place.at && place.at < stop)
-        {
-            self.levels.pop();
-        }
-        self.resume(place)
-    }
-
-    pub(super) fn resume(&mut self, place: Place) -> Outcome {
-        if place.at <= self.here.at {
-            self.note_jump();
-        }
-        self.seek(place)
     }
 
     /// The structure that the current block belongs to. A structure that is not closed was reported.
@@ -220,11 +205,6 @@ impl Run<'_> {
         }
     }
 
-    /// GOTOS starts the program again where the machine asks for it, which nothing does here.
-    pub(super) fn says_goto_start(&self, span: Span) {
-        self.note_once(codes::S8049, span, "GOTOS is left out: the machine decides whether the program starts again");
-    }
-
     fn find_target(&mut self, jump: Jump, block: &Block, text: &[u8]) -> Outcome<Option<Mark>> {
         let from = self.here.at;
         let (found, what) = match jump.target {
@@ -312,11 +292,6 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    fn mark_loc(&mut self, mark: Mark) -> crate::text::Loc {
-        let span = Span::at(mark.place.at, (mark.after.at - mark.place.at).saturating_sub(1));
-        crate::text::Loc { file: self.program().source.file, line: mark.place.line, span }
-    }
-
     // Repeated sections.
 
     pub(super) fn repeat(
@@ -399,17 +374,6 @@ impl Run<'_> {
         self.check_passes(value, formula.span)
     }
 
-    pub(super) fn check_passes(&mut self, value: f64, span: Span) -> Outcome<u32> {
-        let fits = |n: &i32| (1..=MOST_PASSES).contains(n) && (f64::from(*n) - value).abs() < 1e-6;
-        match whole(value).filter(fits) {
-            Some(n) => Ok(n as u32),
-            None => {
-                let message = format!("P={value} is no number of passes");
-                self.fail_help(codes::S2019.alarm(14013), span, message, "P is a whole number, 1 to 9999")
-            }
-        }
-    }
-
     // Return.
 
     /// `RET`, `RET("LABEL", after, levels)`
@@ -480,6 +444,46 @@ impl Run<'_> {
         match found {
             Some(mark) => self.go_to(if behind { mark.after } else { mark.place }),
             None => self.no_target(jump, &what),
+        }
+    }
+}
+
+impl Core<'_> {
+    /// Goes on at `place` of the current program. Repeats that do not hold the place end.
+    fn go_to(&mut self, place: Place) -> Outcome {
+        while let FrameKind::Section { from, stop, .. } = self.level().frame.kind
+            && !(from.at <= place.at && place.at < stop)
+        {
+            self.levels.pop();
+        }
+        self.resume(place)
+    }
+
+    pub(super) fn resume(&mut self, place: Place) -> Outcome {
+        if place.at <= self.here.at {
+            self.note_jump();
+        }
+        self.seek(place)
+    }
+
+    /// GOTOS starts the program again where the machine asks for it, which nothing does here.
+    pub(super) fn says_goto_start(&self, span: Span) {
+        self.note_once(codes::S8049, span, "GOTOS is left out: the machine decides whether the program starts again");
+    }
+
+    fn mark_loc(&mut self, mark: Mark) -> crate::text::Loc {
+        let span = Span::at(mark.place.at, (mark.after.at - mark.place.at).saturating_sub(1));
+        crate::text::Loc { file: self.program().source.file, line: mark.place.line, span }
+    }
+
+    pub(super) fn check_passes(&mut self, value: f64, span: Span) -> Outcome<u32> {
+        let fits = |n: &i32| (1..=MOST_PASSES).contains(n) && (f64::from(*n) - value).abs() < 1e-6;
+        match whole(value).filter(fits) {
+            Some(n) => Ok(n as u32),
+            None => {
+                let message = format!("P={value} is no number of passes");
+                self.fail_help(codes::S2019.alarm(14013), span, message, "P is a whole number, 1 to 9999")
+            }
         }
     }
 }

@@ -6,12 +6,12 @@ use super::frames::FrameValue;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 use crate::diag::codes;
 use crate::ir::Side;
 use crate::text::Span;
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A code of group 3.
     pub(super) fn frame_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
@@ -122,30 +122,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// AC and IC have no meaning in frames and poles, and no effect; a diameter or a sense of rotation would have one.
-    pub(super) fn parameter_of_frame(&self, given: Given) -> Outcome {
-        match given.mode {
-            Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
-            _ => self.misplaced_modifier(given.span),
-        }
-    }
-
-    fn geometry_values(&self, w: &Words, neutral: f64) -> Outcome<[f64; 3]> {
-        let mut values = [neutral; 3];
-        for axis in w.axes.iter() {
-            let Some(given) = w.axis(axis) else { continue };
-            self.parameter_of_frame(given)?;
-            match values.get_mut(axis.index()) {
-                Some(place) => *place = given.value,
-                None => {
-                    let message = format!("{} is no geometry axis", axis.letter());
-                    return self.fail(codes::S2031.alarm(16440), given.span, message);
-                }
-            }
-        }
-        Ok(values)
-    }
-
     /// G58 and G59: parts of the programmable shift; settable offsets on small controls.
     fn axial_shift(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let small = self.job.settings.control.sinumerik.model == "802d";
@@ -179,5 +155,31 @@ impl Run<'_> {
         }
         self.refresh_frame();
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    /// AC and IC have no meaning in frames and poles, and no effect; a diameter or a sense of rotation would have one.
+    pub(super) fn parameter_of_frame(&self, given: Given) -> Outcome {
+        match given.mode {
+            Mode::Plain | Mode::Ac | Mode::Ic => Ok(()),
+            _ => self.misplaced_modifier(given.span),
+        }
+    }
+
+    fn geometry_values(&self, w: &Words, neutral: f64) -> Outcome<[f64; 3]> {
+        let mut values = [neutral; 3];
+        for axis in w.axes.iter() {
+            let Some(given) = w.axis(axis) else { continue };
+            self.parameter_of_frame(given)?;
+            match values.get_mut(axis.index()) {
+                Some(place) => *place = given.value,
+                None => {
+                    let message = format!("{} is no geometry axis", axis.letter());
+                    return self.fail(codes::S2031.alarm(16440), given.span, message);
+                }
+            }
+        }
+        Ok(values)
     }
 }

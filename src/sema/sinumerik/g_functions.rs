@@ -9,9 +9,9 @@ use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
 use super::words::Words;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// The codes that hold on.
     pub(super) fn modal_codes(&mut self, w: &Words) -> Outcome {
         for at in 0..w.codes.len() {
@@ -116,7 +116,9 @@ impl Run<'_> {
         let message = format!("{} is {what}, which cannot be printed", code.word());
         self.fail_help(codes::S9001, span, message, "leave it out, or replace it by plain moves")
     }
+}
 
+impl Core<'_> {
     /// Groups 1 to 4 shape the block: it takes one of them.
     pub(super) fn check_codes(&mut self, w: &Words) -> Outcome {
         let mut shaping = w.codes.iter().filter(|(code, _)| code.group.shapes_block());

@@ -11,10 +11,10 @@ use crate::parser::sinumerik::ast::Block;
 use crate::parser::sinumerik::straight;
 use crate::parser::straight::Straight;
 
-use super::Run;
+use super::Channel;
 use super::g_groups::{GCode, Group};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Does a straight block do nothing but move?
     pub(super) fn is_plain(&mut self) -> bool {
         self.moves_straight() && self.nothing_waits() && self.program_level().executed

@@ -10,12 +10,66 @@ use crate::text::Span;
 use super::axis_names::NamedAxis;
 use super::g_groups::{GCode, Group};
 use super::value::Val;
-use super::{Outcome, Run};
+use super::{Core, Outcome, Run};
 
 const DYNAMICS: &str = "words that only shape speed and accuracy are left out";
 const CONTROL: &str = "words that only steer the control, or switch off what is not on, are left out";
 
 impl Run<'_> {
+    /// FGROUP: the axes along which F counts. Without arguments, or with the geometry axes, it is the path.
+    pub(super) fn feed_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let mut named = AxisSet::EMPTY;
+        for formula in formulas.iter().filter(|formula| !formula.is_missing()) {
+            if let Val::Axis(NamedAxis { axis: Some(axis), .. }) = self.eval(*formula, block, text)? {
+                named.insert(axis);
+            }
+        }
+        let geometry: AxisSet = self.st.machine.geometry_axes.into_iter().collect();
+        if named.is_empty() || named == geometry {
+            self.dynamics_are_left_out(span);
+        } else {
+            self.changes_feeds("FGROUP lets F count along the named axes only, which is left out".to_owned(), span);
+        }
+        Ok(())
+    }
+
+    /// WRITE, DELETE and their kin: nothing is written, and nothing is read.
+    pub(super) fn file_access(
+        &mut self,
+        name: &str,
+        formulas: &[Formula],
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        if !matches!(name, "WRITE" | "DELETE") {
+            let message = format!("{name} takes values from a file of the control");
+            return self.fail(codes::S9001, span, message);
+        }
+        self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
+        let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
+        let Some(reference) = self.reference(*formula, block, text)? else {
+            return match block.formula(*formula) {
+                [Op::Name(name, at)] => self.undefined(*name, *at),
+                _ => Ok(()),
+            };
+        };
+        self.set_reference(reference, 0);
+        let shown = match block.formula(*formula) {
+            [Op::Name(name, _)] => self.symbols.name(*name).to_owned(),
+            [Op::R(n, _)] => format!("R{n}"),
+            _ => "its first argument".to_owned(),
+        };
+        self.note_word(
+            codes::S8108,
+            formula.span,
+            format!("the error variable of {name}, {shown}, is set to 0: no error"),
+        );
+        Ok(())
+    }
+}
+
+impl Core<'_> {
     pub(super) fn dynamics_are_left_out(&self, span: Span) {
         self.note_once(codes::S8002, span, DYNAMICS);
     }
@@ -115,58 +169,6 @@ impl Run<'_> {
         if !self.job.diags.knows(&found) {
             self.report(found.help("check the feeds of the program on the target"));
         }
-    }
-
-    /// FGROUP: the axes along which F counts. Without arguments, or with the geometry axes, it is the path.
-    pub(super) fn feed_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let mut named = AxisSet::EMPTY;
-        for formula in formulas.iter().filter(|formula| !formula.is_missing()) {
-            if let Val::Axis(NamedAxis { axis: Some(axis), .. }) = self.eval(*formula, block, text)? {
-                named.insert(axis);
-            }
-        }
-        let geometry: AxisSet = self.st.channel.geometry_axes.into_iter().collect();
-        if named.is_empty() || named == geometry {
-            self.dynamics_are_left_out(span);
-        } else {
-            self.changes_feeds("FGROUP lets F count along the named axes only, which is left out".to_owned(), span);
-        }
-        Ok(())
-    }
-
-    /// WRITE, DELETE and their kin: nothing is written, and nothing is read.
-    pub(super) fn file_access(
-        &mut self,
-        name: &str,
-        formulas: &[Formula],
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        if !matches!(name, "WRITE" | "DELETE") {
-            let message = format!("{name} takes values from a file of the control");
-            return self.fail(codes::S9001, span, message);
-        }
-        self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
-        let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
-        let Some(reference) = self.reference(*formula, block, text)? else {
-            return match block.formula(*formula) {
-                [Op::Name(name, at)] => self.undefined(*name, *at),
-                _ => Ok(()),
-            };
-        };
-        self.set_reference(reference, 0);
-        let shown = match block.formula(*formula) {
-            [Op::Name(name, _)] => self.symbols.name(*name).to_owned(),
-            [Op::R(n, _)] => format!("R{n}"),
-            _ => "its first argument".to_owned(),
-        };
-        self.note_word(
-            codes::S8108,
-            formula.span,
-            format!("the error variable of {name}, {shown}, is set to 0: no error"),
-        );
-        Ok(())
     }
 
     /// A note that is made once for each text.

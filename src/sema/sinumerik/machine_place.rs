@@ -11,7 +11,7 @@ use crate::text::Span;
 use super::state::State;
 use super::system::system_number;
 use super::words::Words;
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// Length of the tool in the axis along which it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +27,7 @@ impl State {
     fn tool_axes(&self) -> AxisSet {
         let [_, _, third] = self.roles();
         let mut axes = AxisSet::of(third);
-        if self.channel.lathe {
+        if self.machine.lathe {
             axes.insert(Axis::X);
             axes.insert(Axis::Z);
         }
@@ -35,7 +35,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// The tool in use as the control counts it: length, wear and base length of the edge.
     fn active_length(&self) -> ToolLength {
         let tool = &self.st.tool;
@@ -45,11 +45,11 @@ impl Run<'_> {
         let Some(number) = tool.active() else {
             return if tool.edge().is_some() { ToolLength::Unknown } else { ToolLength::Off };
         };
-        if tool.edge_in_doubt() || self.st.channel.lathe {
+        if tool.edge_in_doubt() || self.st.machine.lathe {
             return ToolLength::Unknown;
         }
         let edge = tool.edge_or_first();
-        let written = |parameter: u8| system_number(&self.vars.system, &format!("$TC_DP{parameter}[{number},{edge}]"));
+        let written = |parameter: u8| system_number(&self.st.system, &format!("$TC_DP{parameter}[{number},{edge}]"));
         let listed = || {
             let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
             tool.length.map(|length| length + tool.deltas[0])
@@ -88,7 +88,7 @@ impl Run<'_> {
     pub(super) fn length_acts_along_z(&self) {
         let [_, _, third] = self.st.roles();
         let output = &self.job.settings.output;
-        if third == Axis::Z || !output.tool_length || self.st.channel.lathe || self.is_capturing() {
+        if third == Axis::Z || !output.tool_length || self.st.machine.lathe || self.is_capturing() {
             return;
         }
         let tool = &self.st.tool;
@@ -116,26 +116,16 @@ impl Run<'_> {
         );
         let ways = "write D0 in the block, or set `[control] md10760 = true`";
         let help = match self.st.tool.active() {
-            Some(number) if !self.st.channel.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
+            Some(number) if !self.st.machine.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
             _ => ways.to_owned(),
         };
         self.fail_help(codes::S9102, place, message, &help)
     }
 
-    fn says_tip_in_machine_coordinates(&self, place: impl Into<Where>) {
-        if self.job.diags.first_time(codes::S8106) {
-            let message = "the control goes to this machine coordinate with the tip of the tool (MD 10760 = 0), the target \
-                           with its spindle: a tool length lower";
-            let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \
-                        `[control] md10760 = true`";
-            self.report(Diagnostic::new(codes::S8106, self.loc(place), message).help(help));
-        }
-    }
-
     /// SUPD: the tool offsets do not count in this block.
     pub(super) fn suppressed_tool(&mut self, w: &Words, span: Span) -> Outcome {
         // On a lathe each end point, also a polar one, lies in the axes of the lengths.
-        let moves = self.st.channel.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
+        let moves = self.st.machine.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
         let radius = self.st.side() != crate::ir::Side::None;
         if radius || moves && self.active_length() != ToolLength::Off {
             return self.fail_help(
@@ -147,5 +137,17 @@ impl Run<'_> {
         }
         self.note_once(codes::S8103, span, "SUPD is left out: no tool offset counts in the axes of the block");
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    fn says_tip_in_machine_coordinates(&self, place: impl Into<Where>) {
+        if self.job.diags.first_time(codes::S8106) {
+            let message = "the control goes to this machine coordinate with the tip of the tool (MD 10760 = 0), the target \
+                           with its spindle: a tool length lower";
+            let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \
+                        `[control] md10760 = true`";
+            self.report(Diagnostic::new(codes::S8106, self.loc(place), message).help(help));
+        }
     }
 }

@@ -9,7 +9,7 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::Span;
 
 use super::vocabulary::Meaning;
-use super::{Outcome, Run};
+use super::{Core, Outcome, Run};
 
 /// Longest text of a macro.
 const MOST_MACRO: usize = 256;
@@ -84,7 +84,9 @@ impl Run<'_> {
         };
         taken.then(|| format!("`{word}` is a word of the language"))
     }
+}
 
+impl Core<'_> {
     /// The block with its macros replaced; `None` if it has none.
     pub(super) fn expanded(&self, text: &[u8]) -> Option<Vec<u8>> {
         self.language.expanded(&self.symbols, text)

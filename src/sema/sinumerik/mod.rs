@@ -11,6 +11,7 @@ mod axis_names;
 mod block;
 mod calls;
 mod capture;
+mod channel;
 mod circle;
 mod corners;
 mod cycles;
@@ -63,7 +64,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::codes;
 use crate::ir::contour::Sink;
-use crate::machine::{AxisSet, Proposed};
+use crate::machine::AxisSet;
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
@@ -73,13 +74,13 @@ use crate::sema::run::Where;
 use crate::text::{Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
-use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
 use calls::Frame;
+use channel::Channel;
 use g_groups::GCodes;
 use macros::Sinumerik;
 use programs::{Listed, UnitKind, Units};
-use state::State;
 use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
@@ -91,7 +92,8 @@ pub use vocabulary::all_words;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    run.st.set_plane(run.st.codes.of(g_groups::Group::Plane));
+    let plane = run.st.codes.of(g_groups::Group::Plane);
+    run.st.set_plane(plane);
     if run::run(&mut run) { run.core.hash() } else { 0 }
 }
 
@@ -148,18 +150,17 @@ struct Warned {
     globals: FxHashSet<Symbol>,
 }
 
-/// A run of a program.
+/// Files, call stack and findings of a run.
+type Core<'a> = run::Core<'a, Sinumerik>;
+
+/// A run of a program: variables, formulas and calls, above the channel that carries the blocks out.
 struct Run<'a> {
-    core: Core<'a, Sinumerik>,
-    st: State,
+    channel: Channel<'a>,
     vars: Vars,
     meanings: Vec<Option<Meaning>>,
     vocabulary: FxHashMap<&'static str, Meaning>,
-    axis_names: axis_names::AxisNames,
     gcodes: GCodes,
     units: Units,
-    /// Numbers proposed for tools without one.
-    proposed: Proposed,
     definitions_read: bool,
     /// Programs by the name they were called by.
     found: FxHashMap<String, usize>,
@@ -167,16 +168,10 @@ struct Run<'a> {
     externs: Vec<externs::Extern>,
     /// Contours that CYCLE62 called.
     contours: cycles::Contours,
-    /// The contour that is described now.
-    capture: Option<Box<capture::Capture>>,
     /// Nesting of texts that are executed.
     depth: u32,
     machine: eval::Machine,
     words: Option<Box<Words>>,
-    /// Blocks are of the ISO dialect, up to G290.
-    iso: bool,
-    /// A straight block may take the lane.
-    plain: bool,
 }
 
 /// Deepest nesting of texts that are executed.
@@ -187,53 +182,52 @@ impl<'a> Run<'a> {
         let mut vars = Vars::new(&job.settings.variables);
         vars.main_visible = job.settings.control.sinumerik.main_variables_visible;
         Run {
-            core: Core::new(job, out),
-            st: State::new(job.settings),
+            channel: Channel::new(job, out),
             vars,
             meanings: Vec::new(),
             vocabulary: vocabulary::words(),
-            axis_names: axis_names::AxisNames::new(job.settings),
             gcodes: GCodes::new(),
             units: Units::default(),
-            proposed: Proposed::default(),
             definitions_read: false,
             found: FxHashMap::default(),
             warned: Warned::default(),
             externs: Vec::new(),
             contours: cycles::Contours::default(),
-            capture: None,
             depth: 0,
             machine: eval::Machine::new(eval::RULES),
             words: None,
-            iso: false,
-            plain: false,
         }
     }
 }
 
 impl<'a> Deref for Run<'a> {
-    type Target = Core<'a, Sinumerik>;
+    type Target = Channel<'a>;
 
     #[inline]
-    fn deref(&self) -> &Core<'a, Sinumerik> {
-        &self.core
+    fn deref(&self) -> &Channel<'a> {
+        &self.channel
     }
 }
 
 impl<'a> DerefMut for Run<'a> {
     #[inline]
-    fn deref_mut(&mut self) -> &mut Core<'a, Sinumerik> {
-        &mut self.core
+    fn deref_mut(&mut self) -> &mut Channel<'a> {
+        &mut self.channel
     }
 }
 
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Sinumerik;
 
+    #[inline]
+    fn core(&mut self) -> &mut Core<'a> {
+        &mut self.channel.core
+    }
+
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        let first = self.units.first_of(&self.core.job, &self.core.programs, program);
+        let first = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, program);
         let unit = self.main_unit(first);
-        self.core.begins_at(&self.st.position.start());
+        self.channel.core.begins_at(&self.channel.st.position.start());
         self.vars.enter();
         Level::main(program, Frame::main(unit))
     }
@@ -321,7 +315,7 @@ impl Run<'_> {
         let main = self.units.list.iter().position(|unit| unit.kind == UnitKind::Main);
         let unit = main.unwrap_or(first);
         let start = self.units.list[unit].start;
-        let _ = self.core.programs[0].source.cursor.seek(self.core.job.sources, start);
+        let _ = self.channel.core.programs[0].source.cursor.seek(self.channel.core.job.sources, start);
         unit
     }
 
@@ -332,19 +326,12 @@ impl Run<'_> {
 
     /// Lists the programs of a file.
     fn list_programs(&mut self, file: usize) -> std::io::Result<()> {
-        self.units.list_file(&self.core.job, &mut self.core.programs, file)
+        self.units.list_file(&self.channel.core.job, &mut self.channel.core.programs, file)
     }
 
     fn file_over(&mut self) {
         let _ = self.pending_must_be_done(Where::Block);
         self.end_of_program_text();
-    }
-
-    /// Nothing is known behind this block; what only suffers from it is not worth another error.
-    fn lose_all(&mut self) {
-        self.st.position.lose(AxisSet::ALL);
-        self.st.pair.drop_first();
-        self.lost();
     }
 
     /// G290 ends the ISO dialect; other words of it mean nothing here.
@@ -368,7 +355,7 @@ impl Run<'_> {
                 }
                 self.begins_executing();
                 // Without the head of a loop or branch nobody knows where the program goes on.
-                if scan(text, &mut self.core.symbols).structure.is_some() {
+                if scan(text, &mut self.channel.core.symbols).structure.is_some() {
                     self.stop_run();
                 }
                 self.st.position.lose(AxisSet::ALL);
@@ -459,7 +446,7 @@ impl Run<'_> {
         let loc = self.loc(span);
         let line = self.expanded(line).unwrap_or_else(|| line.to_vec());
         let mut block = Block::default();
-        parse_block(&line, &mut block, &mut self.core.symbols, &mut self.core.problems);
+        parse_block(&line, &mut block, &mut self.channel.core.symbols, &mut self.channel.core.problems);
         self.here.rewritten = true;
         self.here.origin.loc = loc;
         self.report_problems();

@@ -14,9 +14,9 @@ use super::g_groups::{GCode, Group};
 use super::offsets::Outer;
 use super::vocabulary::Address;
 use super::words::{Mode, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Sends a move to the named axes of `end`.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
@@ -68,15 +68,6 @@ impl Run<'_> {
         self.st.position.move_to(end);
     }
 
-    pub(super) fn in_machine_only_lines<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
-        self.fail_help(
-            codes::S9011,
-            place,
-            format!("{message}, as G500 wants"),
-            "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
-        )
-    }
-
     /// A block under G53, G153 or SUPA.
     pub(super) fn machine_move(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
@@ -109,7 +100,7 @@ impl Run<'_> {
                 );
             }
             let directed = matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn);
-            if axis.is_rotary() && (directed || self.st.modulo.contains(axis)) {
+            if axis.is_rotary() && (directed || self.st.machine.modulo.contains(axis)) {
                 let letter = axis.letter();
                 let message = format!("the way of {letter} to a machine position is left to the target");
                 self.note_once(codes::S8044, given.span, message);
@@ -176,5 +167,16 @@ impl Run<'_> {
             self.send(&end, Path::Line(Feed::PerMinute(feed * unit)));
         }
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn in_machine_only_lines<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
+        self.fail_help(
+            codes::S9011,
+            place,
+            format!("{message}, as G500 wants"),
+            "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
+        )
     }
 }

@@ -11,7 +11,7 @@ use crate::text::Span;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome, Run};
 
 /// Longest dwell.
 const MOST_SECONDS: f64 = 1e5;
@@ -69,7 +69,9 @@ impl Run<'_> {
         }
         Ok(())
     }
+}
 
+impl Channel<'_> {
     /// STARTFIFO and STOPFIFO only steer the buffer of the control.
     pub(super) fn buffer_code(&mut self, code: GCode, span: Span, w: &Words) -> Outcome {
         let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
@@ -80,24 +82,6 @@ impl Run<'_> {
         self.dynamics_are_left_out(span);
         self.st.codes.activate(code);
         Ok(())
-    }
-
-    pub(super) fn nothing_left(&self, w: &Words) -> Outcome {
-        let s = w.s.first().map(|s| s.span);
-        let words = w.left().or(w.calls.passes).map(|given| given.span).or(s).or(w.h);
-        match words.or(w.axis_word_left()).or(w.diameter.map(|(_, _, span)| span)) {
-            Some(span) => self.not_alone(span),
-            None => Ok(()),
-        }
-    }
-
-    pub(super) fn not_alone<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2013.alarm(12120),
-            span,
-            "this word cannot stand beside the code that shapes the block",
-            "give it a block of its own",
-        )
     }
 
     fn dwell(&mut self, span: Span, w: &mut Words) -> Outcome {
@@ -143,18 +127,6 @@ impl Run<'_> {
         }
     }
 
-    /// FP of G75; without it the first fixed point is meant (MD 30600).
-    fn fixed_point_number(&self, w: &mut Words) -> Outcome<u8> {
-        let Some(given) = w.take(Address::Fp) else { return Ok(1) };
-        match super::value::whole(given.value).and_then(|n| u8::try_from(n).ok()) {
-            Some(n @ 1..=4) if f64::from(n) == given.value => Ok(n),
-            _ => {
-                let message = format!("there is no fixed point {}", given.value);
-                self.fail_help(codes::S2012, given.span, message, "G75 has the fixed points FP=1 to FP=4")
-            }
-        }
-    }
-
     /// G74 and G75: points that are machine data.
     fn fixed_point(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         self.pending_must_be_done(span)?;
@@ -197,5 +169,37 @@ impl Run<'_> {
             self.machine_rapid(end);
         }
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn nothing_left(&self, w: &Words) -> Outcome {
+        let s = w.s.first().map(|s| s.span);
+        let words = w.left().or(w.calls.passes).map(|given| given.span).or(s).or(w.h);
+        match words.or(w.axis_word_left()).or(w.diameter.map(|(_, _, span)| span)) {
+            Some(span) => self.not_alone(span),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn not_alone<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2013.alarm(12120),
+            span,
+            "this word cannot stand beside the code that shapes the block",
+            "give it a block of its own",
+        )
+    }
+
+    /// FP of G75; without it the first fixed point is meant (MD 30600).
+    fn fixed_point_number(&self, w: &mut Words) -> Outcome<u8> {
+        let Some(given) = w.take(Address::Fp) else { return Ok(1) };
+        match super::value::whole(given.value).and_then(|n| u8::try_from(n).ok()) {
+            Some(n @ 1..=4) if f64::from(n) == given.value => Ok(n),
+            _ => {
+                let message = format!("there is no fixed point {}", given.value);
+                self.fail_help(codes::S2012, given.span, message, "G75 has the fixed points FP=1 to FP=4")
+            }
+        }
     }
 }

@@ -9,7 +9,7 @@ use crate::sema::run::Where;
 use super::frames::FrameValue;
 use super::g_groups::{GCode, Group};
 use super::system::offset_word;
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// What printed positions count from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -82,7 +82,7 @@ impl OffsetUse {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A code of group 8: number 0 is G500, 1 is G54.
     pub(super) fn work_offset(&mut self, index: u8, place: impl Into<Where>) -> Outcome {
         let place = place.into();
@@ -223,6 +223,25 @@ impl Run<'_> {
         self.report(Diagnostic::new(codes::S8190, self.loc(place), message).help(help));
     }
 
+    /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
+    /// way between the two.
+    pub(super) fn resolves_offsets(&mut self, place: impl Into<Where>) -> Outcome {
+        self.st.offsets.resolved = true;
+        if self.st.offsets.printed { self.mixed_offsets(place) } else { Ok(()) }
+    }
+
+    pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {
+        self.st.position.clear();
+        self.fail_help(
+            codes::S9017,
+            place,
+            "the program uses a work offset that it writes itself beside one of the machine",
+            "let it write all the offsets it uses, or none",
+        )
+    }
+}
+
+impl Core<'_> {
     /// What was printed under G500 cannot be taken back.
     fn offset_behind_g500(&self, place: impl Into<Where>, word: &str) -> Outcome {
         let place = place.into();
@@ -246,23 +265,6 @@ impl Run<'_> {
             place,
             format!("{what} a work offset of the machine, and where it lies from the basic system is not known"),
             "give the basic frame (`[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`), the values of the offset (`[datums] G54 = { … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)",
-        )
-    }
-
-    /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
-    /// way between the two.
-    pub(super) fn resolves_offsets(&mut self, place: impl Into<Where>) -> Outcome {
-        self.st.offsets.resolved = true;
-        if self.st.offsets.printed { self.mixed_offsets(place) } else { Ok(()) }
-    }
-
-    pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {
-        self.st.position.clear();
-        self.fail_help(
-            codes::S9017,
-            place,
-            "the program uses a work offset that it writes itself beside one of the machine",
-            "let it write all the offsets it uses, or none",
         )
     }
 

@@ -10,7 +10,7 @@ use crate::text::Span;
 use super::calls::{Argument, FrameKind, Reference};
 use super::value::{Val, type_name};
 use super::vars::{Slot, Var};
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
 impl Run<'_> {
     /// Evaluates the arguments of a call.
@@ -240,19 +240,6 @@ impl Run<'_> {
         self.vars.define(name, var, false);
     }
 
-    pub(super) fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
-        if !matches!(self.program_level().kind, FrameKind::Program { .. }) {
-            return Ok(());
-        }
-        let site = self.call_site();
-        let message = format!("the argument for parameter {name} is missing");
-        self.report(
-            Diagnostic::new(codes::S2021.alarm(alarm), site, message)
-                .help("give a variable; this parameter has no default"),
-        );
-        Err(Reported)
-    }
-
     pub(super) fn reference_parameter(
         &mut self,
         name: Symbol,
@@ -327,6 +314,21 @@ impl Run<'_> {
             references.push((name, reference));
         }
         Ok(())
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
+        if !matches!(self.program_level().kind, FrameKind::Program { .. }) {
+            return Ok(());
+        }
+        let site = self.call_site();
+        let message = format!("the argument for parameter {name} is missing");
+        self.report(
+            Diagnostic::new(codes::S2021.alarm(alarm), site, message)
+                .help("give a variable; this parameter has no default"),
+        );
+        Err(Reported)
     }
 
     /// A call waits for a PROC that does not come.

@@ -12,7 +12,7 @@ use crate::text::Span;
 use super::g_groups::GCode;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
 /// Pole, and the polar words that hold on.
 #[derive(Debug, Clone)]
@@ -50,7 +50,7 @@ impl Polar {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// G110, G111 or G112: the pole, by coordinates or by angle and radius.
     pub(super) fn pole_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let result = self.set_pole(code, span, w);
@@ -109,35 +109,6 @@ impl Run<'_> {
             Point2::new(base.x + way[0], base.y + way[1])
         };
         self.st.polar.set_pole(pole);
-        Ok(())
-    }
-
-    fn mixed<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2051.alarm(14280),
-            span,
-            "AP= or RP= stands beside an axis of the working plane",
-            "give the end point by AP= and RP=, or by its axes",
-        )
-    }
-
-    fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
-        if ap.value.abs() > 360.0 {
-            let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
-            return self.fail(codes::S2053.alarm(alarm), ap.span, message);
-        }
-        Ok(())
-    }
-
-    fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
-        if rp.value < 0.0 {
-            return self.fail_help(
-                codes::S2052.alarm(alarm),
-                rp.span,
-                format!("RP={} is negative", rp.value),
-                "a polar radius is positive; turn AP by 180 degrees instead",
-            );
-        }
         Ok(())
     }
 
@@ -207,5 +178,36 @@ impl Run<'_> {
         self.lost();
         let message = format!("{what} was not programmed since the pole or the plane was set");
         self.fail_help(codes::S2054, span, message, "program AP=… and RP=… in this block")
+    }
+}
+
+impl Core<'_> {
+    fn mixed<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2051.alarm(14280),
+            span,
+            "AP= or RP= stands beside an axis of the working plane",
+            "give the end point by AP= and RP=, or by its axes",
+        )
+    }
+
+    fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
+        if ap.value.abs() > 360.0 {
+            let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
+            return self.fail(codes::S2053.alarm(alarm), ap.span, message);
+        }
+        Ok(())
+    }
+
+    fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
+        if rp.value < 0.0 {
+            return self.fail_help(
+                codes::S2052.alarm(alarm),
+                rp.span,
+                format!("RP={} is negative", rp.value),
+                "a polar radius is positive; turn AP by 180 degrees instead",
+            );
+        }
+        Ok(())
     }
 }

@@ -11,7 +11,7 @@ use crate::text::Span;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome, Run};
 
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
@@ -97,26 +97,6 @@ impl Run<'_> {
         let identity = self.job.sources.identity(self.here.file);
         let request = crate::text::Request { from: &identity, name, extensions: &["SPF"] };
         self.job.files.open(&request).is_ok()
-    }
-
-    pub(super) fn has_other_words(&self, w: &Words) -> bool {
-        !w.axes.is_empty()
-            || !w.codes.is_empty()
-            || !w.m.is_empty()
-            || !w.s.is_empty()
-            || w.has_addresses()
-            || w.h.is_some()
-            || w.axis_word_left().is_some()
-            || w.diameter.is_some()
-    }
-
-    pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2013.alarm(12120),
-            span,
-            "a call stands beside other words",
-            "give the call a block of its own",
-        )
     }
 
     pub(super) fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {
@@ -358,6 +338,54 @@ impl Run<'_> {
         Ok(())
     }
 
+    pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let [formula] = *formulas else {
+            return self.fail(codes::S2021.alarm(14021), span, "EXECSTRING takes one text");
+        };
+        match self.eval(formula, block, text)? {
+            Val::Text(line) => self.execute_line(&line, span),
+            other => self.fail(
+                codes::S2005.alarm(12150),
+                formula.span,
+                format!("a text is needed, this is {}", other.what()),
+            ),
+        }
+    }
+
+    pub(super) fn geo_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        for pair in formulas.chunks(2) {
+            let [number, axis] = pair else { break };
+            let n = self.number(*number, block, text)?;
+            if !(0.0..=3.0).contains(&n) {
+                return self.fail(
+                    codes::S2021.alarm(14414),
+                    span,
+                    format!("GEOAX names geometry axis {n}; there are 1 to 3"),
+                );
+            }
+            let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
+            let same = match (
+                place.and_then(|at| self.st.machine.geometry_axes.get(at)).copied(),
+                self.eval(*axis, block, text)?,
+            ) {
+                (Some(known), Val::Axis(named)) => named.axis == Some(known),
+                _ => false,
+            };
+            if !same {
+                return self.fail_help(
+                    codes::S9001,
+                    span,
+                    "GEOAX gives the geometry axes other names",
+                    "name the axes of the machine by `[machine] geometry_axes`",
+                );
+            }
+        }
+        self.control_words_are_left_out(span);
+        Ok(())
+    }
+}
+
+impl Channel<'_> {
     /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y.
     fn swivel_retracts(&mut self, mode: f64, span: Span) -> Outcome {
         let steps: &[&[Axis]] = match mode {
@@ -391,50 +419,26 @@ impl Run<'_> {
         }
         Ok(())
     }
+}
 
-    pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let [formula] = *formulas else {
-            return self.fail(codes::S2021.alarm(14021), span, "EXECSTRING takes one text");
-        };
-        match self.eval(formula, block, text)? {
-            Val::Text(line) => self.execute_line(&line, span),
-            other => self.fail(
-                codes::S2005.alarm(12150),
-                formula.span,
-                format!("a text is needed, this is {}", other.what()),
-            ),
-        }
+impl Core<'_> {
+    pub(super) fn has_other_words(&self, w: &Words) -> bool {
+        !w.axes.is_empty()
+            || !w.codes.is_empty()
+            || !w.m.is_empty()
+            || !w.s.is_empty()
+            || w.has_addresses()
+            || w.h.is_some()
+            || w.axis_word_left().is_some()
+            || w.diameter.is_some()
     }
 
-    pub(super) fn geo_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        for pair in formulas.chunks(2) {
-            let [number, axis] = pair else { break };
-            let n = self.number(*number, block, text)?;
-            if !(0.0..=3.0).contains(&n) {
-                return self.fail(
-                    codes::S2021.alarm(14414),
-                    span,
-                    format!("GEOAX names geometry axis {n}; there are 1 to 3"),
-                );
-            }
-            let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
-            let same = match (
-                place.and_then(|at| self.st.channel.geometry_axes.get(at)).copied(),
-                self.eval(*axis, block, text)?,
-            ) {
-                (Some(known), Val::Axis(named)) => named.axis == Some(known),
-                _ => false,
-            };
-            if !same {
-                return self.fail_help(
-                    codes::S9001,
-                    span,
-                    "GEOAX gives the geometry axes other names",
-                    "name the axes of the machine by `[machine] geometry_axes`",
-                );
-            }
-        }
-        self.control_words_are_left_out(span);
-        Ok(())
+    pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
+        self.fail_help(
+            codes::S2013.alarm(12120),
+            span,
+            "a call stands beside other words",
+            "give the call a block of its own",
+        )
     }
 }

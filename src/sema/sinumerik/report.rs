@@ -1,7 +1,6 @@
-//! Findings and functions of the run, with their place in the program.
+//! What is still open at the end of the run.
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Function;
 use crate::text::{FileId, Loc, Span};
 
 use super::Run;
@@ -20,7 +19,7 @@ impl Run<'_> {
             self.report(found.also(open, "MCALL stands here").help("write MCALL in a block of its own before the end"));
         }
         let unit = self.levels.first().map_or(0, |level| level.frame.unit);
-        let _ = self.units.list_rest(&self.core.job, &mut self.core.programs);
+        let _ = self.units.list_rest(&self.channel.core.job, &mut self.channel.core.programs);
         let others: Vec<&str> = self
             .units
             .list
@@ -39,29 +38,5 @@ impl Run<'_> {
             let found = Diagnostic::new(codes::S8003, start, message);
             self.job.diags.push(found.help(format!("put {} into files of their own", others.join(", "))));
         }
-    }
-
-    pub(super) fn comment(&mut self, text: &[u8]) {
-        if let Some(comment) = self.core.comment_of(text) {
-            self.function(comment);
-        }
-    }
-
-    pub(super) fn function(&mut self, function: Function) {
-        if self.capture.is_some() && self.function_in_contour(&function) {
-            return;
-        }
-        if self.st.compensation.is_leaving() && self.leaves_in_front_of(&function).is_err() {
-            return;
-        }
-        if self.st.pair.is_open() && self.held_back(&function) {
-            return;
-        }
-        self.core.send_function(&function, &self.st.ctx);
-    }
-
-    /// Nobody knows where the tool is.
-    pub(super) fn lost(&mut self) {
-        self.core.send_lost(&self.st.ctx);
     }
 }

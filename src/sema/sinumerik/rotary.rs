@@ -8,9 +8,9 @@ use crate::text::Span;
 
 use super::g_groups::GCode;
 use super::words::{Given, Mode};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// The end point of a rotary axis in degrees. Those of a modulo axis count on from the last one, turn by turn.
     pub(super) fn rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         let incremental = match given.mode {
@@ -23,13 +23,13 @@ impl Run<'_> {
         if incremental {
             return Ok(self.increment_base(axis, given.span)? + given.value);
         }
-        if self.st.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
+        if self.st.machine.modulo.contains(axis) { self.modulo_target(axis, given) } else { Ok(given.value) }
     }
 
     /// DC, ACP and ACN: the shortest way, or a way of one sense.
     fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
         self.inside_one_turn(given)?;
-        self.st.modulo.insert(axis);
+        self.st.machine.modulo.insert(axis);
         let Some(at) = self.st.position.get(axis) else {
             return self.first_rotary_target(axis, given);
         };
@@ -61,6 +61,20 @@ impl Run<'_> {
         Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
     }
 
+    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
+    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
+        if given.mode != Mode::Dc || !self.st.is(GCode::G0) || self.st.position.is_lost(axis) {
+            return self.unknown_axis(axis, given.span);
+        }
+        let letter = axis.letter();
+        let message =
+            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
+        self.note_once(codes::S8044, given.span, message);
+        Ok(given.value)
+    }
+}
+
+impl Core<'_> {
     /// Which way is meant depends on where the turn of the axis begins: in the program or on the machine.
     fn modulo_under_a_shift(&self, axis: Axis, span: Span) -> Outcome<f64> {
         let letter = axis.letter();
@@ -79,18 +93,6 @@ impl Run<'_> {
         let message = format!("{} lies outside 0 to 359.999", given.value);
         let help = "positions of an axis that counts modulo 360 lie inside one turn; write more turns as increments";
         self.fail_help(codes::S2061.alarm(16830), given.span, message, help)
-    }
-
-    /// `C=DC(30)` in front of any other position of the axis: the place is the same whatever the way to it.
-    fn first_rotary_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        if given.mode != Mode::Dc || !self.st.is(GCode::G0) || self.st.position.is_lost(axis) {
-            return self.unknown_axis(axis, given.span);
-        }
-        let letter = axis.letter();
-        let message =
-            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
-        self.note_once(codes::S8044, given.span, message);
-        Ok(given.value)
     }
 }
 

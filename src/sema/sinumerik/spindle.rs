@@ -13,7 +13,7 @@ use super::spindle_state::MAIN_SPINDLE;
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, SWord, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// Highest spindle number that is a spindle.
 const MOST_SPINDLES: u8 = 20;
@@ -25,7 +25,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A word for spindle `n`. The target knows the first one without a number.
     pub(super) fn send_spindle(&mut self, n: u8, spindle: Spindle) {
         if n == MAIN_SPINDLE {
@@ -102,10 +102,6 @@ impl Run<'_> {
         self.unknown_speed(Where::Block, "this block cuts at the speed that the spindle happens to have kept since G96")
     }
 
-    fn unknown_speed(&self, place: impl Into<Where>, message: &str) -> Outcome {
-        self.fail_help(codes::S2045, place, message, "program the speed in turns per minute behind G97: S1000")
-    }
-
     /// Refuses to start spindle `n` without a speed that is known.
     pub(super) fn start_is_known(&mut self, n: u8, span: Span) -> Outcome {
         if !self.st.spindles.kept_by(n) {
@@ -148,22 +144,6 @@ impl Run<'_> {
             }
         }
         Ok(())
-    }
-
-    /// A speed as the spindle turns it.
-    fn limited(&self, speed: f64, limit: Option<f64>, span: Span) -> f64 {
-        match limit {
-            Some(limit) if limit < speed => {
-                let message = format!("the speed {speed} is above the limit {limit}, at which the spindle turns");
-                let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
-                let found = found.help("program a speed within the limit of LIMS= and G26");
-                if !self.job.diags.knows(&found) {
-                    self.report(found);
-                }
-                limit
-            }
-            _ => speed,
-        }
     }
 
     /// LIMS= counts under G97, and no more under G94 and G95.
@@ -263,14 +243,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn spindle_number(&self, n: u8, span: Span) -> Outcome {
-        if (1..=MOST_SPINDLES).contains(&n) {
-            Ok(())
-        } else {
-            self.fail(codes::S2045, span, format!("there is no spindle {n}"))
-        }
-    }
-
     /// `LIMS=` of the master.
     pub(super) fn speed_limit(&mut self, lims: Given, speed_follows: bool) -> Outcome {
         self.check_limit(lims)?;
@@ -285,22 +257,6 @@ impl Run<'_> {
     pub(super) fn speed_limit_of(&mut self, n: u8, lims: Given) -> Outcome {
         self.check_limit(lims)?;
         self.st.spindles.set_limit(Some(n), lims.value);
-        Ok(())
-    }
-
-    fn check_limit(&self, lims: Given) -> Outcome {
-        if lims.value == 0.0 {
-            let help = "give the highest speed in turns per minute: LIMS=2500";
-            return self.fail_help(
-                codes::S2045,
-                lims.span,
-                "the speed limit LIMS= is 0: the spindle would stand",
-                help,
-            );
-        }
-        if lims.value < 0.0 {
-            return self.fail(codes::S2045.alarm(14820), lims.span, "the speed limit LIMS= is negative");
-        }
         Ok(())
     }
 
@@ -334,6 +290,52 @@ impl Run<'_> {
         }
         self.st.spindles.select_master(n);
         self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));
+        Ok(())
+    }
+}
+
+impl Core<'_> {
+    fn unknown_speed(&self, place: impl Into<Where>, message: &str) -> Outcome {
+        self.fail_help(codes::S2045, place, message, "program the speed in turns per minute behind G97: S1000")
+    }
+
+    /// A speed as the spindle turns it.
+    fn limited(&self, speed: f64, limit: Option<f64>, span: Span) -> f64 {
+        match limit {
+            Some(limit) if limit < speed => {
+                let message = format!("the speed {speed} is above the limit {limit}, at which the spindle turns");
+                let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
+                let found = found.help("program a speed within the limit of LIMS= and G26");
+                if !self.job.diags.knows(&found) {
+                    self.report(found);
+                }
+                limit
+            }
+            _ => speed,
+        }
+    }
+
+    pub(super) fn spindle_number(&self, n: u8, span: Span) -> Outcome {
+        if (1..=MOST_SPINDLES).contains(&n) {
+            Ok(())
+        } else {
+            self.fail(codes::S2045, span, format!("there is no spindle {n}"))
+        }
+    }
+
+    fn check_limit(&self, lims: Given) -> Outcome {
+        if lims.value == 0.0 {
+            let help = "give the highest speed in turns per minute: LIMS=2500";
+            return self.fail_help(
+                codes::S2045,
+                lims.span,
+                "the speed limit LIMS= is 0: the spindle would stand",
+                help,
+            );
+        }
+        if lims.value < 0.0 {
+            return self.fail(codes::S2045.alarm(14820), lims.span, "the speed limit LIMS= is negative");
+        }
         Ok(())
     }
 }

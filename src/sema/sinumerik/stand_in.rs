@@ -7,7 +7,7 @@ use crate::text::Span;
 use super::calls::Argument;
 use super::programs::without_extension;
 use super::value::{Val, whole};
-use super::{Outcome, Run};
+use super::{Channel, Outcome, Run};
 
 impl Run<'_> {
     /// What the call of `name` does by `[programs]`; `None` for a program that is looked for.
@@ -35,7 +35,9 @@ impl Run<'_> {
             None => Ok(()),
         })
     }
+}
 
+impl Channel<'_> {
     fn change_by_program(
         &mut self,
         name: &str,

@@ -1,5 +1,6 @@
 //! Modal state of a run. Written here and by the statements, sampled by every item.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
@@ -11,7 +12,7 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::sema::run::Where;
 
-use super::Run;
+use super::Channel;
 use super::angle_lines::Pair;
 use super::calls::ModalCall;
 use super::corners::Corners;
@@ -25,6 +26,7 @@ use super::spindle_state::Spindles;
 use super::tangent::Heading;
 use super::threads::Threads;
 use super::tool::{CompensationState, ToolInUse};
+use super::value::Val;
 
 /// How values of the diameter axis count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,12 +42,10 @@ pub(super) enum Diameter {
 #[derive(Debug, Clone)]
 pub(super) struct State {
     pub codes: ActiveCodes,
-    pub channel: Channel,
+    pub machine: MachineData,
     pub ctx: CtxRef,
     /// The numbers last programmed count where a frame changed (SD 42440).
     pub position: Position,
-    /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
-    pub modulo: AxisSet,
     /// The way of the last block that travelled.
     pub heading: Heading,
     pub polar: Polar,
@@ -63,14 +63,18 @@ pub(super) struct State {
     pub modal_call: ModalCall,
     /// The contour of the contour editor that runs.
     pub stored: Option<Box<Stored>>,
+    /// System variables that the program wrote.
+    pub system: BTreeMap<String, Val>,
 }
 
 /// What the machine is, as far as programs depend on it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Channel {
+pub(super) struct MachineData {
     pub geometry_axes: [Axis; 3],
     pub lathe: bool,
     basic_unit: Unit,
+    /// Rotary axes that count modulo 360 degrees: declared, or shown by DC, ACP or ACN.
+    pub modulo: AxisSet,
 }
 
 /// What SAVE brings back.
@@ -89,10 +93,9 @@ impl State {
         let plane = if lathe { Plane::Zx } else { Plane::Xy };
         State {
             codes,
-            channel: Channel { geometry_axes: machine.geometry_axes, lathe, basic_unit },
+            machine: MachineData { geometry_axes: machine.geometry_axes, lathe, basic_unit, modulo: machine.modulo },
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
             position: Position::new(Start::new(settings, codes.is(GCode::DIAMON))),
-            modulo: machine.modulo,
             heading: Heading::None,
             polar: Polar::default(),
             feed: FeedState::at_start(settings),
@@ -107,6 +110,7 @@ impl State {
             threads: Threads::default(),
             modal_call: ModalCall::default(),
             stored: None,
+            system: BTreeMap::new(),
         }
     }
 
@@ -138,7 +142,7 @@ impl State {
 
     /// Millimetres in the unit of length of F.
     pub fn feed_unit(&self) -> f64 {
-        self.codes.feed_unit(self.channel.basic_unit)
+        self.codes.feed_unit(self.machine.basic_unit)
     }
 
     /// Does F count per revolution?
@@ -190,7 +194,7 @@ impl State {
             GCode::G19 => (1, 2),
             _ => (0, 1),
         };
-        let axes = self.channel.geometry_axes;
+        let axes = self.machine.geometry_axes;
         let fits = |plane: &Plane| {
             let (first, second, _) = plane.axes();
             (Axis::ALL[first], Axis::ALL[second]) == (axes[i], axes[j])
@@ -203,7 +207,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     pub(super) fn restore(&mut self, saved: Saved) {
         let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
         let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));

@@ -14,7 +14,7 @@ use super::frames::{Component, FrameValue};
 use super::programs::without_extension;
 use super::state::State;
 use super::value::{Val, whole};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 
 impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
@@ -37,6 +37,88 @@ impl State {
 }
 
 impl Run<'_> {
+    /// Functions that make frames or ask about the program.
+    pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
+        match name {
+            "CTRANS" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
+            "CFINE" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
+            "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
+            "CSCALE" => self.triple(args, 1.0, span).and_then(|scale| {
+                if scale.contains(&0.0) {
+                    return self.fail(codes::S2034, span, "a scaling factor is 0");
+                }
+                Ok(frame(FrameValue::scaled(scale)))
+            }),
+            "CMIRROR" => self.mirrored(args, span),
+            "CRPL" => self.rotated_in_plane(args, span),
+            "INVFRAME" => match args {
+                [Val::Frame(inner)] => match inner.inverse() {
+                    Some(made) => Ok(frame(made)),
+                    None => self.fail(codes::S2034, span, "the frame cannot be inverted"),
+                },
+                _ => self.fail(codes::S2021.alarm(14021), span, "INVFRAME takes a frame"),
+            },
+            "AXNAME" => self.axis_of_text(args, span),
+            "ISVAR" | "ISFILE" => self.is_known(name, args, span),
+            "MODAXVAL" => match args {
+                [_, value] => match value.number() {
+                    Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
+                    None => self.fail(codes::S2005.alarm(12150), span, "MODAXVAL takes an axis and an angle"),
+                },
+                _ => self.fail(codes::S2021.alarm(14021), span, "MODAXVAL takes an axis and an angle"),
+            },
+            // SET and REP
+            _ => {
+                self.fail(codes::S2005.alarm(12150), span, format!("{name} fills an array and is no value of its own"))
+            }
+        }
+    }
+
+    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
+        let [Val::Text(text)] = args else {
+            return self.fail(codes::S2021.alarm(14021), span, format!("{name} takes a text"));
+        };
+        let wanted = String::from_utf8_lossy(text).into_owned();
+        if name == "ISVAR" {
+            if wanted.trim_start().starts_with('$') {
+                let message = format!("whether the control has `{wanted}` is known on the machine only");
+                return self.fail(codes::S2028, span, message);
+            }
+            return Ok(Val::Bool(self.is_variable(&wanted)));
+        }
+        let file = self.units.list[self.unit()].file;
+        if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
+            return self.fail(codes::P0105, span, format!("the file cannot be read: {error}"));
+        }
+        self.budget.search();
+        let identity = self.job.sources.identity(self.job.main);
+        let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
+        let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
+        let in_archive = without_extension(&bare);
+        let here = [0, file].into_iter().any(|file| self.units.find_in_file(file, in_archive).is_some());
+        Ok(Val::Bool(here || self.job.files.open(&request).is_ok()))
+    }
+
+    /// A variable, or an element of one that exists.
+    fn is_variable(&mut self, wanted: &str) -> bool {
+        let (name, rest) = wanted.split_once('[').unwrap_or((wanted, ""));
+        let (letter, number) =
+            name.trim().split_at(usize::from(name.trim().is_char_boundary(1) && name.trim().len() > 1));
+        let number =
+            if number.is_empty() || letter.is_empty() { rest.strip_suffix(']').unwrap_or(rest) } else { number };
+        if name.trim().eq_ignore_ascii_case("R") || letter.eq_ignore_ascii_case("R") && rest.is_empty() {
+            return number.trim().parse::<u32>().is_ok_and(|n| n <= super::vars::MOST_R);
+        }
+        let symbol = self.symbols.intern(name.trim().as_bytes());
+        let Some(slot) = self.vars.find(symbol) else { return false };
+        let Some(var) = self.vars.get(slot) else { return false };
+        let Some(rest) = rest.strip_suffix(']') else { return rest.is_empty() };
+        let indices: Option<Vec<i32>> = rest.split(',').map(|index| index.trim().parse().ok()).collect();
+        indices.is_some_and(|indices| var.offset(&indices).is_some())
+    }
+}
+
+impl Channel<'_> {
     /// Reads `$NAME[args]`.
     pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
         let word = self.symbols.name(name).to_owned();
@@ -44,7 +126,7 @@ impl Run<'_> {
             return Ok(value);
         }
         let key = system_key(&word, args);
-        if let Some(value) = self.vars.system.get(&key) {
+        if let Some(value) = self.st.system.get(&key) {
             let unit = self.st.tool_data_unit(&word);
             return Ok(match value.number() {
                 Some(number) if unit != 1.0 => Val::Real(number / unit),
@@ -81,7 +163,7 @@ impl Run<'_> {
                 None => return Ok(None),
             },
             "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge_or_first()).unwrap_or(1)),
-            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.vars.system.contains_key(&system_key(word, args)) => {
+            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.st.system.contains_key(&system_key(word, args)) => {
                 if let Some(written) = self.written_parameter(word, args) {
                     return Ok(Some(written));
                 }
@@ -149,7 +231,7 @@ impl Run<'_> {
                 Some(crate::ir::function::Turn::CounterClockwise) => 4,
                 None => 5,
             }),
-            "$AC_MARKER" | "$AC_PARAM" if !self.vars.system.contains_key(&system_key(word, args)) => Val::Int(0),
+            "$AC_MARKER" | "$AC_PARAM" if !self.st.system.contains_key(&system_key(word, args)) => Val::Int(0),
             "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
@@ -160,7 +242,7 @@ impl Run<'_> {
         let ("$P_AD", [parameter]) = (word, args) else { return None };
         let parameter = parameter.number().and_then(whole)?;
         let (tool, edge) = (self.st.tool.active()?, self.st.tool.edge_or_first());
-        self.vars.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
+        self.st.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
     }
 
     /// Length and radius of a tool in the tool table: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`.
@@ -190,15 +272,6 @@ impl Run<'_> {
         self.frame_component(frame, args, span)
     }
 
-    /// Number of a work offset and what follows it in the brackets.
-    fn offset_number<'v>(&self, args: &'v [Val], span: Span) -> Outcome<Option<(u8, &'v [Val])>> {
-        let Some((first, rest)) = args.split_first() else { return Ok(None) };
-        match first.number().and_then(whole).and_then(|n| u8::try_from(n).ok()).filter(|n| *n <= 99) {
-            Some(number) => Ok(Some((number, rest))),
-            None => self.fail(codes::S2018.alarm(17020), span, "work offsets have the numbers 0 to 99"),
-        }
-    }
-
     /// A work offset as far as it is known: written by the program, or given under `[datums]`.
     pub(super) fn offset_frame(&self, number: u8) -> Option<FrameValue> {
         if let Some(frame) = self.st.frames.written(number) {
@@ -226,7 +299,7 @@ impl Run<'_> {
             );
         };
         if axis.is_rotary() {
-            return Ok(if self.st.modulo.contains(axis) { super::rotary::reduced(value) } else { value });
+            return Ok(if self.st.machine.modulo.contains(axis) { super::rotary::reduced(value) } else { value });
         }
         let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::state::Diameter::Off;
         Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
@@ -283,7 +356,7 @@ impl Run<'_> {
                     _ => value,
                 };
                 self.note_tool_data(&word, span);
-                self.vars.system.insert(system_key(&word, args), value);
+                self.st.system.insert(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
@@ -292,7 +365,7 @@ impl Run<'_> {
                     span,
                     format!("`{word}` is an output or a counter of the control and is left out"),
                 );
-                self.vars.system.insert(system_key(&word, args), value);
+                self.st.system.insert(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$P_") && !word.contains("FR") => self.fail_help(
@@ -333,20 +406,8 @@ impl Run<'_> {
             }
             _ => {}
         }
-        self.vars.system.insert(key, value);
+        self.st.system.insert(key, value);
         Ok(())
-    }
-
-    /// Tool data besides the radius stay in the program.
-    fn note_tool_data(&self, word: &str, span: Span) {
-        if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {
-            return;
-        }
-        let message = format!("`{word}` is not printed: the target has tool data of its own");
-        let found = crate::diag::Diagnostic::new(codes::S8010, self.loc(span), message);
-        if !self.job.diags.knows(&found) {
-            self.report(found);
-        }
     }
 
     fn new_frame(&self, old: &FrameValue, args: &[Val], value: &Val, span: Span) -> Outcome<FrameValue> {
@@ -361,43 +422,6 @@ impl Run<'_> {
         let mut frame = old.clone();
         self.set_frame_component(&mut frame, args, value, span)?;
         Ok(frame)
-    }
-
-    /// Functions that make frames or ask about the program.
-    pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
-        match name {
-            "CTRANS" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
-            "CFINE" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
-            "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
-            "CSCALE" => self.triple(args, 1.0, span).and_then(|scale| {
-                if scale.contains(&0.0) {
-                    return self.fail(codes::S2034, span, "a scaling factor is 0");
-                }
-                Ok(frame(FrameValue::scaled(scale)))
-            }),
-            "CMIRROR" => self.mirrored(args, span),
-            "CRPL" => self.rotated_in_plane(args, span),
-            "INVFRAME" => match args {
-                [Val::Frame(inner)] => match inner.inverse() {
-                    Some(made) => Ok(frame(made)),
-                    None => self.fail(codes::S2034, span, "the frame cannot be inverted"),
-                },
-                _ => self.fail(codes::S2021.alarm(14021), span, "INVFRAME takes a frame"),
-            },
-            "AXNAME" => self.axis_of_text(args, span),
-            "ISVAR" | "ISFILE" => self.is_known(name, args, span),
-            "MODAXVAL" => match args {
-                [_, value] => match value.number() {
-                    Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
-                    None => self.fail(codes::S2005.alarm(12150), span, "MODAXVAL takes an axis and an angle"),
-                },
-                _ => self.fail(codes::S2021.alarm(14021), span, "MODAXVAL takes an axis and an angle"),
-            },
-            // SET and REP
-            _ => {
-                self.fail(codes::S2005.alarm(12150), span, format!("{name} fills an array and is no value of its own"))
-            }
-        }
     }
 
     /// `AXNAME("X")`
@@ -415,49 +439,6 @@ impl Run<'_> {
         };
         self.printed_axis(named, span)?;
         Ok(Val::Axis(named))
-    }
-
-    fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
-        let [Val::Text(text)] = args else {
-            return self.fail(codes::S2021.alarm(14021), span, format!("{name} takes a text"));
-        };
-        let wanted = String::from_utf8_lossy(text).into_owned();
-        if name == "ISVAR" {
-            if wanted.trim_start().starts_with('$') {
-                let message = format!("whether the control has `{wanted}` is known on the machine only");
-                return self.fail(codes::S2028, span, message);
-            }
-            return Ok(Val::Bool(self.is_variable(&wanted)));
-        }
-        let file = self.units.list[self.unit()].file;
-        if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
-            return self.fail(codes::P0105, span, format!("the file cannot be read: {error}"));
-        }
-        self.budget.search();
-        let identity = self.job.sources.identity(self.job.main);
-        let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
-        let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
-        let in_archive = without_extension(&bare);
-        let here = [0, file].into_iter().any(|file| self.units.find_in_file(file, in_archive).is_some());
-        Ok(Val::Bool(here || self.job.files.open(&request).is_ok()))
-    }
-
-    /// A variable, or an element of one that exists.
-    fn is_variable(&mut self, wanted: &str) -> bool {
-        let (name, rest) = wanted.split_once('[').unwrap_or((wanted, ""));
-        let (letter, number) =
-            name.trim().split_at(usize::from(name.trim().is_char_boundary(1) && name.trim().len() > 1));
-        let number =
-            if number.is_empty() || letter.is_empty() { rest.strip_suffix(']').unwrap_or(rest) } else { number };
-        if name.trim().eq_ignore_ascii_case("R") || letter.eq_ignore_ascii_case("R") && rest.is_empty() {
-            return number.trim().parse::<u32>().is_ok_and(|n| n <= super::vars::MOST_R);
-        }
-        let symbol = self.symbols.intern(name.trim().as_bytes());
-        let Some(slot) = self.vars.find(symbol) else { return false };
-        let Some(var) = self.vars.get(slot) else { return false };
-        let Some(rest) = rest.strip_suffix(']') else { return rest.is_empty() };
-        let indices: Option<Vec<i32>> = rest.split(',').map(|index| index.trim().parse().ok()).collect();
-        indices.is_some_and(|indices| var.offset(&indices).is_some())
     }
 
     /// `X, 10, Y, 20`
@@ -479,6 +460,49 @@ impl Run<'_> {
             pairs.push((axis, value * unit));
         }
         Ok(pairs)
+    }
+
+    /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
+    fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
+        let [plane, angle] = args else {
+            return self.fail(codes::S2021.alarm(14021), span, "CRPL takes a plane and an angle");
+        };
+        let angle = self.as_number(angle, span)?;
+        let about = match plane.number().and_then(whole) {
+            Some(0) => self.st.roles()[2].index(),
+            Some(1) => 2,
+            Some(2) => 1,
+            Some(3) => 0,
+            _ => return self.fail(codes::S2021.alarm(14020), span, "the plane of CRPL is 0 to 3"),
+        };
+        let mut angles = [0.0; 3];
+        if let Some(place) = angles.get_mut(about) {
+            *place = angle;
+        }
+        Ok(frame(FrameValue::rotated(angles)))
+    }
+}
+
+impl Core<'_> {
+    /// Number of a work offset and what follows it in the brackets.
+    fn offset_number<'v>(&self, args: &'v [Val], span: Span) -> Outcome<Option<(u8, &'v [Val])>> {
+        let Some((first, rest)) = args.split_first() else { return Ok(None) };
+        match first.number().and_then(whole).and_then(|n| u8::try_from(n).ok()).filter(|n| *n <= 99) {
+            Some(number) => Ok(Some((number, rest))),
+            None => self.fail(codes::S2018.alarm(17020), span, "work offsets have the numbers 0 to 99"),
+        }
+    }
+
+    /// Tool data besides the radius stay in the program.
+    fn note_tool_data(&self, word: &str, span: Span) {
+        if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {
+            return;
+        }
+        let message = format!("`{word}` is not printed: the target has tool data of its own");
+        let found = crate::diag::Diagnostic::new(codes::S8010, self.loc(span), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found);
+        }
     }
 
     fn triple(&self, args: &[Val], neutral: f64, span: Span) -> Outcome<[f64; 3]> {
@@ -518,26 +542,6 @@ impl Run<'_> {
             }
         }
         Ok(frame(FrameValue::mirrored(mirror)))
-    }
-
-    /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
-    fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
-        let [plane, angle] = args else {
-            return self.fail(codes::S2021.alarm(14021), span, "CRPL takes a plane and an angle");
-        };
-        let angle = self.as_number(angle, span)?;
-        let about = match plane.number().and_then(whole) {
-            Some(0) => self.st.roles()[2].index(),
-            Some(1) => 2,
-            Some(2) => 1,
-            Some(3) => 0,
-            _ => return self.fail(codes::S2021.alarm(14020), span, "the plane of CRPL is 0 to 3"),
-        };
-        let mut angles = [0.0; 3];
-        if let Some(place) = angles.get_mut(about) {
-            *place = angle;
-        }
-        Ok(frame(FrameValue::rotated(angles)))
     }
 }
 

@@ -17,7 +17,7 @@ use super::circle::SAME;
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// The last block that travelled, as far as its direction at the end can be told here.
 #[derive(Debug, Clone, Copy, Default)]
@@ -127,7 +127,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// CT
     pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.st.plane();
@@ -186,10 +186,6 @@ impl Run<'_> {
         }
     }
 
-    fn no_tangent<T>(&self, why: &str, help: &str) -> Outcome<T> {
-        self.fail_help(codes::S3008.alarm(14045), Where::Block, why, help)
-    }
-
     /// Notes where a block that is sent out travels.
     #[inline]
     pub(super) fn note_heading(&mut self, end: &Pos, path: &Path) {
@@ -203,6 +199,12 @@ impl Run<'_> {
                 }
             }
         }
+    }
+}
+
+impl Core<'_> {
+    fn no_tangent<T>(&self, why: &str, help: &str) -> Outcome<T> {
+        self.fail_help(codes::S3008.alarm(14045), Where::Block, why, help)
     }
 }
 

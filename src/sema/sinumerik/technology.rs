@@ -10,7 +10,7 @@ use crate::text::Span;
 
 use super::vocabulary::{Address, Indexed};
 use super::words::{MWord, Words};
-use super::{Outcome, Run};
+use super::{Channel, Outcome, Run};
 
 /// M functions of a block.
 const MOST_M: usize = 5;
@@ -18,6 +18,37 @@ const MOST_M: usize = 5;
 const MOST_S: usize = 3;
 
 impl Run<'_> {
+    /// What acts behind the motion.
+    pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
+        for m in &w.m {
+            if matches!(m.number, 0..=2 | 17 | 30) {
+                self.tapping_ends();
+            }
+            match m.number {
+                0 | 1 => {
+                    self.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
+                }
+                2 | 17 | 30 => {
+                    if self.in_main() {
+                        if self.ends_inside_contour() {
+                            return Err(super::Reported);
+                        }
+                        let done = self.pending_must_be_done(m.span);
+                        self.function(Function::End { rewind: m.number == 30 });
+                        self.stop_run();
+                        done?;
+                    } else {
+                        self.leave_program();
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Channel<'_> {
     // F, S, T, D.
 
     pub(super) fn technology(&mut self, w: &mut Words) -> Outcome {
@@ -192,35 +223,6 @@ impl Run<'_> {
                     format!("what M{number} does is up to the machine builder"),
                     format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"),
                 );
-            }
-        }
-        Ok(())
-    }
-
-    /// What acts behind the motion.
-    pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
-        for m in &w.m {
-            if matches!(m.number, 0..=2 | 17 | 30) {
-                self.tapping_ends();
-            }
-            match m.number {
-                0 | 1 => {
-                    self.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
-                }
-                2 | 17 | 30 => {
-                    if self.in_main() {
-                        if self.ends_inside_contour() {
-                            return Err(super::Reported);
-                        }
-                        let done = self.pending_must_be_done(m.span);
-                        self.function(Function::End { rewind: m.number == 30 });
-                        self.stop_run();
-                        done?;
-                    } else {
-                        self.leave_program();
-                    }
-                }
-                _ => {}
             }
         }
         Ok(())

@@ -13,7 +13,7 @@ use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
-use super::{Outcome, Reported, Run};
+use super::{Channel, Outcome, Reported};
 
 /// Farthest that an axis may stand off its programmed place and still not move, in mm.
 const STILL: f64 = 1e-9;
@@ -73,7 +73,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
@@ -203,7 +203,7 @@ impl Run<'_> {
 
     /// A thread without SF= starts at the angle of SD 42000.
     fn start_angle_by_setting(&self, span: Span) -> Option<Given> {
-        let value = super::system::system_number(&self.vars.system, START_ANGLE)?;
+        let value = super::system::system_number(&self.st.system, START_ANGLE)?;
         Some(Given { value, mode: Mode::Plain, span })
     }
 
@@ -342,7 +342,7 @@ impl Run<'_> {
     /// I, J and K.
     fn lead_words(&mut self, w: &mut Words) -> Outcome<Option<Lead>> {
         let mut found = None;
-        let axes = self.st.channel.geometry_axes;
+        let axes = self.st.machine.geometry_axes;
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {

@@ -12,7 +12,7 @@ use crate::text::Span;
 use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::words::{Given, Words};
-use super::{Outcome, Run};
+use super::{Channel, Core, Outcome};
 
 /// The tool in use.
 #[derive(Debug, Clone, Copy, Default)]
@@ -119,7 +119,7 @@ impl State {
     }
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     pub(super) fn tool_word_given(&mut self, t: Given, w: &mut Words) -> Outcome {
         let number = match w.tool_name.take() {
             Some(name) => self.tool_by_name(&name, t.span)?,
@@ -145,7 +145,7 @@ impl Run<'_> {
 
     /// Turrets change with T (MD 22550 = 0), mills with M6.
     pub(super) fn changes_by_t(&self) -> bool {
-        self.job.settings.control.sinumerik.tool_change_by_t.unwrap_or(self.st.channel.lathe)
+        self.job.settings.control.sinumerik.tool_change_by_t.unwrap_or(self.st.machine.lathe)
     }
 
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
@@ -175,7 +175,7 @@ impl Run<'_> {
         self.function(Function::ToolChange { number });
         // A tool of another length.
         let [_, _, third] = self.st.roles();
-        if self.st.channel.lathe {
+        if self.st.machine.lathe {
             self.st.position.forget([Axis::X, Axis::Z].into_iter().collect());
         } else {
             self.st.position.forget(AxisSet::of(third));
@@ -190,7 +190,7 @@ impl Run<'_> {
         let edge = d.value as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
             let [_, _, third] = self.st.roles();
-            let axes = if self.st.channel.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
+            let axes = if self.st.machine.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
             for axis in axes {
                 self.st.position.forget(AxisSet::of(axis));
             }
@@ -218,8 +218,8 @@ impl Run<'_> {
         let number = self.st.tool.active?;
         let mut tool = self.job.settings.tools.by_number(number, 0).cloned().unwrap_or_default();
         let edge = self.st.tool.edge_or_first();
-        let written = self.vars.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
-        let wear = self.vars.system.get(&format!("$TC_DP15[{number},{edge}]")).and_then(super::value::Val::number);
+        let written = self.st.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
+        let wear = self.st.system.get(&format!("$TC_DP15[{number},{edge}]")).and_then(super::value::Val::number);
         tool.radius = written.or(tool.radius.filter(|_| edge == 1)).map(|radius| radius + wear.unwrap_or(0.0));
         Some(tool)
     }
@@ -263,11 +263,6 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn says_shape(&self, span: Span, word: &str) {
-        let message = format!("{word} is left out: the target enters, leaves and rounds a compensated contour its way");
-        self.note_once(codes::S8043, span, message);
-    }
-
     /// Tells the target which tool is compensated.
     pub(super) fn select_cutter(&mut self, span: Span) -> Outcome {
         let help = if self.st.tool.next.is_some() {
@@ -308,7 +303,7 @@ impl Run<'_> {
             let help = "select the edge in front of G41 or G42: D1";
             return self.fail_help(codes::S2080, span, "radius compensation under D0, which has no radius", help);
         }
-        if self.vars.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
+        if self.st.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
             let message = "the program changes the radius of the active tool by `$P_AD`";
             return self.fail_help(
                 codes::S9010,
@@ -319,7 +314,7 @@ impl Run<'_> {
         }
         let written = |parameter: u8| {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
-            self.vars.system.get(&key).and_then(super::value::Val::number)
+            self.st.system.get(&key).and_then(super::value::Val::number)
         };
         let listed = || {
             let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
@@ -377,6 +372,13 @@ impl Run<'_> {
         }
         self.st.compensation.leaving_open = false;
         self.g40_had_no_move(Where::Block, "G40 has had no move in the plane in front of this block")
+    }
+}
+
+impl Core<'_> {
+    pub(super) fn says_shape(&self, span: Span, word: &str) {
+        let message = format!("{word} is left out: the target enters, leaves and rounds a compensated contour its way");
+        self.note_once(codes::S8043, span, message);
     }
 
     fn g40_had_no_move<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {

@@ -61,8 +61,6 @@ pub(super) struct Vars {
     scopes: Vec<Scope>,
     global: FxHashMap<Symbol, Var>,
     values: usize,
-    /// System variables that the program wrote.
-    pub system: BTreeMap<String, Val>,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_visible: bool,
 }

@@ -13,7 +13,7 @@ use super::axis_names::NamedAxis;
 use super::g_groups::{GCode, Group};
 use super::value::Val;
 use super::vocabulary::{ADDRESSES, Address, Indexed, Meaning};
-use super::{Outcome, Run};
+use super::{Core, Outcome, Run};
 
 /// How a value is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -363,6 +363,68 @@ impl Run<'_> {
         }
     }
 
+    fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
+        match self.gcodes.get(given.value) {
+            Some(code) => self.code_word(words, code, given.span),
+            None => self.fail_help(
+                codes::S2010.alarm(12470),
+                given.span,
+                format!("G{} is not known", given.value),
+                "check the number; `G=` takes a G number, `G[group]=` an index",
+            ),
+        }
+    }
+
+    pub(super) fn tool_word(
+        &mut self,
+        words: &mut Words,
+        formula: Formula,
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        match self.eval(formula, block, text)? {
+            Val::Text(name) => {
+                words.tool_name = Some(String::from_utf8_lossy(&name).into_owned());
+                self.set_address(words, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
+            }
+            value => {
+                let value = self.as_number(&value, formula.span)?;
+                self.set_address(words, Address::T, Given { value, mode: Mode::Plain, span })
+            }
+        }
+    }
+
+    /// The number behind a word, with its modifier.
+    #[inline]
+    pub(super) fn given(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome<Given> {
+        match word.value {
+            Value::Literal { value, .. } if value.is_finite() => {
+                Ok(Given { value, mode: Mode::Plain, span: word.span })
+            }
+            Value::Literal { .. } => self.fail(codes::S2029.alarm(12160), word.span, "the number is too large"),
+            Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
+            Value::None | Value::Call(_) => self.fail(codes::S1001.alarm(12080), word.span, "the word has no value"),
+        }
+    }
+
+    pub(super) fn given_formula(&mut self, formula: Formula, span: Span, block: &Block, text: &[u8]) -> Outcome<Given> {
+        if let [.., Op::Call(name, count, _)] = block.formula(formula)
+            && let Some(mode) = Mode::of(self.symbols.name(*name))
+        {
+            if *count != 1 {
+                return self.fail(codes::S2021.alarm(14021), formula.span, "the modifier takes one value");
+            }
+            let inner = Formula { to: formula.to - 1, ..formula };
+            let value = self.number(inner, block, text)?;
+            return Ok(Given { value, mode, span });
+        }
+        let value = self.number(formula, block, text)?;
+        Ok(Given { value, mode: Mode::Plain, span })
+    }
+}
+
+impl Core<'_> {
     fn l_word(&mut self, words: &mut Words, word: &Word, given: Given) -> Outcome {
         let Value::Literal { digits, whole: true, value } = word.value else {
             return self.fail(codes::S1001.alarm(12080), word.span, "a subprogram number is written in digits: L10");
@@ -414,18 +476,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
-        match self.gcodes.get(given.value) {
-            Some(code) => self.code_word(words, code, given.span),
-            None => self.fail_help(
-                codes::S2010.alarm(12470),
-                given.span,
-                format!("G{} is not known", given.value),
-                "check the number; `G=` takes a G number, `G[group]=` an index",
-            ),
-        }
-    }
-
     pub(super) fn code_word(&mut self, words: &mut Words, code: GCode, span: Span) -> Outcome {
         if let Some((first, other)) = words.codes.iter().copied().find(|(known, _)| known.group == code.group) {
             if first == code {
@@ -453,53 +503,5 @@ impl Run<'_> {
         }
         words.m.push(MWord { spindle, number: given.value as u32, span: given.span });
         Ok(())
-    }
-
-    pub(super) fn tool_word(
-        &mut self,
-        words: &mut Words,
-        formula: Formula,
-        span: Span,
-        block: &Block,
-        text: &[u8],
-    ) -> Outcome {
-        match self.eval(formula, block, text)? {
-            Val::Text(name) => {
-                words.tool_name = Some(String::from_utf8_lossy(&name).into_owned());
-                self.set_address(words, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
-            }
-            value => {
-                let value = self.as_number(&value, formula.span)?;
-                self.set_address(words, Address::T, Given { value, mode: Mode::Plain, span })
-            }
-        }
-    }
-
-    /// The number behind a word, with its modifier.
-    #[inline]
-    pub(super) fn given(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome<Given> {
-        match word.value {
-            Value::Literal { value, .. } if value.is_finite() => {
-                Ok(Given { value, mode: Mode::Plain, span: word.span })
-            }
-            Value::Literal { .. } => self.fail(codes::S2029.alarm(12160), word.span, "the number is too large"),
-            Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
-            Value::None | Value::Call(_) => self.fail(codes::S1001.alarm(12080), word.span, "the word has no value"),
-        }
-    }
-
-    pub(super) fn given_formula(&mut self, formula: Formula, span: Span, block: &Block, text: &[u8]) -> Outcome<Given> {
-        if let [.., Op::Call(name, count, _)] = block.formula(formula)
-            && let Some(mode) = Mode::of(self.symbols.name(*name))
-        {
-            if *count != 1 {
-                return self.fail(codes::S2021.alarm(14021), formula.span, "the modifier takes one value");
-            }
-            let inner = Formula { to: formula.to - 1, ..formula };
-            let value = self.number(inner, block, text)?;
-            return Ok(Given { value, mode, span });
-        }
-        let value = self.number(formula, block, text)?;
-        Ok(Given { value, mode: Mode::Plain, span })
     }
 }

@@ -158,6 +158,11 @@ impl<'a> DerefMut for Run<'a> {
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Turning;
 
+    #[inline]
+    fn core(&mut self) -> &mut Core<'a, Turning> {
+        &mut self.core
+    }
+
     fn begin(&mut self, program: usize) -> Level<Frame> {
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::main())

@@ -4,6 +4,7 @@
 
 mod alarms;
 mod arguments;
+mod call;
 mod called_contours;
 mod drilling;
 mod modes;
@@ -29,7 +30,7 @@ use super::state::{Diameter, State};
 use super::value::Val;
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::CallWord;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Outcome, Reported, Run};
 use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
@@ -38,6 +39,7 @@ pub use table::signatures;
 pub(super) use table::{find, rows};
 
 use arguments::{Arguments, DMODE, Key};
+use call::CycleCall;
 use table::{Cycle as Row, Work};
 
 /// A drilling cycle that runs behind every positioning block.
@@ -138,11 +140,254 @@ impl Run<'_> {
             return self.fail(codes::S2021.alarm(12340), at, format!("{name} takes {most} arguments"));
         }
         let args = Arguments { cycle, span, list };
-        self.check_values(&args)?;
+        self.cycle(&args).check_values()?;
         Ok(args)
     }
 
-    fn check_values(&self, args: &Arguments) -> Outcome {
+    fn run_cycle(&mut self, args: &Arguments) -> Outcome {
+        self.begins_executing();
+        self.pending_must_be_done(args.span)?;
+        if self.st.side() != Side::None {
+            return self.cycle(args).cycle_fault(
+                args.span,
+                61815,
+                "radius compensation is on",
+                "program G40 before the cycle",
+            );
+        }
+        match self.st.offsets.outer() {
+            Outer::Machine => {
+                return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
+            }
+            Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => self.note_outer(),
+        }
+        self.no_cycle_by_time(args.span)?;
+        if !args.cycle.work.is_read_only() {
+            self.speed_is_known()?;
+            if self.st.codes.per_revolution() {
+                self.master_is_main(args.span, "a feed per revolution")?;
+            }
+        }
+        match &args.cycle.work {
+            Work::Hole(cycle) => {
+                let hole = self.cycle(args).hole(cycle)?;
+                self.drill(&hole)
+            }
+            Work::Moves(run) => run(&mut self.cycle(args)),
+            Work::Contour(run) => run(self, args),
+            Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
+            Work::Nothing => Ok(()),
+        }
+    }
+
+    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
+    pub(super) fn modal_machining_cycle(
+        &mut self,
+        name: &str,
+        args: Args,
+        block: &Block,
+        text: &[u8],
+    ) -> Option<Outcome> {
+        if let Some(cycle) = find(name)
+            && let Work::Hole(drilling) = &cycle.work
+        {
+            let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
+                self.st.modal_call.end();
+                let hole = self.cycle(&args).hole(drilling)?;
+                let feed_of_block = drilling.modal_feed;
+                let under = (self.st.plane(), self.st.length_unit());
+                let (here, spindle) = (self.here, self.st.spindle_state());
+                let refused = false;
+                let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
+                self.st.modal_call.set_cycle(Box::new(made));
+                Ok(())
+            });
+            return Some(result);
+        }
+        match self.vocabulary.get(name) {
+            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(self.fail_help(
+                codes::S9005,
+                block.span,
+                format!("{name} ({what}) is not supported as a modal call"),
+                "replace it by plain moves, or compile the program without it",
+            )),
+            _ => None,
+        }
+    }
+}
+
+impl Channel<'_> {
+    /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
+    /// the other places of a pattern are worth no other finding.
+    pub(super) fn drill_modal(&mut self) -> Outcome {
+        let Some(modal) = self.st.modal_call.cycle().filter(|modal| !modal.refused) else { return Ok(()) };
+        let modal = Box::new(modal.clone());
+        if self.drill_here(modal).is_err() {
+            self.st.modal_call.refuse_cycle();
+        }
+        Ok(())
+    }
+
+    fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
+        self.no_cycle_by_time(Where::Block)?;
+        self.speed_is_known()?;
+        if self.st.codes.per_revolution() {
+            self.master_is_main(Where::Block, "a feed per revolution")?;
+        }
+        if modal.under != (self.st.plane(), self.st.length_unit()) {
+            return self.fail_help(
+                codes::S9015,
+                Where::Block,
+                "the plane or the unit was changed since MCALL: the hole would go elsewhere",
+                "call the cycle again behind G17, G18, G19, G70 or G71",
+            );
+        }
+        let feed_of_block = modal.feed_of_block;
+        self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
+        let mut hole = if modal.spindle == self.st.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        if feed_of_block && let Some(feed) = self.st.feed.word() {
+            hole.feed = feed;
+        }
+        self.drill(&hole)
+    }
+
+    /// The hole of the modal call under the spindle of now.
+    fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
+        let here = std::mem::replace(&mut self.here, modal.here);
+        let made = match &modal.args.cycle.work {
+            Work::Hole(drilling) => self.cycle(&modal.args).hole(drilling),
+            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
+        };
+        self.here = here;
+        let hole = made?;
+        modal.hole = hole.clone();
+        modal.spindle = self.st.spindle_state();
+        self.st.modal_call.set_cycle(modal);
+        Ok(hole)
+    }
+}
+
+impl Channel<'_> {
+    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
+        if !self.st.is(super::g_groups::GCode::G93) {
+            return Ok(());
+        }
+        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
+    }
+
+    fn drill(&mut self, hole: &Drilling) -> Outcome {
+        self.send_cycle(Cycle::Drilling(hole.clone()));
+        Ok(())
+    }
+
+    fn send_cycle(&mut self, cycle: Cycle) {
+        self.length_acts_along_z();
+        let end = cycle.leaves(self.st.position.at());
+        self.st.heading = super::tangent::Heading::Later;
+        self.st.threads.end_chain();
+        self.core.send_cycle(&cycle, &self.st.ctx);
+        self.st.position.move_to(&end);
+        if let Some(after) = cycle.spindle_after() {
+            self.st.spindles.set_turn(match after {
+                Spindle::Start(turn) => Some(turn),
+                _ => None,
+            });
+        }
+    }
+
+    /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
+    /// and radii in others.
+    fn no_diameters(&self, name: &str, axis: Axis, place: impl Into<Where>) -> Outcome {
+        if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::S9015,
+            place,
+            format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
+            "program DIAMOF before the cycle, and radii in it",
+        )
+    }
+
+    /// Where the tool stands in the turning plane: Z and the radius.
+    fn turning_position(&mut self, span: Span) -> Outcome<Point2> {
+        let plane = crate::geo::Plane::Zx;
+        match self.st.position.in_plane(plane) {
+            Some(at) => Ok(at),
+            None => {
+                let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
+                self.unknown_axis(axis, span)
+            }
+        }
+    }
+}
+
+impl CycleCall<'_, '_> {
+    /// The feed in force, for a cycle.
+    fn cycle_feed(&mut self) -> Outcome<Feed> {
+        let args = self.args;
+        self.speed_is_known()?;
+        if self.st.feed.is_lost() {
+            return Err(Reported);
+        }
+        match self.st.feed.word() {
+            Some(feed) => {
+                self.feed_kind_is_said();
+                Ok(feed)
+            }
+            None => {
+                self.st.feed.lose();
+                self.fail_help(
+                    codes::S2040.alarm(10860),
+                    args.span,
+                    "the cycle has no feed",
+                    "program F before the cycle",
+                )
+            }
+        }
+    }
+
+    /// A length in mm that has to be there.
+    fn needed_length(&self, key: Key, name: &str) -> Outcome<f64> {
+        Ok(self.needed(key, name)? * self.st.length_unit())
+    }
+
+    /// Seconds from a dwell that is negative for turns of the spindle.
+    fn dwell_of(&self, key: Key) -> Outcome<f64> {
+        let args = self.args;
+        let value = args.or_zero(key);
+        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(key, -value) }
+    }
+
+    /// Seconds that so many turns of the spindle take.
+    fn spindle_turns_of(&self, key: Key, turns: f64) -> Outcome<f64> {
+        let args = self.args;
+        if turns == 0.0 {
+            return Ok(0.0);
+        }
+        match self.st.spindles.speed().filter(|speed| *speed > 0.0 && !self.st.spindles.is_cutting()) {
+            Some(speed) => Ok(turns * 60.0 / speed),
+            None => self.cycle_fault(
+                args.span_of(key),
+                None,
+                "a dwell in turns needs a fixed spindle speed",
+                "program S before the cycle, or give the dwell in seconds",
+            ),
+        }
+    }
+
+    /// Turning cycles work in G18.
+    fn in_turning_plane(&self) -> Outcome {
+        let args = self.args;
+        if self.st.plane() == crate::geo::Plane::Zx {
+            return Ok(());
+        }
+        self.cycle_fault(args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
+    }
+
+    fn check_values(&self) -> Outcome {
+        let args = self.args;
         let name = args.name();
         // What a contour cycle takes is checked by the rules of its parameters.
         let kinds = !args.cycle.work.is_read_only();
@@ -177,212 +422,22 @@ impl Run<'_> {
             {
                 let message = format!("argument {place} is a code of digits, which {coded} is not");
                 let help = "give a whole number from 0 on, or leave it out";
-                return self.cycle_fault(args, *at, None, &message, help);
+                return self.cycle_fault(*at, None, &message, help);
             }
         }
         Ok(())
-    }
-
-    fn run_cycle(&mut self, args: &Arguments) -> Outcome {
-        self.begins_executing();
-        self.pending_must_be_done(args.span)?;
-        if self.st.side() != Side::None {
-            return self.cycle_fault(
-                args,
-                args.span,
-                61815,
-                "radius compensation is on",
-                "program G40 before the cycle",
-            );
-        }
-        match self.st.offsets.outer() {
-            Outer::Machine => {
-                return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
-            }
-            Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
-            Outer::Basic | Outer::Printed(_) => self.note_outer(),
-        }
-        self.no_cycle_by_time(args.span)?;
-        if !args.cycle.work.is_read_only() {
-            self.speed_is_known()?;
-            if self.st.codes.per_revolution() {
-                self.master_is_main(args.span, "a feed per revolution")?;
-            }
-        }
-        match &args.cycle.work {
-            Work::Hole(cycle) => {
-                let hole = self.hole(args, cycle)?;
-                self.drill(&hole)
-            }
-            Work::Moves(run) | Work::Contour(run) => run(self, args),
-            Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
-            Work::Nothing => Ok(()),
-        }
-    }
-
-    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
-    pub(super) fn modal_machining_cycle(
-        &mut self,
-        name: &str,
-        args: Args,
-        block: &Block,
-        text: &[u8],
-    ) -> Option<Outcome> {
-        if let Some(cycle) = find(name)
-            && let Work::Hole(drilling) = &cycle.work
-        {
-            let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
-                self.st.modal_call.end();
-                let hole = self.hole(&args, drilling)?;
-                let feed_of_block = drilling.modal_feed;
-                let under = (self.st.plane(), self.st.length_unit());
-                let (here, spindle) = (self.here, self.st.spindle_state());
-                let refused = false;
-                let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
-                self.st.modal_call.set_cycle(Box::new(made));
-                Ok(())
-            });
-            return Some(result);
-        }
-        match self.vocabulary.get(name) {
-            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(self.fail_help(
-                codes::S9005,
-                block.span,
-                format!("{name} ({what}) is not supported as a modal call"),
-                "replace it by plain moves, or compile the program without it",
-            )),
-            _ => None,
-        }
-    }
-
-    /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
-    /// the other places of a pattern are worth no other finding.
-    pub(super) fn drill_modal(&mut self) -> Outcome {
-        let Some(modal) = self.st.modal_call.cycle().filter(|modal| !modal.refused) else { return Ok(()) };
-        let modal = Box::new(modal.clone());
-        if self.drill_here(modal).is_err() {
-            self.st.modal_call.refuse_cycle();
-        }
-        Ok(())
-    }
-
-    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
-        if !self.st.is(super::g_groups::GCode::G93) {
-            return Ok(());
-        }
-        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
-    }
-
-    fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
-        self.no_cycle_by_time(Where::Block)?;
-        self.speed_is_known()?;
-        if self.st.codes.per_revolution() {
-            self.master_is_main(Where::Block, "a feed per revolution")?;
-        }
-        if modal.under != (self.st.plane(), self.st.length_unit()) {
-            return self.fail_help(
-                codes::S9015,
-                Where::Block,
-                "the plane or the unit was changed since MCALL: the hole would go elsewhere",
-                "call the cycle again behind G17, G18, G19, G70 or G71",
-            );
-        }
-        let feed_of_block = modal.feed_of_block;
-        self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
-        let mut hole = if modal.spindle == self.st.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
-        if feed_of_block && let Some(feed) = self.st.feed.word() {
-            hole.feed = feed;
-        }
-        self.drill(&hole)
-    }
-
-    /// The hole of the modal call under the spindle of now.
-    fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
-        let here = std::mem::replace(&mut self.here, modal.here);
-        let made = match &modal.args.cycle.work {
-            Work::Hole(drilling) => self.hole(&modal.args, drilling),
-            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
-        };
-        self.here = here;
-        let hole = made?;
-        modal.hole = hole.clone();
-        modal.spindle = self.st.spindle_state();
-        self.st.modal_call.set_cycle(modal);
-        Ok(hole)
-    }
-
-    fn drill(&mut self, hole: &Drilling) -> Outcome {
-        self.send_cycle(Cycle::Drilling(hole.clone()));
-        Ok(())
-    }
-
-    fn send_cycle(&mut self, cycle: Cycle) {
-        self.length_acts_along_z();
-        let end = cycle.leaves(self.st.position.at());
-        self.st.heading = super::tangent::Heading::Later;
-        self.st.threads.end_chain();
-        self.core.send_cycle(&cycle, &self.st.ctx);
-        self.st.position.move_to(&end);
-        if let Some(after) = cycle.spindle_after() {
-            self.st.spindles.set_turn(match after {
-                Spindle::Start(turn) => Some(turn),
-                _ => None,
-            });
-        }
-    }
-
-    /// The feed in force, for a cycle.
-    fn cycle_feed(&mut self, args: &Arguments) -> Outcome<Feed> {
-        self.speed_is_known()?;
-        if self.st.feed.is_lost() {
-            return Err(Reported);
-        }
-        match self.st.feed.word() {
-            Some(feed) => {
-                self.feed_kind_is_said();
-                Ok(feed)
-            }
-            None => {
-                self.st.feed.lose();
-                self.fail_help(
-                    codes::S2040.alarm(10860),
-                    args.span,
-                    "the cycle has no feed",
-                    "program F before the cycle",
-                )
-            }
-        }
     }
 
     /// Refuses the arguments of a cycle.
-    fn cycle_fault<T>(
-        &self,
-        args: &Arguments,
-        span: Span,
-        alarm: impl Into<Option<u32>>,
-        what: &str,
-        help: &str,
-    ) -> Outcome<T> {
+    fn cycle_fault<T>(&self, span: Span, alarm: impl Into<Option<u32>>, what: &str, help: &str) -> Outcome<T> {
+        let args = self.args;
         let code: &'static Code = codes::S2090;
         self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)
     }
 
-    /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
-    /// and radii in others.
-    fn no_diameters(&self, name: &str, axis: Axis, place: impl Into<Where>) -> Outcome {
-        if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
-            return Ok(());
-        }
-        self.fail_help(
-            codes::S9015,
-            place,
-            format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
-            "program DIAMOF before the cycle, and radii in it",
-        )
-    }
-
     /// A variant that is known, but not built.
-    fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
+    fn not_built<T>(&self, key: Key, what: &str) -> Outcome<T> {
+        let args = self.args;
         self.fail_help(
             codes::S9015,
             args.span_of(key),
@@ -392,85 +447,38 @@ impl Run<'_> {
     }
 
     /// An argument that the call gives and the cycle does not use.
-    fn unused(&self, args: &Arguments, key: Key, name: &str, why: &str) {
+    fn unused(&self, key: Key, name: &str, why: &str) {
+        let args = self.args;
         let message = format!("{}: `{name}` is not used {why}", args.name());
         self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
     }
 
     /// A reading of an argument that is not confirmed.
-    fn reading(&self, args: &Arguments, key: Key, what: &str) {
+    fn reading(&self, key: Key, what: &str) {
+        let args = self.args;
         let message = format!("{}: {what}; this is not confirmed", args.name());
         let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(key)), message);
         self.report(found.help("compare with what the machine does"));
     }
 
     /// A number that has to be there.
-    fn needed(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
+    fn needed(&self, key: Key, name: &str) -> Outcome<f64> {
+        let args = self.args;
         match args.number(key) {
             Some(value) => Ok(value),
             None if args.value(key).is_some() => self.cycle_fault(
-                args,
                 args.span_of(key),
                 None,
                 &format!("{name} (argument {}) has to be a number", args.place(key)),
                 "a number in quotation marks is a text",
             ),
             None => self.cycle_fault(
-                args,
                 args.span,
                 None,
                 &format!("{name} (argument {}) is missing", args.place(key)),
                 "arguments are counted by their commas",
             ),
         }
-    }
-
-    /// A length in mm that has to be there.
-    fn needed_length(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
-        Ok(self.needed(args, key, name)? * self.st.length_unit())
-    }
-
-    /// Seconds from a dwell that is negative for turns of the spindle.
-    fn dwell_of(&self, args: &Arguments, key: Key) -> Outcome<f64> {
-        let value = args.or_zero(key);
-        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, key, -value) }
-    }
-
-    /// Seconds that so many turns of the spindle take.
-    fn spindle_turns_of(&self, args: &Arguments, key: Key, turns: f64) -> Outcome<f64> {
-        if turns == 0.0 {
-            return Ok(0.0);
-        }
-        match self.st.spindles.speed().filter(|speed| *speed > 0.0 && !self.st.spindles.is_cutting()) {
-            Some(speed) => Ok(turns * 60.0 / speed),
-            None => self.cycle_fault(
-                args,
-                args.span_of(key),
-                None,
-                "a dwell in turns needs a fixed spindle speed",
-                "program S before the cycle, or give the dwell in seconds",
-            ),
-        }
-    }
-
-    /// Where the tool stands in the turning plane: Z and the radius.
-    fn turning_position(&mut self, span: Span) -> Outcome<Point2> {
-        let plane = crate::geo::Plane::Zx;
-        match self.st.position.in_plane(plane) {
-            Some(at) => Ok(at),
-            None => {
-                let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
-                self.unknown_axis(axis, span)
-            }
-        }
-    }
-
-    /// Turning cycles work in G18.
-    fn in_turning_plane(&self, args: &Arguments) -> Outcome {
-        if self.st.plane() == crate::geo::Plane::Zx {
-            return Ok(());
-        }
-        self.cycle_fault(args, args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
     }
 }
 

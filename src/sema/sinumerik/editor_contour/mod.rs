@@ -24,7 +24,7 @@ use crate::sema::run::Where;
 use super::state::Diameter;
 use super::state::State;
 use super::tangent::Heading;
-use super::{Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Reported, Run};
 use compare::compare;
 use difference::Told;
 use made::{Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, outline, solve};
@@ -115,9 +115,11 @@ impl Run<'_> {
             },
             Some(record) => {
                 // One more than can be solved is enough to know that there are too many.
-                if let Some(stored) = self.st.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS) {
+                if let Some(stored) =
+                    self.channel.st.stored.as_mut().filter(|stored| stored.records.len() <= MOST_RECORDS)
+                {
                     stored.records.push(record);
-                    stored.record_places.push(self.core.here.origin.loc);
+                    stored.record_places.push(self.channel.core.here.origin.loc);
                 }
                 Ok(())
             }
@@ -125,6 +127,86 @@ impl Run<'_> {
         }
     }
 
+    fn check_stored(&mut self, stored: &Stored) -> Outcome {
+        // Blocks that were refused are not there to be compared.
+        if self.errors() > 0 {
+            return Ok(());
+        }
+        let written = if stored.start.is_some() { stored.written } else { self.written_now() };
+        let [first, second, _] = self.st.roles();
+        let here = (first.letter() as u8, second.letter() as u8);
+        let named = stored.records.iter().find_map(|record| match record {
+            Record::Header { axes, .. } => *axes,
+            _ => None,
+        });
+        let other_plane = named.is_some_and(|axes| axes != here);
+        if other_plane && stored.start.is_none() {
+            return self.fail_help(
+                codes::S9019,
+                Where::Block,
+                "the contour has no blocks, and its records are for another plane",
+                "select the plane of the contour in front of it, or accept it in the editor again",
+            );
+        }
+        if other_plane {
+            self.report(Diagnostic::new(
+                codes::S8027,
+                stored.begin,
+                "the records of this contour are for another plane",
+            ));
+            return Ok(());
+        }
+        if stored.start.is_none() {
+            self.can_be_rebuilt(stored)?;
+            return match outline(&stored.records, written, &self.job.settings.undercut) {
+                Ok(made) => self.rebuild(&made, stored, written.unit),
+                Err(why) => self.no_contour(&why, stored),
+            };
+        }
+        let made = match solve(&stored.records, written, &self.job.settings.undercut) {
+            Ok(made) => made,
+            Err(why) => {
+                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, written) {
+                    self.unchecked(&why, stored);
+                }
+                return Ok(());
+            }
+        };
+        if stored.blocks.len() > MOST_BLOCKS {
+            self.unchecked(&Unsolved::TooLong, stored);
+            return Ok(());
+        }
+        let start = stored.start.unwrap_or(made.start);
+        let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
+        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(stored, written) {
+            compared = Ok(());
+        }
+        if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
+            let place = stored.places.get(i).copied().unwrap_or(stored.begin);
+            let message =
+                format!("element {} runs at rapid traverse, which no record of the contour editor says", i + 1);
+            self.report(Diagnostic::new(codes::S8026, place, message).help("program G1 in the first element"));
+        }
+        if let Err(difference) = compared {
+            let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
+            let (at, message) = told.difference(difference);
+            let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
+            let record = told.record(difference).and_then(|at| stored.record_places.get(at));
+            let mut found = Diagnostic::new(codes::S8026, place, message);
+            if let Some(record) = record {
+                found = found.also(*record, "what was typed");
+            }
+            self.report(
+                found.help(
+                    "the blocks are compiled; if they were changed by hand, accept the contour in the editor again",
+                ),
+            );
+        }
+        Ok(())
+    }
+}
+
+impl Channel<'_> {
     /// A stored contour whose last line never came: without blocks its elements would be left out.
     fn stored_without_end(&mut self) -> Outcome {
         let Some(stored) = self.st.stored.take() else { return Ok(()) };
@@ -207,85 +289,9 @@ impl Run<'_> {
         stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.core.here.origin.loc);
     }
+}
 
-    fn check_stored(&mut self, stored: &Stored) -> Outcome {
-        // Blocks that were refused are not there to be compared.
-        if self.errors() > 0 {
-            return Ok(());
-        }
-        let written = if stored.start.is_some() { stored.written } else { self.written_now() };
-        let [first, second, _] = self.st.roles();
-        let here = (first.letter() as u8, second.letter() as u8);
-        let named = stored.records.iter().find_map(|record| match record {
-            Record::Header { axes, .. } => *axes,
-            _ => None,
-        });
-        let other_plane = named.is_some_and(|axes| axes != here);
-        if other_plane && stored.start.is_none() {
-            return self.fail_help(
-                codes::S9019,
-                Where::Block,
-                "the contour has no blocks, and its records are for another plane",
-                "select the plane of the contour in front of it, or accept it in the editor again",
-            );
-        }
-        if other_plane {
-            self.report(Diagnostic::new(
-                codes::S8027,
-                stored.begin,
-                "the records of this contour are for another plane",
-            ));
-            return Ok(());
-        }
-        if stored.start.is_none() {
-            self.can_be_rebuilt(stored)?;
-            return match outline(&stored.records, written, &self.job.settings.undercut) {
-                Ok(made) => self.rebuild(&made, stored, written.unit),
-                Err(why) => self.no_contour(&why, stored),
-            };
-        }
-        let made = match solve(&stored.records, written, &self.job.settings.undercut) {
-            Ok(made) => made,
-            Err(why) => {
-                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, written) {
-                    self.unchecked(&why, stored);
-                }
-                return Ok(());
-            }
-        };
-        if stored.blocks.len() > MOST_BLOCKS {
-            self.unchecked(&Unsolved::TooLong, stored);
-            return Ok(());
-        }
-        let start = stored.start.unwrap_or(made.start);
-        let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
-        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(stored, written) {
-            compared = Ok(());
-        }
-        if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
-            let place = stored.places.get(i).copied().unwrap_or(stored.begin);
-            let message =
-                format!("element {} runs at rapid traverse, which no record of the contour editor says", i + 1);
-            self.report(Diagnostic::new(codes::S8026, place, message).help("program G1 in the first element"));
-        }
-        if let Err(difference) = compared {
-            let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
-            let (at, message) = told.difference(difference);
-            let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
-            let record = told.record(difference).and_then(|at| stored.record_places.get(at));
-            let mut found = Diagnostic::new(codes::S8026, place, message);
-            if let Some(record) = record {
-                found = found.also(*record, "what was typed");
-            }
-            self.report(
-                found.help(
-                    "the blocks are compiled; if they were changed by hand, accept the contour in the editor again",
-                ),
-            );
-        }
-        Ok(())
-    }
-
+impl Core<'_> {
     /// Do the blocks agree with the records that are known? What is left over is no element then, as the pole is none.
     fn agrees_without_unknown(&self, stored: &Stored, written: Written) -> bool {
         let known: Vec<Record> = stored

@@ -11,7 +11,7 @@ use crate::sema::run::Where;
 use super::super::g_groups::GCode;
 use super::super::state::Diameter;
 use super::super::words::Words;
-use super::super::{Outcome, Run};
+use super::super::{Channel, Core, Outcome, Run};
 use super::made::{Block, Contour, CornerWord};
 use super::{Stored, TOLERANCE};
 
@@ -26,7 +26,9 @@ impl Run<'_> {
         self.here.origin = here;
         result
     }
+}
 
+impl Channel<'_> {
     /// The plane block of the editor says DIAM90 for turning and DIAMOF for milling, and the header which it was.
     fn diameters_are_told(&self, stored: &Stored) -> Outcome {
         let [first, second, _] = self.st.roles();
@@ -90,11 +92,6 @@ impl Run<'_> {
             );
         }
         Ok(())
-    }
-
-    fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
-        let message = format!("the contour has no blocks, and they are not made from its records: {what}");
-        self.fail_help(codes::S9019, Where::Block, message, help)
     }
 
     /// The blocks of a contour of which only the records are left.
@@ -177,6 +174,13 @@ impl Run<'_> {
             at_arc: self.arc_chamfer(),
             blocks: Blocks::PassedOver,
         }));
+    }
+}
+
+impl Core<'_> {
+    fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
+        let message = format!("the contour has no blocks, and they are not made from its records: {what}");
+        self.fail_help(codes::S9019, Where::Block, message, help)
     }
 
     /// What of the contour is a choice of ours or rests on facts that are not confirmed.

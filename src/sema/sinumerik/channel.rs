@@ -1,0 +1,94 @@
+//! The channel: what blocks do once the values of their words are known.
+//!
+//! It knows the modal state and where items go, and nothing of variables, formulas and programs, which [`super::Run`]
+//! keeps above it.
+
+use std::ops::{Deref, DerefMut};
+
+use crate::ir::Function;
+use crate::ir::contour::Sink;
+use crate::machine::Proposed;
+use crate::sema::Job;
+
+use super::Core;
+use super::axis_names::AxisNames;
+use super::capture::Capture;
+use super::state::State;
+
+/// Modal state, and the machine that it is carried out on.
+pub(super) struct Channel<'a> {
+    pub core: Core<'a>,
+    pub st: State,
+    pub axis_names: AxisNames,
+    /// Numbers proposed for tools without one.
+    pub proposed: Proposed,
+    /// The contour that is described now.
+    pub capture: Option<Box<Capture>>,
+    /// Blocks are of the ISO dialect, up to G290.
+    pub iso: bool,
+    /// A straight block may take the lane.
+    pub plain: bool,
+}
+
+impl<'a> Channel<'a> {
+    pub fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Channel<'a> {
+        Channel {
+            core: Core::new(job, out),
+            st: State::new(job.settings),
+            axis_names: AxisNames::new(job.settings),
+            proposed: Proposed::default(),
+            capture: None,
+            iso: false,
+            plain: false,
+        }
+    }
+}
+
+impl<'a> Deref for Channel<'a> {
+    type Target = Core<'a>;
+
+    #[inline]
+    fn deref(&self) -> &Core<'a> {
+        &self.core
+    }
+}
+
+impl<'a> DerefMut for Channel<'a> {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Core<'a> {
+        &mut self.core
+    }
+}
+
+impl Channel<'_> {
+    pub(super) fn comment(&mut self, text: &[u8]) {
+        if let Some(comment) = self.core.comment_of(text) {
+            self.function(comment);
+        }
+    }
+
+    pub(super) fn function(&mut self, function: Function) {
+        if self.capture.is_some() && self.function_in_contour(&function) {
+            return;
+        }
+        if self.st.compensation.is_leaving() && self.leaves_in_front_of(&function).is_err() {
+            return;
+        }
+        if self.st.pair.is_open() && self.held_back(&function) {
+            return;
+        }
+        self.core.send_function(&function, &self.st.ctx);
+    }
+
+    /// Nobody knows where the tool is.
+    pub(super) fn lost(&mut self) {
+        self.core.send_lost(&self.st.ctx);
+    }
+
+    /// Nothing is known behind this block; what only suffers from it is not worth another error.
+    pub(super) fn lose_all(&mut self) {
+        self.st.position.lose(crate::machine::AxisSet::ALL);
+        self.st.pair.drop_first();
+        self.lost();
+    }
+}
