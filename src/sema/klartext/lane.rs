@@ -9,7 +9,7 @@ use crate::lexer::klartext::Value;
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 
 use super::Run;
-use super::change::Change;
+use super::active_tool::Change;
 
 impl Run<'_> {
     /// Does a straight block do nothing but move?
