@@ -10,7 +10,7 @@ use crate::parser::klartext::straight;
 use crate::parser::straight::Straight;
 
 use super::Run;
-use super::change::Change;
+use super::active_tool::Change;
 
 impl Run<'_> {
     /// Does a straight block do nothing but move?

@@ -4,6 +4,7 @@
 //! Source: K 1 to 5; the order inside a block is: M functions at the
 //! start, motion, M functions at the end, cycle call (Appendix B).
 
+mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
@@ -12,7 +13,6 @@ mod cycle;
 mod cycle_definition;
 mod cycle_words;
 mod cycles;
-mod defined_cycle;
 mod drilling;
 mod eval;
 mod feed;
@@ -21,7 +21,9 @@ mod frames;
 mod help;
 mod labels;
 mod lane;
+mod last_move;
 mod m_functions;
+mod m_table;
 mod numbered_functions;
 mod path;
 mod pattern_def;
@@ -411,7 +413,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if !matches!(self.st.tool.change, change::Change::None) {
+        if !matches!(self.st.tool.change, active_tool::Change::None) {
             self.watch_move(mv);
         }
         if let Some(corner) = self.st.corner.take() {
