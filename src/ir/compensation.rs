@@ -61,6 +61,8 @@ pub struct Outside {
     /// Up to this turn of the contour both offsets are prolonged until they meet, beyond it an arc leads about the
     /// corner.
     pub prolonged: Deg,
+    /// Turns above the first and up to the second are decided by a machine datum that nobody gave.
+    pub open: Option<(Deg, Deg)>,
     /// Both offsets are prolonged by this length in mm, and a smaller arc leads from one to the other.
     pub by: Option<f64>,
 }

@@ -75,6 +75,8 @@ books! {
         external parameters passes save;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
+    sinumerik_compensation = "sinumerik/compensation":
+        border corners search tools;
     sinumerik_contour_cycles = "sinumerik/contour_cycles":
         cycle95 cycle952 other_cycles refused;
     sinumerik_contour_lines = "sinumerik/contour_lines":

@@ -55,4 +55,8 @@ G3214 Warning "compensation-nearly-behind" "start or end of a contour may lie be
 "KONT leads around the contour point where the tool stands behind the contour. Where that begins no manual at hand says: partc takes it to be where the straight way would \
 come nearer to the contour point than the radius. Here the tool stands on the right side of the contour, but nearer than that. Start or end farther away."
 
+G3215 Note "compensation-limit" "limit of the control decides an outside corner"
+"Controls prolong the paths at flat outside corners until they meet, and go around sharp ones on an arc. Where one becomes the other is machine data (SINUMERIK MD 20210 with \
+G451, MD 20230 with G450); their defaults are not confirmed, so 100 degrees and 0 are taken. Both ways keep the contour. Give the values of the machine by `[control] g451_limit` and `g450_flat`."
+
 }

@@ -32,8 +32,9 @@ S9009 Error "siemens-feed-kind" "kind of feed that cannot be printed"
 "G931 and the feeds that are kept at a switch cannot be printed. Under G93 F is the time of its own block: roundings, chamfers, cycles and \
 radius compensation have no share of it. Program the feed by G94 or G95."
 
-S9010 Error "siemens-resolve" "tool-centre path is not built"
-"Computing the path of the tool centre is not built yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
+S9010 Error "siemens-resolve" "tool-centre path cannot be computed"
+"The path of the tool centre needs the radius of the tool, on lathes also the position of its cutting edge, and rules that are published: compensation in space, approaches on polynomials \
+(KONTT, KONTC) and the curves of DISC are not. Tool data come from partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"control\"` the contour is printed with G41 and G42."
 
 S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordinates"
 "Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value behind it."

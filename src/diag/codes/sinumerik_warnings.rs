@@ -248,6 +248,18 @@ S8192 Warning "siemens-point-without-axis" "G74 or G75 without an axis"
 "G74 and G75 move the axes that their block names to points of the machine. This block names none, so nothing is printed for it; a retraction that it may stand for is \
 not made. Name the axes: `G75 X1=0 Z1=0`."
 
+S8193 Warning "siemens-disc" "DISC is read as a circle"
+"DISC=1 to DISC=100 stretch the arc about an outside corner towards the intersection; the curve is not published. With `[control] disc = \"circle\"` the tool goes around \
+the corner on a circle, as under DISC=0: it touches the same contour, on a shorter way."
+
+S8194 Warning "siemens-edge-position" "centre of the nose by the position of the edge"
+"The path of a turning tool is that of its theoretical tip. From there the centre of the nose lies as the position of the cutting edge says (`$TC_DP2`, or `orientation` in partc.toml): \
+3 is an outside tool that cuts towards the chuck, 2 a boring bar, 9 the centre itself. The table was not confirmed by a manual at hand: compare it with the tool data of the control once."
+
+S8195 Warning "siemens-corner-code" "G450 or G451 in a block of the contour"
+"G450 and G451 change inside a compensated contour, in a block that moves. The manuals do not say whether the corner in front of the block or the one behind it is meant: the one behind \
+it is taken. Write the code into a block without a move."
+
 S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
 "The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
 blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."

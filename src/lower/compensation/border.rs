@@ -55,7 +55,8 @@ impl Compensator {
         self.stage = Stage::Contour;
         let edge = first.curve.from();
         let corner = first.contour.from();
-        let rules = Rc::clone(&first.rules);
+        // What the block says that begins the compensation.
+        let rules = Rc::clone(&entry.rules);
         let Some(heading) = first.contour.start_direction() else { return Err(reports::start_unknown(&first.origin)) };
         if first.kind == Kind::Gone {
             return Err(reports::arc_too_small(&first.contour, &rules, &first.origin));
@@ -67,7 +68,8 @@ impl Compensator {
             && self.is_behind(start + rules.nose, edge, heading)
         {
             let from = start + rules.nose;
-            around = Some(self.around(from, corner, edge, &first, false)?);
+            let border = Piece { rules: Rc::clone(&rules), ..first.clone() };
+            around = Some(self.around(from, corner, edge, &border, false)?);
             if (from - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
                 out.diags.push(*reports::nearly_behind(false, &entry.origin));
             }
@@ -126,7 +128,13 @@ impl Compensator {
     }
 
     /// A move without compensation.
-    pub(super) fn uncompensated(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
+    pub(super) fn uncompensated(
+        &mut self,
+        mv: &Move,
+        rules: Option<&Rc<Compensation>>,
+        origin: &Origin,
+        out: &mut Out<'_>,
+    ) -> Result<(), Refused> {
         match self.stage {
             Stage::Off => {
                 out.movement(mv, origin);
@@ -141,7 +149,10 @@ impl Compensator {
                 let of = self.last_origin();
                 return Err(reports::no_contour(&of, origin));
             }
-            Stage::Contour => self.end_of_contour(mv, origin, out)?,
+            Stage::Contour => {
+                self.end_as(rules);
+                self.end_of_contour(mv, origin, out)?;
+            }
             Stage::Constant(_) | Stage::Leaving => {}
         }
         self.leave(mv, origin, out)
@@ -174,6 +185,16 @@ impl Compensator {
         self.send(&mv, origin, out);
         self.forget();
         Ok(())
+    }
+
+    /// What the block says that ends the compensation.
+    fn end_as(&mut self, rules: Option<&Rc<Compensation>>) {
+        if let (Some(rules), Some(last)) = (rules, self.ahead.back_mut().or(self.path.back_mut())) {
+            if (last.rules.retract, last.rules.ends) != (rules.retract, rules.ends) {
+                let own = Rc::make_mut(&mut last.rules);
+                (own.retract, own.ends) = (rules.retract, rules.ends);
+            }
+        }
     }
 
     /// Settles and prints the contour; `mv` leads away from it.

@@ -40,6 +40,7 @@ impl Compensator {
                 if last.rules.inside == Inside::Open {
                     self.damage.is_wanted();
                 }
+                reports::open_turn(last, &next, out.diags);
                 if !self.made.is_empty() && !last.rules.joints_are_documented {
                     reports::reading(last, &next, out.diags);
                 }

@@ -105,11 +105,11 @@ impl Compensator {
         out: &mut Out<'_>,
     ) {
         let done = match (mv.side, rules) {
-            (Side::None, _) => self.uncompensated(mv, origin, out),
+            (Side::None, _) => self.uncompensated(mv, rules, origin, out),
             (_, Some(rules)) if rules.radius > 0.0 => self.compensated(mv, start, rules, origin, out),
             // The target compensates, or there is nothing to compensate.
             (_, None) => return out.movement(mv, origin),
-            (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, origin, out),
+            (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, rules, origin, out),
         };
         if let Err(found) = done {
             self.refuse(found, origin, out);

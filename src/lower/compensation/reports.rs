@@ -1,7 +1,7 @@
 //! What is said about a contour that the tool cannot follow.
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
-use crate::geo::{Element, Plane, Point2, distance};
+use crate::geo::{Element, Plane, Point2, distance, joint};
 use crate::ir::compensation::Compensation;
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin};
@@ -209,6 +209,27 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
     Box::new(
         at(codes::G3212, *origin, message).help("end the compensation in a block that leads away from the contour"),
     )
+}
+
+/// Says once that a machine datum decides the corner which nobody gave.
+pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
+    let Some((above, up_to)) = last.rules.outside.open else { return };
+    let Some(turn) = joint::turn(&last.contour, &next.contour).map(f64::abs) else { return };
+    if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215) {
+        return;
+    }
+    let way = if turn <= last.rules.outside.prolonged.radians() {
+        "both paths are prolonged until they meet"
+    } else {
+        "the tool goes around it on an arc"
+    };
+    let message = format!(
+        "at this outside corner of {} degrees a limit decides that is machine data of the control: {way}",
+        length(turn.to_degrees())
+    );
+    diags.push(at(codes::G3215, last.origin, message).also(next.origin.loc, "element after").help(
+        "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
+    ));
 }
 
 /// What no manual says about the joint in front of `next`.

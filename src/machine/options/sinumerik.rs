@@ -41,8 +41,34 @@ pub const KEYS: &[Key] = &[
     let root = is(v, "root");
     put(&mut s.control.sinumerik.thread_flank, Some(if root { FlankReference::Root } else { FlankReference::Crest }))
 }),
+    key(
+                "g451_limit",
+                Kind::Number,
+                "SINUMERIK: outside corners up to this turn of the contour, in degrees, get an intersection under G451, sharper ones an arc (MD 20210); default: 100", |s, v| put(&mut s.control.sinumerik.compensation.limit, Some(turn(v)?))),
+    key(
+                "g450_flat",
+                Kind::Number,
+                "SINUMERIK: outside corners up to this turn of the contour, in degrees, get an intersection under G450, too (MD 20230); default: 0", |s, v| put(&mut s.control.sinumerik.compensation.flat, Some(turn(v)?))),
+    key(
+                "disc",
+                Kind::Choice(&["refuse", "circle"]),
+                "SINUMERIK: arcs about outside corners under DISC=1 to DISC=100: refused, or circles as under DISC=0", |s, v| put(&mut s.control.sinumerik.compensation.disc_as_circle, is(v, "circle"))).or(r#""refuse""#),
+    key(
+                "md20240",
+                Kind::Whole,
+                "SINUMERIK: blocks that are looked through where a compensated path has no room", |s, v| put(&mut s.control.sinumerik.compensation.look_ahead, look_ahead(v)?)).or("3"),
     key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.sinumerik.main_variables_visible, flag(v))).or("false"),
 ];
+
+/// A turn of a contour in degrees.
+fn turn(node: &Node) -> Result<f64, ConfigError> {
+    number(node).filter(|v| (0.0..=180.0).contains(v)).ok_or_else(|| node.fail("lies between 0 and 180"))
+}
+
+/// Blocks of the collision search.
+fn look_ahead(node: &Node) -> Result<u32, ConfigError> {
+    u32::try_from(whole(node)).ok().filter(|n| *n <= 100).ok_or_else(|| node.fail("lies between 0 and 100"))
+}
 
 fn not_below_zero(node: &Node) -> Result<f64, ConfigError> {
     number(node).filter(|v| *v >= 0.0).ok_or_else(|| node.fail("is not below 0"))
@@ -77,10 +103,31 @@ pub struct Sinumerik {
     pub shorten_corners: bool,
     /// A chamfer beside an arc stands across the bisector of the corner.
     pub arc_chamfers: bool,
+    /// What the machine says about the path of the tool centre.
+    pub compensation: CentrePath,
     /// CYCLE86 lifts the tool off under `_GMODE` 1 and 2, or does not; `None` refuses them.
     pub cycle86_lift: Option<bool>,
     /// Which pass of a flank infeed stands at the programmed start.
     pub thread_flank: Option<FlankReference>,
+}
+
+/// What the machine says about the path of the tool centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CentrePath {
+    /// Largest turn of an outside corner in degrees that gets an intersection under G451 (MD 20210), and under G450
+    /// (MD 20230).
+    pub limit: Option<f64>,
+    pub flat: Option<f64>,
+    /// DISC above 0 makes circles.
+    pub disc_as_circle: bool,
+    /// Blocks that are looked through where the path has no room (MD 20240).
+    pub look_ahead: u32,
+}
+
+impl Default for CentrePath {
+    fn default() -> CentrePath {
+        CentrePath { limit: None, flat: None, disc_as_circle: false, look_ahead: 3 }
+    }
 }
 
 /// From where the flank infeed of a thread cycle counts.
@@ -108,6 +155,7 @@ impl Default for Sinumerik {
             modulo_shortest: false,
             shorten_corners: false,
             arc_chamfers: false,
+            compensation: CentrePath::default(),
             cycle86_lift: None,
             thread_flank: None,
         }

@@ -156,7 +156,7 @@ impl Channel<'_> {
                     plane,
                     rest: end,
                     path,
-                    side: self.st.side(),
+                    side: self.st.side_of_move(),
                     corner: corner.copied(),
                     origin: self.here.origin,
                     functions: Vec::new(),

@@ -110,7 +110,7 @@ impl Channel<'_> {
             GCode { group: Group::ToolCarrier, index: 2.. } => "an orientable tool carrier",
             GCode { group: Group::Punching, index: 2.. } => "punching",
             GCode { group: Group::Builder1 | Group::Builder2, .. } => "a code of the machine builder",
-            GCode::CUTCONON => "compensation with a constant offset",
+            GCode::CUTCONON if !self.resolves() => "compensation with a constant offset",
             _ => return Ok(()),
         };
         let message = format!("{} is {what}, which cannot be printed", code.word());

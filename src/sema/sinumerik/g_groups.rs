@@ -380,6 +380,7 @@ code_names! {
     G25 = Frame 10  G26 = Frame 11  G110 = Frame 12  G111 = Frame 13  G112 = Frame 14  G58 = Frame 15  G59 = Frame 16
     FIFOCTRL = Buffer 3
     G18 = Plane 2  G19 = Plane 3
+    NORM = Approach 1  KONT = Approach 2  CDON = Collision 2
     G40 = Compensation 1  G41 = Compensation 2  G42 = Compensation 3
     SUPD = Suppression 4
     G93 = FeedType 1  G94 = FeedType 2  G95 = FeedType 3  G96 = FeedType 4  G97 = FeedType 5

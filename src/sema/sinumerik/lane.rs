@@ -40,7 +40,7 @@ impl Channel<'_> {
             && !st.codes.of(Group::FeedType).holds_cutting_speed()
             && !st.spindles.is_cutting()
             && st.plane() == Plane::Xy
-            && st.side() == Side::None
+            && (st.side() == Side::None || st.path.is_computed())
             && st.tool.edge() != Some(0)
             && self.job.settings.machine.diameter_axis.is_none()
             && !self.axis_names.are_given()
@@ -91,7 +91,7 @@ impl Channel<'_> {
         let mm = self.st.length_unit();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         self.note_heading(&end, &path);
-        self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
+        self.core.send_move(&Move { end, path, side: self.st.side_of_move(), coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);
     }
 }

@@ -109,6 +109,7 @@ impl Core<'_> {
                 self.report(found.help("check that both ways are free, or program RTLION"));
             }
             Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
+            Group::ConstantCompensation | Group::SoftApproach | Group::SoftApproachPath if self.resolves() => {}
             Group::ToolWear if code.index > 1 => self.tool_data_differ(code, "turns the wear of tools", span),
             Group::FineToolOffset if code == GCode::FTOCON => {
                 self.tool_data_differ(code, "lets other programs shift the tool", span);

@@ -14,6 +14,7 @@ mod calls;
 mod capture;
 mod channel;
 mod circle;
+mod compensation;
 mod corners;
 mod cycles;
 mod declare;

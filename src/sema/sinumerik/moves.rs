@@ -31,8 +31,7 @@ impl Channel<'_> {
             self.note_stored(end, &path);
         }
         self.note_heading(end, &path);
-        let mv =
-            Move { end: *end, path, side: self.st.compensation.side_of_move(self.st.side()), coords: Coords::Frame };
+        let mv = Move { end: *end, path, side: self.st.side_of_move(), coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);
     }
@@ -116,6 +115,9 @@ impl Channel<'_> {
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
+        if self.resolves() {
+            self.st.compensation.is_over();
+        }
         self.st.position.forget(w.axes.iter().collect());
         Ok(())
     }

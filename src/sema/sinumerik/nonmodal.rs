@@ -122,6 +122,9 @@ impl Channel<'_> {
     pub(super) fn machine_rapid(&mut self, end: Pos) {
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
+        if self.resolves() {
+            self.st.compensation.is_over();
+        }
         for axis in end.known().iter() {
             self.st.position.forget(AxisSet::of(axis));
         }

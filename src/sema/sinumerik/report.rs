@@ -9,7 +9,8 @@ use super::programs::UnitKind;
 impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     pub(super) fn report_open(&mut self) {
-        if self.st.side() != crate::ir::Side::None {
+        // Of a computed path that is an error, which is made where the path is.
+        if self.st.side() != crate::ir::Side::None && !self.st.path.is_computed() {
             let found =
                 Diagnostic::new(codes::S2082, self.here.origin.loc, "the program ends with radius compensation on");
             self.report(found.help("program G40 with a straight move before the end"));

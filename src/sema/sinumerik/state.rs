@@ -47,6 +47,8 @@ pub(super) struct State {
     pub diameter: Option<Diameter>,
     pub tool: ToolInUse,
     pub compensation: CompensationState,
+    /// How the compiler computes the path of the centre.
+    pub path: super::compensation::Path,
     pub corners: Corners,
     pub pair: Pair,
     pub threads: Threads,
@@ -95,6 +97,7 @@ impl State {
             diameter: None,
             tool: ToolInUse::default(),
             compensation: CompensationState::default(),
+            path: super::compensation::Path::default(),
             corners: Corners::default(),
             pair: Pair::default(),
             threads: Threads::default(),

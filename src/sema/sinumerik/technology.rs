@@ -81,6 +81,10 @@ impl Channel<'_> {
                 self.edge(d)?;
             }
         }
+        let shaped = w.get(Address::Offn).is_some() || w.get(Address::Disc).is_some();
+        if shaped {
+            self.shape_words(w)?;
+        }
         if let Some(span) = self.st.compensation.take_open(w.edge_of_new_tool.is_some()) {
             self.select_cutter_or_end(span)?;
         }
@@ -89,7 +93,7 @@ impl Channel<'_> {
         }
         self.speeds(w)?;
         self.spindle_position(w)?;
-        for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr, Address::Offn] {
+        for address in [Address::Dl, Address::Toff, Address::Toffl, Address::Toffr] {
             if let Some(given) = w.take(address)
                 && given.value != 0.0
             {
@@ -106,8 +110,8 @@ impl Channel<'_> {
         {
             return self.fail(codes::S9001, given.span, "orientable tool carriers cannot be printed");
         }
-        if let Some(disc) = w.take(Address::Disc) {
-            self.says_shape(disc.span, "DISC=");
+        if self.st.path.is_computed() && (!w.codes.is_empty() || shaped) {
+            self.rules_change(w)?;
         }
         if let Some(span) = w.h {
             self.note_once(codes::S8005, span, "H functions are for the machine's own control and are left out");

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
-use crate::machine::{Axis, AxisSet, Compensation, Tool};
+use crate::machine::{Axis, AxisSet, Tool};
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -98,6 +98,11 @@ impl CompensationState {
         self.starts = false;
     }
 
+    /// A move in machine coordinates has ended the contour.
+    pub fn is_over(&mut self) {
+        (self.starts, self.leaving_open) = (false, false);
+    }
+
     /// G40, G41 or G42 waits for its move or its D.
     pub fn waits(&self) -> bool {
         self.starts || self.leaving_open || self.open.is_some()
@@ -114,6 +119,19 @@ impl CompensationState {
     #[inline]
     pub fn is_leaving(&self) -> bool {
         self.leaving_open
+    }
+}
+
+impl super::state::State {
+    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
+    #[inline]
+    pub(super) fn side_of_move(&self) -> Side {
+        // The computed path stays beside the contour by itself.
+        if self.path.is_computed() {
+            self.printed_side(self.side())
+        } else {
+            self.compensation.side_of_move(self.side())
+        }
     }
 }
 
@@ -224,13 +242,8 @@ impl Channel<'_> {
 
     pub(super) fn compensation_code(&mut self, code: GCode, span: Span) -> Outcome {
         if code != GCode::G40 {
-            if self.job.settings.output.compensation == Compensation::Resolve {
-                return self.fail_help(
-                    codes::S9010,
-                    span,
-                    "computing the tool-centre path is not built yet",
-                    "print the contour with G41/G42: `[output] compensation = \"control\"`",
-                );
+            if self.resolves() {
+                self.begins_again(code, span)?;
             }
             if self.st.codes.of(Group::CompensationType).index > 2 {
                 let kind = self.st.codes.of(Group::CompensationType).word();
@@ -238,7 +251,9 @@ impl Channel<'_> {
                 return self.fail_help(codes::S9010, span, message, "have the CAM system put out the centre path");
             }
             self.st.compensation.open = Some(span);
-            self.says_shape_of_compensation(span);
+            if !self.resolves() {
+                self.says_shape_of_compensation(span);
+            }
         } else {
             self.st.compensation.open = None;
         }
@@ -248,7 +263,8 @@ impl Channel<'_> {
         if code == GCode::G40 && self.st.side() != Side::None {
             self.st.compensation.leaving = self.st.side();
         }
-        self.st.compensation.starts = !self.st.is(code) || self.st.compensation.leaving_open;
+        let waits = self.st.compensation.starts || self.st.compensation.leaving_open;
+        self.st.compensation.starts = !self.st.is(code) || waits;
         self.st.codes.activate(code);
         Ok(())
     }
@@ -281,6 +297,9 @@ impl Channel<'_> {
         }
         let edge = self.st.tool.edge_or_first();
         let radius = self.cutter_radius(number, edge, span)?;
+        if self.resolves() {
+            return self.compute_compensation(number, edge, radius, span);
+        }
         self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         Ok(())
     }
@@ -343,7 +362,7 @@ impl Channel<'_> {
         if !on && line && !in_plane && !self.job.settings.control.sinumerik.g40_needs_motion {
             // The plane position does not change, so the offset can wait for the next move in the plane.
             self.st.compensation.leaving_open = true;
-            if self.job.diags.first_time(codes::S8134) {
+            if !self.resolves() && self.job.diags.first_time(codes::S8134) {
                 let message = "G40 stands in front of a move that leaves the plane alone: the offset is taken off in the next move in the plane";
                 let found = Diagnostic::new(codes::S8134, self.loc(span), message);
                 self.report(found.help("program G40 with a move in the plane; some controls show alarm 10754 here"));
@@ -364,7 +383,11 @@ impl Channel<'_> {
     /// What ends the compensation on the target while the tool still stands beside the contour: its next move would go
     /// over the contour.
     pub(super) fn leaves_in_front_of(&mut self, function: &Function) -> Outcome {
-        let ends = matches!(function, Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_));
+        let ends = match function {
+            // The path was computed, and stays where it is.
+            Function::ToolChange { .. } => !self.resolves(),
+            _ => matches!(function, Function::WorkOffset(_) | Function::Plane(_)),
+        };
         if !ends || !self.st.compensation.leaving_open {
             return Ok(());
         }
@@ -379,7 +402,7 @@ impl Core<'_> {
         self.note_once(codes::S8043, span, message);
     }
 
-    fn g40_had_no_move<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
+    pub(super) fn g40_had_no_move<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
         self.fail_help(codes::S2080.alarm(10754), place, message, "program G40 with G0 or G1 and an axis of the plane")
     }
 }

@@ -1,0 +1,369 @@
+//! Radius compensation that the compiler computes: what the codes of the program say about the path of the centre.
+//!
+//! Comes in: G40 to G42 with the data of the edge, OFFN, DISC, and the codes of groups 17, 18, 21, 23, 40 and 48. Goes out:
+//! the rules beside each move ([`ir::Compensation`]). The path itself is computed behind the frames (`docs/compensation.md`).
+//!
+//! Source: S 2.12 (docs/sources.md), and the reference on radius compensation.
+
+use std::rc::Rc;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};
+use crate::ir;
+use crate::ir::Side;
+use crate::ir::compensation::{Alarms, Border, Ends, Inside, Outside, Search};
+use crate::ir::contour::Ctx;
+use crate::machine::Compensation;
+use crate::sema::run::Where;
+use crate::text::Span;
+
+use super::g_groups::{GCode, Group};
+use super::state::State;
+use super::value::Val;
+use super::vocabulary::Address;
+use super::words::{Given, Words};
+use super::{Channel, Core, Outcome};
+
+/// The control's own alarms.
+const ALARMS: Alarms = Alarms {
+    no_room: Some(10751),
+    left_out: Some(10763),
+    start_inside: Some(10755),
+    end_inside: Some(10756),
+    plane: Some(10757),
+    no_line: Some(10753),
+};
+/// Flat corners at which controls may not make an arc under G450 (MD 20230): what its default is said to be.
+const FLAT: Deg = Deg(10.0);
+/// Turn up to which G451 prolongs (MD 20210).
+const LIMIT: Deg = Deg(100.0);
+/// Types of tools from here on have cutting edges that are known by their position.
+const TURNING_TOOLS: f64 = 500.0;
+
+/// The cutter whose radius is compensated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cutter {
+    /// Radius of the edge with its wear in mm; below zero the side is swapped.
+    pub radius: f64,
+    /// Way from the programmed point to the centre of the nose, in the working plane.
+    pub nose: Vec2,
+}
+
+/// What holds on about the computed path.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Path {
+    /// The cutter of the last G41 or G42, if the compiler compensates.
+    cutter: Option<Cutter>,
+    /// OFFN: distance between the cutter and the contour, in mm.
+    normal: f64,
+    /// DISC
+    overshoot: f64,
+    /// The radius with OFFN is below zero.
+    swaps: bool,
+}
+
+impl Path {
+    /// The compiler computes the path of the compensation that is on.
+    #[inline]
+    pub fn is_computed(&self) -> bool {
+        self.cutter.is_some()
+    }
+
+    /// Radius with OFFN, not below zero.
+    pub fn radius(&self) -> f64 {
+        self.cutter.map_or(0.0, |cutter| (cutter.radius + self.normal).abs())
+    }
+}
+
+impl State {
+    /// The side of a move, as the sign of the radius has it.
+    #[inline]
+    pub(super) fn printed_side(&self, side: Side) -> Side {
+        match side {
+            Side::Left if self.path.swaps => Side::Right,
+            Side::Right if self.path.swaps => Side::Left,
+            side => side,
+        }
+    }
+
+    /// How the compiler compensates from now on.
+    pub(super) fn compensate(&mut self, rules: ir::Compensation) {
+        if self.ctx.compensation.as_deref() != Some(&rules) {
+            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
+        }
+    }
+}
+
+impl Channel<'_> {
+    /// OFFN and DISC; in front of G41 and G42 of the block.
+    pub(super) fn shape_words(&mut self, w: &mut Words) -> Outcome {
+        if let Some(offn) = w.take(Address::Offn) {
+            self.normal_offset(offn)?;
+        }
+        if let Some(disc) = w.take(Address::Disc) {
+            if !(0.0..=100.0).contains(&disc.value) {
+                let message = format!("DISC={} lies outside 0 to 100", disc.value);
+                return self.fail_help(codes::S2012, disc.span, message, "0 is the circle, 100 the intersection");
+            }
+            if self.resolves() {
+                self.st.path.overshoot = disc.value;
+            } else {
+                self.says_shape(disc.span, "DISC=");
+            }
+        }
+        Ok(())
+    }
+
+    fn normal_offset(&mut self, offn: Given) -> Outcome {
+        let value = offn.value * self.st.length_unit();
+        if !self.resolves() {
+            if value == 0.0 {
+                return Ok(());
+            }
+            let help = "put it into the tool data, or have the path computed: `[output] compensation = \"resolve\"`";
+            let message = "an offset of the tool that the program adds cannot be printed";
+            return self.fail_help(codes::S9010, offn.span, message, help);
+        }
+        if value != self.st.path.normal && self.st.side() != Side::None && !self.st.compensation.waits() {
+            let message = "OFFN changes while radius compensation is on";
+            let help = "program it in the block of G41, G42 or G40";
+            return self.fail_help(codes::S9010, offn.span, message, help);
+        }
+        self.st.path.normal = value;
+        Ok(())
+    }
+
+    /// G41 or G42, once the edge is known: the radius, and where the centre lies.
+    pub(super) fn compute_compensation(&mut self, number: u32, edge: u32, radius: Option<f64>, span: Span) -> Outcome {
+        let listed = || {
+            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
+            Some(tool.radius? + tool.deltas[1])
+        };
+        let Some(radius) = radius.or_else(listed) else {
+            let message = format!("the radius of T{number} D{edge} is not known");
+            let help = format!(
+                "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
+            );
+            return self.fail_help(codes::S9010, span, message, help);
+        };
+        let nose = self.nose(number, edge, radius, span)?;
+        let normal = self.st.path.normal;
+        if normal != 0.0 && (radius + normal) * radius < 0.0 {
+            let message = format!("OFFN={normal} is larger than the radius {radius} of the tool and swaps its side");
+            return self.fail_help(codes::S9010, span, message, "program the other one of G41 and G42");
+        }
+        self.st.path.cutter = Some(Cutter { radius, nose });
+        self.st.path.swaps = radius + normal < 0.0;
+        Ok(())
+    }
+
+    /// G41 or G42 while one of them is on.
+    pub(super) fn begins_again(&mut self, code: GCode, span: Span) -> Outcome {
+        let old = self.st.codes.of(Group::Compensation);
+        if old == GCode::G40 {
+            // G40 has had no move at all: the contour goes on.
+            let open = self.st.compensation.waits() && self.st.path.is_computed();
+            return if open {
+                self.g40_had_no_move(span, "G40 in front of this block has had no move")
+            } else {
+                Ok(())
+            };
+        }
+        if self.st.compensation.waits() {
+            return Ok(());
+        }
+        let (message, help) = if old == code {
+            let message = format!("{} is on already: whether it then holds its offset is not documented", code.word());
+            (message, "leave the word out")
+        } else {
+            let message = format!(
+                "{} follows {} without G40: how the tool changes sides is not documented",
+                code.word(),
+                old.word()
+            );
+            (message, "program G40 with a move in the plane in between")
+        };
+        self.fail_help(codes::S9010, span, message, help)
+    }
+
+    /// The program gives the compensation other rules, if it is computed.
+    pub(super) fn rules_change(&mut self, w: &Words) -> Outcome {
+        let (Some(cutter), true) = (self.st.path.cutter, self.resolves()) else { return Ok(()) };
+        // The block of G40 is the last one that asks for them.
+        if self.st.side() == Side::None && w.code_of(Group::Compensation).is_none() {
+            return Ok(());
+        }
+        let place = w.codes.first().map_or(Where::Block, |(_, span)| (*span).into());
+        self.check_corner_change(w);
+        match self.rules(cutter, place) {
+            Ok(rules) => {
+                self.st.compensate(rules);
+                Ok(())
+            }
+            Err(reported) => {
+                self.st.codes.activate(GCode::G40);
+                self.st.compensation.begins_no_more();
+                self.st.path.cutter = None;
+                Err(reported)
+            }
+        }
+    }
+
+    fn rules(&self, cutter: Cutter, place: Where) -> Outcome<ir::Compensation> {
+        self.plane_is_straight(place)?;
+        let codes_on = &self.st.codes;
+        let round = codes_on.of(Group::Corner).index == 1;
+        let border = match codes_on.of(Group::Approach) {
+            GCode::NORM => Border::Perpendicular,
+            GCode::KONT if round => Border::Around,
+            GCode::KONT => Border::AroundOtherwise,
+            code => {
+                let message =
+                    format!("{} leads to the contour and from it on a polynomial, which is not published", code.word());
+                return self.fail_help(codes::S9010, place, message, "program NORM or KONT, or the approach by arcs");
+            }
+        };
+        let keys = &self.job.settings.control.sinumerik.compensation;
+        if self.st.path.overshoot > 0.0 {
+            if !keys.disc_as_circle {
+                let message = format!(
+                    "under DISC={} the tool goes around corners on a curve that is not published",
+                    self.st.path.overshoot
+                );
+                let help = "program DISC=0 or G451, or accept the circle: `[control] disc = \"circle\"`";
+                return self.fail_help(codes::S9010, place, message, help);
+            }
+            if self.job.diags.first_time(codes::S8193) {
+                let message = format!("DISC={} is read as DISC=0: outside corners get circles", self.st.path.overshoot);
+                self.report(Diagnostic::new(codes::S8193, self.loc(place), message).help("check the corners"));
+            }
+        }
+        let outside = if round {
+            let open = keys.flat.is_none().then_some((Deg(0.0), FLAT));
+            Outside { prolonged: Deg(keys.flat.unwrap_or(0.0)), open, by: None }
+        } else {
+            let limit = Deg(keys.limit.unwrap_or(LIMIT.0));
+            Outside { prolonged: limit, open: keys.limit.is_none().then_some((limit, Deg(180.0))), by: None }
+        };
+        let ends = match codes_on.of(Group::CompensationEnds).index {
+            2 => Ends::Circle,
+            3 => Ends::Tangent,
+            _ => Ends::AsTheyAre,
+        };
+        Ok(ir::Compensation {
+            radius: self.st.path.radius(),
+            nose: cutter.nose,
+            approach: border,
+            retract: border,
+            outside,
+            inside: Inside::Crossing,
+            search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == GCode::CDON },
+            ends,
+            constant: codes_on.is(GCode::CUTCONON),
+            joints_are_documented: true,
+            alarms: ALARMS,
+        })
+    }
+
+    /// The radius counts in the plane of the tool: a frame may turn and move in it only.
+    fn plane_is_straight(&self, place: Where) -> Outcome {
+        let (first, second, third) = self.st.plane().axes();
+        let linear = self.st.ctx.frame.linear();
+        let tilts = |a: usize| linear[(third, a)].abs() > SAME_DIRECTION || linear[(a, third)].abs() > SAME_DIRECTION;
+        if !self.st.ctx.frame.is_shift() && (tilts(first) || tilts(second)) {
+            let message = "a frame tilts the working plane, and radius compensation is on";
+            let help = "turn the frame about the tool axis only, or have the CAM system put out the centre path";
+            return self.fail_help(codes::S9010, place, message, help);
+        }
+        Ok(())
+    }
+
+    /// At which corner a change of G450 and G451 counts is not documented.
+    fn check_corner_change(&self, w: &Words) {
+        let Some((code, span)) = w.code_of(Group::Corner) else { return };
+        let on = self.st.side() != Side::None && !self.st.compensation.waits();
+        if !on || w.axes.is_empty() || !self.job.diags.first_time(codes::S8195) {
+            return;
+        }
+        let message =
+            format!("{} stands in a block of the contour: it counts from the end of this block on", code.word());
+        let found = Diagnostic::new(codes::S8195, self.loc(span), message);
+        self.report(found.help("write it into a block without a move, in front of the element whose end it means"));
+    }
+
+    /// Where the centre of the nose lies from the point that is programmed. In the plane ZX of a lathe only: a milling
+    /// cutter is programmed by its centre.
+    fn nose(&self, number: u32, edge: u32, radius: f64, span: Span) -> Outcome<Vec2> {
+        let written = |parameter: u8| {
+            let key = format!("$TC_DP{parameter}[{number},{edge}]");
+            self.st.system.get(&key).and_then(Val::number)
+        };
+        let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
+        let turns = match (written(1), tool.and_then(|tool| tool.kind.as_deref())) {
+            (Some(kind), _) => kind >= TURNING_TOOLS,
+            (None, Some(kind)) => !matches!(kind, "mill" | "drill" | "tap"),
+            (None, None) => self.st.machine.lathe && self.st.plane() == Plane::Zx,
+        };
+        if !turns || radius == 0.0 {
+            return Ok(Vec2::zeros());
+        }
+        if self.st.plane() != Plane::Zx {
+            let message = format!("T{number} is a turning tool, and its nose is compensated in the plane ZX only");
+            return self.fail_help(codes::S9010, span, message, "select G18 in front of G41 and G42");
+        }
+        let position = written(2).or(tool.and_then(|tool| tool.orientation).map(f64::from));
+        let Some(way) = position.and_then(nose_of) else {
+            let (message, help) = match position {
+                Some(position) => {
+                    (format!("{position} is no position of a cutting edge"), "positions are 1 to 9".to_owned())
+                }
+                None => (
+                    format!("the position of the cutting edge of T{number} D{edge} is not known"),
+                    format!(
+                        "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: \
+                         `$TC_DP2[{number},{edge}]=3`; 9 is the centre of the nose"
+                    ),
+                ),
+            };
+            return self.fail_help(codes::S9010, span, message, help);
+        };
+        if way != Vec2::zeros() && self.job.diags.first_time(codes::S8194) {
+            let message = format!(
+                "cutting-edge position {}: the centre of the nose lies Z{:+} X{:+} mm in radius from the programmed point",
+                position.unwrap_or(0.0),
+                way.x * radius,
+                way.y * radius
+            );
+            let found = Diagnostic::new(codes::S8194, self.loc(span), message);
+            self.report(found.help("compare it with the position in the tool data of the control"));
+        }
+        Ok(way * radius)
+    }
+}
+
+impl Core<'_> {
+    /// Does the compiler compute the path?
+    #[inline]
+    pub(super) fn resolves(&self) -> bool {
+        self.job.settings.output.compensation == Compensation::Resolve
+    }
+}
+
+/// Way from the tip to the centre of a nose of radius 1 along Z and X, by the position of the edge: seen with Z to the
+/// right and X up.
+fn nose_of(position: f64) -> Option<Vec2> {
+    let (z, x) = match position as i64 {
+        _ if position.fract() != 0.0 => return None,
+        1 => (-1.0, -1.0),
+        2 => (1.0, -1.0),
+        3 => (1.0, 1.0),
+        4 => (-1.0, 1.0),
+        5 => (-1.0, 0.0),
+        6 => (0.0, -1.0),
+        7 => (1.0, 0.0),
+        8 => (0.0, 1.0),
+        9 => (0.0, 0.0),
+        _ => return None,
+    };
+    Some(Vec2::new(z, x))
+}
