@@ -78,7 +78,9 @@ impl Run<'_> {
                         "reset the plane before the block, and program it again after",
                     );
                 }
-                Some((Act::CompensationOnly | Act::LookAhead, _)) if compensated && acts(m) => {
+                Some((Act::CompensationOnly | Act::LookAhead, _))
+                    if compensated && acts(m) && !self.computes_path() =>
+                {
                     return self.fail_help(
                         codes::K9008,
                         m.span,
@@ -212,6 +214,7 @@ impl Run<'_> {
                 )
                 .help("remove M124 if the path is to be the programmed one"),
             ),
+            Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
             Act::CompensationOnly | Act::LookAhead => {
                 let found =
                     Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));

@@ -9,6 +9,7 @@ mod approach;
 mod arcs;
 mod blank;
 mod change;
+mod compensation;
 mod cycle;
 mod cycle_definition;
 mod cycle_words;
@@ -21,7 +22,6 @@ mod frames;
 mod help;
 mod labels;
 mod lane;
-mod last_move;
 mod m_functions;
 mod m_table;
 mod numbered_functions;
@@ -426,7 +426,7 @@ impl Run<'_> {
         if let Some(approach) = &mut self.approach
             && approach.held.len() < approach::MOST_HELD
         {
-            return approach.held.push((function, self.core.here.origin));
+            return approach.held.push(approach::Held::Function(function, self.core.here.origin));
         }
         self.core.send_function(&function, &self.st.ctx);
     }
@@ -449,6 +449,7 @@ impl Run<'_> {
             self.finish_cycle();
         }
         self.forgotten_change();
+        self.refuse_compensated("the program ends");
         if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")

@@ -181,7 +181,7 @@ impl Run<'_> {
     }
 
     /// What a polar block leaves to the next.
-    fn keep_polar(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
+    pub(super) fn keep_polar(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
         self.st.polar.keep(radius, angle, pole);
     }
 
@@ -214,7 +214,7 @@ impl Run<'_> {
     }
 
     /// Radius and angle of the end of LP or CTP.
-    fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
+    pub(super) fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
         if w.polar_radius.is_none() && w.polar_angle.is_none() {
             return self.fail_help(
                 codes::K2109,

@@ -11,9 +11,9 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
+use super::compensation::{Contour, OwnCorner};
 use super::feed::FeedState;
 use super::frames::FrameState;
-use super::last_move::LastMove;
 use super::m_functions::SpindleState;
 use super::polar::PolarState;
 use super::rotary::RotaryState;
@@ -28,8 +28,11 @@ pub(super) struct State {
     pub polar: PolarState,
     pub feed: FeedState,
     pub compensation: Compensation,
-    /// The last compensated move in the plane, for its direction.
-    pub last: Option<LastMove>,
+    pub contour: Option<Contour>,
+    /// M97, M98 or M197 of this block.
+    pub own_corner: OwnCorner,
+    /// Blocks that M120 looks ahead.
+    pub look_ahead: u32,
     /// RND or CHF that waits for its second element.
     pub corner: Option<CornerMade>,
     pub tool: ToolState,
@@ -66,7 +69,9 @@ impl State {
             polar: PolarState::default(),
             feed: FeedState::new(settings.control.feed),
             compensation: Compensation::default(),
-            last: None,
+            contour: None,
+            own_corner: OwnCorner::No,
+            look_ahead: 0,
             corner: None,
             tool: ToolState::default(),
             frames: FrameState::new(Transformation::none(settings.control.klartext_readings.mirror_last)),

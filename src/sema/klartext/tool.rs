@@ -148,6 +148,7 @@ impl Run<'_> {
             None => (None, block.words.as_slice()),
         };
         let call = self.call_words(rest, block)?;
+        self.refuse_compensated("TOOL CALL stands");
         // The side stays: a contour that goes on compensated behind a tool change is refused.
         if self.st.compensation.is_on() && tool.is_some() {
             self.report(

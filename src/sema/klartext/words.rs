@@ -379,13 +379,22 @@ impl Run<'_> {
                     self.check_m_value(number, word, block, w)?;
                     args.given |= self.number_if(word.value, word.span)?.is_some();
                 }
-                Addr::DeltaLength if takes.named => args.value = Some(self.number(word.value, word.span)?),
+                Addr::DeltaLength if number == 197 => args.value = Some(self.number(word.value, word.span)?),
                 Addr::Name if takes.named || takes.retract => {
                     let name = self.word_text(word.span);
                     match words.get(at + 1) {
                         _ if name.eq_ignore_ascii_case("MAX") && takes.retract => {
                             args.max = true;
                             args.given = true;
+                        }
+                        Some(_) if number == 197 || number == 120 && !name.eq_ignore_ascii_case("LA") => {
+                            let wanted = if number == 120 { "LA5" } else { "DL0.5" };
+                            return self.fail_help(
+                                codes::K2707,
+                                word.span,
+                                format!("`{name}` does not belong to M{number}"),
+                                format!("write `M{number} {wanted}`"),
+                            );
                         }
                         Some(value) if value.addr == Addr::Value => {
                             let scale = if name.eq_ignore_ascii_case("MB") { mm } else { 1.0 };
