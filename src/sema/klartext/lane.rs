@@ -1,6 +1,6 @@
 //! The lane of straight blocks: what most blocks of a CAM program are, while nothing else is on.
 //!
-//! Whether something is on is asked once, behind each block that did not take the lane; those that take it change the
+//! A contour that the compiler compensates is no obstacle once it has begun. Whether something is on is asked once, behind each block that did not take the lane; those that take it change the
 //! position and the feed only. Each condition names what a straight block would otherwise do about it.
 
 use crate::ir::contour::{Coords, Move, Path};
@@ -24,7 +24,7 @@ impl Run<'_> {
             && !st.polar.has_last()
             && st.feed.plunge_share().is_none()
             && !st.feed.is_per_revolution()
-            && !st.compensation.is_on()
+            && self.contour_is_plain()
             && !st.compensation.is_lost()
     }
 
@@ -47,7 +47,12 @@ impl Run<'_> {
                 }
                 (Addr::Feed, Value::Number(value)) if value > 0.0 && feed.is_none() && !rapid => feed = Some(value),
                 (Addr::FeedMax, _) if feed.is_none() && !rapid => rapid = true,
-                (Addr::Radius { signed: false }, Value::Number(0.0)) if !uncompensated => uncompensated = true,
+                // Where RL or RR is on, R0 leads away from the contour.
+                (Addr::Radius { signed: false }, Value::Number(0.0))
+                    if !uncompensated && !self.st.compensation.is_on() =>
+                {
+                    uncompensated = true;
+                }
                 _ => return false,
             }
         }
@@ -59,7 +64,11 @@ impl Run<'_> {
             self.st.feed.program(feed, written);
         }
         let path = if rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
-        self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
+        let side = self.st.compensation.side();
+        self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);
+        if side != Side::None {
+            self.note_contour(&end, path);
+        }
         self.st.feed.last_rapid = rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;
