@@ -16,9 +16,9 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
-use super::path::plane_axes;
 use super::words::{Admits, Words};
 use super::{Outcome, Run};
+use crate::sema::common::plane::plane_axes;
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
 

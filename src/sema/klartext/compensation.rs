@@ -11,11 +11,11 @@ use crate::ir::{Pos, Side};
 use crate::machine::Compensation;
 use crate::text::Span;
 
-use super::m_functions::Args;
-use super::path::plane_axes;
+use super::m_table::Args;
 use super::state::State;
 use super::words::{Comp, MWord, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::common::plane::plane_axes;
 
 /// Most blocks that M120 LA looks ahead.
 const MOST_AHEAD: f64 = 99.0;
