@@ -157,6 +157,15 @@ impl Run<'_> {
         self.job.settings.output.compensation == Compensation::Resolve
     }
 
+    /// Does a straight block need nothing but its direction noted?
+    pub(super) fn contour_is_plain(&self) -> bool {
+        let side = self.st.compensation.side();
+        match self.st.contour {
+            None => side == Side::None,
+            Some(contour) => side != Side::None && contour.begun && self.computes_path(),
+        }
+    }
+
     /// Takes note of a move that is about to be sent.
     #[inline]
     pub(super) fn note_contour(&mut self, end: &Pos, path: Path) {
