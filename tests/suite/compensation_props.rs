@@ -22,7 +22,7 @@ const DAMAGE: f64 = 2e-3;
 
 /// Units of the last place that printed lines and arcs may lose.
 const LINE: f64 = 1.0;
-const ARC: f64 = 1.5;
+const ARC: f64 = 2.0;
 
 #[derive(Debug, Default)]
 struct Tally {
@@ -123,9 +123,10 @@ fn judge(
     };
     ends(path[0].from, curves[0].beside(0.0, d), "start")?;
     ends(path[path.len() - 1].to, curves[curves.len() - 1].beside(1.0, d), "end")?;
-    let steps: u32 = if damaged { 400 } else { 12 };
     let mut lost = [0.0_f64; 2];
     for piece in path {
+        let fine = (piece.length() / (0.02 * r)).clamp(400.0, 40_000.0) as u32;
+        let steps = if damaged { fine } else { 12 };
         for k in 0..=steps {
             let share = f64::from(k) / f64::from(steps);
             let short = r - nearest(&curves, piece.at(share));
