@@ -151,6 +151,10 @@ impl<'a> Lower<'a> {
         step.mv.end.update(programmed);
         match arcs::resolve(&mv.path, step, &self.last, &mut self.adjusted) {
             Ok(extra) => {
+                if let Err(found) = step.is_exact(*origin) {
+                    let programmed = *programmed;
+                    return self.refuse(Some(found), &programmed, origin);
+                }
                 self.last.follow(step);
                 self.at = step.mv.end;
                 self.push();
@@ -345,6 +349,13 @@ impl Finish<'_> {
         match event {
             Event::Step(step) => match frames::workpiece(step) {
                 Ok(mv) => {
+                    if !mv.machine
+                        && mv.end.exceeds(step::FAR)
+                        && let Err(found) = step::exact_far_out(&Pos::UNKNOWN, &mv, step.origin)
+                    {
+                        self.diags.push(*found);
+                        return self.out.lost(&step.origin);
+                    }
                     if !self.machine.limits.is_empty() && !mv.machine {
                         limits::check(&mv, &self.machine.limits, step.origin, self.diags);
                     }

@@ -270,7 +270,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.job.skips(block.skip.then_some(0)) {
+        if self.skips(block.skip.then_some(0)) {
             self.skip(block, text);
             return;
         }

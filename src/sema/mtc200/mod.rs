@@ -177,7 +177,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         if !matches!(self.program().known.header, Header::Closed | Header::None) {
             self.leave_header(block);
         }
-        if self.job.skips(block.skip.then_some(0)) {
+        if self.skips(block.skip.then_some(0)) {
             return;
         }
         for comment in &block.comments {

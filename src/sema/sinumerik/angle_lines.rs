@@ -261,7 +261,7 @@ impl Channel<'_> {
         let mut first_end = pending.rest;
         first_end.set_in_plane(pending.plane, corner);
         let mv = Move { end: first_end, path: pending.path, side: pending.side, coords: Coords::Frame };
-        self.core.out.movement(&mv, &self.st.ctx, &pending.origin);
+        self.core.send_move_of(&mv, &self.st.ctx, &pending.origin);
         self.st.position.move_to(&first_end);
         if let Some(corner) = &pending.corner {
             self.core.out.corner(corner, &self.st.ctx, &pending.origin);

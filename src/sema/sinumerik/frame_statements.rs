@@ -20,10 +20,8 @@ impl Channel<'_> {
         match code {
             GCode::G110 | GCode::G111 | GCode::G112 => self.pole_block(code, span, w)?,
             GCode::G25 | GCode::G26 => {
-                if code == GCode::G26 {
-                    for at in 0..w.s.len() {
-                        self.highest_speed(w.s[at]);
-                    }
+                for at in 0..w.s.len() {
+                    self.speed_range(code, w.s[at])?;
                 }
                 w.s.clear();
                 w.beside.left_out.clear();

@@ -280,7 +280,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.job.skips(block.skip) {
+        if self.skips(block.skip) {
             return;
         }
         if let Some(span) = block.comment {

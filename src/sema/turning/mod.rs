@@ -169,7 +169,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if self.job.skips(block.skip) {
+        if self.skips(block.skip) {
             return;
         }
         if let Some(comment) = block.comment {
