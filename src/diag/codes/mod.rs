@@ -10,6 +10,8 @@ mod klartext_readings;
 mod mtc200;
 mod output;
 mod sinumerik;
+mod sinumerik_unsupported;
+mod sinumerik_warnings;
 mod turning;
 
 pub use general::*;
@@ -19,6 +21,8 @@ pub use klartext_readings::*;
 pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
+pub use sinumerik_unsupported::*;
+pub use sinumerik_warnings::*;
 pub use turning::*;
 
 use super::Severity;
@@ -93,6 +97,8 @@ pub fn all() -> Vec<&'static Code> {
         geometry::GEOMETRY,
         output::OUTPUT,
         sinumerik::SINUMERIK,
+        sinumerik_warnings::SINUMERIK_WARNINGS,
+        sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         turning::TURNING,
         mtc200::MTC200,
     ]

@@ -5,7 +5,7 @@
 //! approach begins. The last compensated block leads to the end of the contour, the first one from PH.
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{self, Point2, SAME_DIRECTION, SAME_POINT, Vec2, arc, distance, left, length};
+use crate::geo::{self, Point2, SAME_DIRECTION, SAME_POINT, Vec2, distance, left, length};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, Compensation, Generation};
@@ -13,9 +13,10 @@ use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::sema::run::Site;
 use crate::text::Span;
 
-use super::path::{PATH, plane_axes};
+use super::last_move::LastMove;
 use super::words::{Admits, Comp, FeedWord, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::common::plane::plane_axes;
 
 /// Functions and comments that may stand between an approach and the first element of its contour.
 pub(super) const MOST_HELD: usize = 256;
@@ -53,14 +54,6 @@ pub(super) struct Approach {
     pub held: Vec<(Function, Origin)>,
 }
 
-/// The last move in the working plane, for its direction at the end.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LastMove {
-    from: Point2,
-    to: Point2,
-    path: Path,
-}
-
 impl Run<'_> {
     pub(super) fn approach_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let (name, span) = self.block_name(block, text, 2);
@@ -85,7 +78,7 @@ impl Run<'_> {
         let admits = if departs && kind != "LCT" {
             Admits::FEED.and(Admits::RADIUS).and(Admits::M)
         } else {
-            PATH.and(Admits::RADIUS)
+            Admits::PATH.and(Admits::RADIUS)
         };
         let w = self.gather(&rest, &upper, admits)?;
         self.check_m(&w)?;
@@ -269,7 +262,7 @@ impl Run<'_> {
         let (first, second, _) = plane.axes();
         let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
         let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
-        let element = LastMove { from: approach.to, to, path: *path };
+        let element = LastMove::new(approach.to, to, *path);
         let here = std::mem::replace(&mut self.here, approach.here);
         let made = match element.direction(true) {
             Some(heading) => self.make_approach(&approach, heading),
@@ -481,30 +474,6 @@ struct Circle {
     center: Point2,
     radius: f64,
     ccw: bool,
-}
-
-impl LastMove {
-    pub fn new(from: Point2, to: Point2, path: Path) -> LastMove {
-        LastMove { from, to, path }
-    }
-
-    /// Direction of travel at the start or the end.
-    fn direction(&self, at_start: bool) -> Option<Vec2> {
-        let at = if at_start { self.from } else { self.to };
-        match self.path {
-            Path::Line(_) | Path::Rapid => geo::direction(self.to - self.from, SAME_POINT),
-            Path::Arc(Arc { shape, .. }, _) => match shape {
-                ArcShape::Center { center, ccw, .. } => arc::tangent_at(at, center, ccw),
-                ArcShape::Sweep { center, sweep } => arc::tangent_at(at, center, sweep.0 > 0.0),
-                ArcShape::Radius { radius, ccw, tol } => {
-                    let center = arc::center_by_radius(self.from, self.to, radius, ccw, SAME_POINT, tol)?;
-                    arc::tangent_at(at, center, ccw)
-                }
-                _ => None,
-            },
-            Path::Thread(_) => None,
-        }
-    }
 }
 
 /// Direction from the centre to the point where the line from `from` touches the circle, which is travelled from

@@ -4,6 +4,7 @@
 //! Source: K 1 to 5; the order inside a block is: M functions at the
 //! start, motion, M functions at the end, cycle call (Appendix B).
 
+mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
@@ -12,7 +13,6 @@ mod cycle;
 mod cycle_definition;
 mod cycle_words;
 mod cycles;
-mod defined_cycle;
 mod drilling;
 mod eval;
 mod feed;
@@ -21,7 +21,9 @@ mod frames;
 mod help;
 mod labels;
 mod lane;
+mod last_move;
 mod m_functions;
+mod m_table;
 mod numbered_functions;
 mod path;
 mod pattern_def;
@@ -238,12 +240,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if !self.line_lane(block) {
+        if !self.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.plain = false;
             self.execute_any(block, text);
             self.plain = self.is_plain();
         }
+    }
+
+    #[inline]
+    fn line_lane(&mut self) -> bool {
+        self.straight_line()
     }
 
     fn end_of_file(&mut self) {
@@ -406,7 +413,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if !matches!(self.st.tool.change, change::Change::None) {
+        if !matches!(self.st.tool.change, active_tool::Change::None) {
             self.watch_move(mv);
         }
         if let Some(corner) = self.st.corner.take() {

@@ -3,29 +3,16 @@
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Plane;
 use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, AxisSet, Compensation};
+use crate::machine::{AxisSet, Compensation};
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
-use crate::text::Loc;
 
-use super::approach::LastMove;
-use super::m_functions::Args;
-use super::state::State;
+use super::last_move::LastMove;
+use super::m_table::Args;
+use super::state::{CornerMade, State};
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
-
-pub(super) const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
-
-/// A chamfer or rounding whose second element is still to come.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct CornerMade {
-    rounding: bool,
-    /// Of the element before.
-    side: Side,
-    loc: Loc,
-}
 
 impl State {
     /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
@@ -170,7 +157,7 @@ impl Run<'_> {
 
     /// A block that holds M functions or a feed only.
     pub(super) fn functions_block(&mut self, block: &Block) -> Outcome {
-        let w = self.gather(block, "", PATH)?;
+        let w = self.gather(block, "", Admits::PATH)?;
         self.run_path(PathFn::Line, &w)
     }
 
@@ -424,7 +411,7 @@ impl Run<'_> {
 
     /// `X+50 R+ F200`: one axis.
     pub(super) fn paraxial_block(&mut self, block: &Block) -> Outcome {
-        let result = self.gather(block, "positioning", PATH.and(Admits::PARAXIAL)).and_then(|w| {
+        let result = self.gather(block, "positioning", Admits::PATH.and(Admits::PARAXIAL)).and_then(|w| {
             let paraxial = matches!(w.comp, Some(Comp::Paraxial(_)));
             if w.axes.known().len() > 1 && !paraxial {
                 return self.fail_help(
@@ -487,11 +474,11 @@ impl Run<'_> {
 /// The words that a path function takes.
 pub(super) fn path_words(function: PathFn) -> Admits {
     match function {
-        PathFn::Line | PathFn::CircleTangent => PATH,
-        PathFn::Circle => PATH.and(Admits::TURN),
-        PathFn::CircleRadius => PATH.and(Admits::TURN).and(Admits::RADIUS),
-        PathFn::LinePolar | PathFn::TangentPolar => PATH.and(Admits::POLAR),
-        PathFn::CirclePolar => PATH.and(Admits::POLAR).and(Admits::TURN),
+        PathFn::Line | PathFn::CircleTangent => Admits::PATH,
+        PathFn::Circle => Admits::PATH.and(Admits::TURN),
+        PathFn::CircleRadius => Admits::PATH.and(Admits::TURN).and(Admits::RADIUS),
+        PathFn::LinePolar | PathFn::TangentPolar => Admits::PATH.and(Admits::POLAR),
+        PathFn::CirclePolar => Admits::PATH.and(Admits::POLAR).and(Admits::TURN),
     }
 }
 
@@ -499,10 +486,4 @@ pub(super) fn path_words(function: PathFn) -> Admits {
 pub(super) fn corner_words(rounding: bool) -> Admits {
     let admits = Admits::FEED.and(Admits::NUMBER);
     if rounding { admits.and(Admits::RADIUS) } else { admits }
-}
-
-/// Both axes of a plane.
-pub(super) fn plane_axes(plane: Plane) -> AxisSet {
-    let (first, second, _) = plane.axes();
-    [Axis::ALL[first], Axis::ALL[second]].into_iter().collect()
 }

@@ -9,7 +9,7 @@ use crate::parser::klartext::no_number;
 use crate::parser::not_a_number::is_no_number;
 use crate::text::{Span, decode::readable};
 
-use super::m_functions::{self, Args};
+use super::m_table::{self, Args};
 use super::{Outcome, Run};
 
 /// Which words a head admits.
@@ -31,6 +31,9 @@ impl Admits {
     /// A number without address.
     pub const NUMBER: Admits = Admits(256);
     pub const SPEED: Admits = Admits(512);
+
+    /// A path block.
+    pub const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
 
     pub const fn and(self, other: Admits) -> Admits {
         Admits(self.0 | other.0)
@@ -358,7 +361,7 @@ impl Run<'_> {
         block: &Block,
         w: &Words,
     ) -> Outcome<(Args, usize)> {
-        let takes = m_functions::takes(number);
+        let takes = m_table::takes(number);
         let mut args = Args::default();
         let mm = self.level().frame.unit.mm();
         let mut at = 0;
@@ -445,7 +448,7 @@ impl Run<'_> {
                 if a.number == b.number {
                     return self.twice(Word { addr: Addr::M(b.number), value: Value::None, span: b.span }, block);
                 }
-                if m_functions::conflict(a.number, b.number) {
+                if m_table::conflict(a.number, b.number) {
                     self.report(
                         Diagnostic::new(
                             codes::K1014,

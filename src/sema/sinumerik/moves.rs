@@ -31,7 +31,8 @@ impl Channel<'_> {
             self.note_stored(end, &path);
         }
         self.note_heading(end, &path);
-        let mv = Move { end: *end, path, side: self.st.side_of_move(), coords: Coords::Frame };
+        let mv =
+            Move { end: *end, path, side: self.st.compensation.side_of_move(self.st.side()), coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(end);
     }

@@ -9,9 +9,10 @@ use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, CapturedKind};
 use crate::parser::sinumerik::ast::Search;
 use crate::sema::cycle_table::{Kind, Parameter, Rule};
+use crate::text::Loc;
 use crate::text::Span;
+use crate::text::blocks::Place;
 
-use super::super::capture::ContourCall;
 use super::super::value::{Val, to_text, whole};
 use super::super::{Core, Outcome, Reported, Run};
 use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
@@ -29,6 +30,22 @@ pub(in super::super) struct Contours {
     list: Vec<ContourCall>,
     /// A machining cycle took them: the next call begins a new list.
     taken: bool,
+}
+
+/// Most elements of a contour, roundings and chamfers counted.
+pub(in super::super) const MOST_ELEMENTS: usize = 1000;
+
+/// Where the blocks of a contour are.
+#[derive(Debug, Clone)]
+pub(in super::super) struct ContourCall {
+    /// The program that holds it.
+    pub unit: usize,
+    /// From this block up to this offset; `None` for the whole program.
+    pub part: Option<(Place, u32)>,
+    /// What the call names, for findings.
+    pub name: String,
+    /// The call.
+    pub loc: Loc,
 }
 
 impl Run<'_> {

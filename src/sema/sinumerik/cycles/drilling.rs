@@ -89,7 +89,7 @@ impl CycleCall<'_, '_> {
     /// The relative first depth counts where both are given; an absolute one of 0 is taken as none then.
     fn two_first_depths(&self, levels: &Levels) {
         let args = self.args;
-        let (Some(absolute), Some(relative)) = (self.st.length_of(args, FDEP), self.st.length_of(args, FDPR)) else {
+        let (Some(absolute), Some(relative)) = (self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
             return;
         };
         let way = (levels.reference - absolute) * levels.outward();
@@ -106,8 +106,7 @@ impl CycleCall<'_, '_> {
         if args.digit(GMODE, 1) == 1 {
             self.reading(GMODE, "the first depth counts for the tip of the drill, the last one for its full diameter");
         }
-        let Some(first) = Pecking::first_step(levels, self.st.length_of(args, FDEP), self.st.length_of(args, FDPR))
-        else {
+        let Some(first) = Pecking::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
             return self.cycle_fault(
                 args.span_of(FDEP),
                 61107,
@@ -120,7 +119,7 @@ impl CycleCall<'_, '_> {
         let degression = match args.or_zero(DAM) {
             percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
                 self.reading(AMODE, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
-                let least = self.st.length_of(args, MDEP).unwrap_or(0.0).abs();
+                let least = self.length_of(args, MDEP).unwrap_or(0.0).abs();
                 Degression::Factor { factor: percentage / 100.0, least }
             }
             _ if percent => {
@@ -130,7 +129,7 @@ impl CycleCall<'_, '_> {
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
             factor if factor >= -1.0 => {
-                Degression::Factor { factor: -factor, least: self.st.length_of(args, MDEP).unwrap_or(0.0).abs() }
+                Degression::Factor { factor: -factor, least: self.length_of(args, MDEP).unwrap_or(0.0).abs() }
             }
             _ => {
                 let help = "DAM above 0 is an amount, below 0 a factor down to -1";
@@ -155,11 +154,11 @@ impl CycleCall<'_, '_> {
         match args.or_zero(VARI) {
             0.0 => {
                 peck.breaks = Breaks::Always;
-                peck.way = self.st.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                peck.way = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
             }
             1.0 => {
                 peck.removal.dwell = self.dwell_of(DTS)?;
-                if let Some(ahead) = self.st.length_of(args, DIS1).filter(|way| *way > 0.0) {
+                if let Some(ahead) = self.length_of(args, DIS1).filter(|way| *way > 0.0) {
                     peck.removal.ahead = Ahead::Evenly([ahead; 2]);
                 }
             }
@@ -236,7 +235,7 @@ impl CycleCall<'_, '_> {
         let step = match args.or_zero(VARI) {
             0.0 => None,
             variant @ (1.0 | 2.0) => {
-                let back = self.st.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                let back = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
                 let chip = if variant == 1.0 { Chip::Break { back } } else { Chip::Remove { ahead: back } };
                 let way = self.tap_step(levels)?;
                 Some(TapStep { way, degression: Degression::Even { least: way }, chip })
@@ -393,7 +392,7 @@ impl CycleCall<'_, '_> {
         let mut lift = [0.0; 3];
         if self.lifts_off()? {
             for ((key, axis), way) in [RPA, RPO, RPAP].into_iter().zip(self.st.roles()).zip(lift.iter_mut()) {
-                *way = self.st.length_of(args, key).unwrap_or(0.0);
+                *way = self.length_of(args, key).unwrap_or(0.0);
                 if *way != 0.0 {
                     self.no_diameters(args.name(), axis, args.span_of(key))?;
                 }

@@ -24,17 +24,16 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::sema::cycle_table::Kind;
 use crate::text::Span;
 
+use super::diameter::Diameter;
 use super::g_groups::Group;
 use super::offsets::Outer;
-use super::state::{Diameter, State};
 use super::value::Val;
-use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::CallWord;
 use super::{Channel, Outcome, Reported, Run};
 use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
-pub(super) use called_contours::Contours;
+pub(super) use called_contours::{ContourCall, Contours, MOST_ELEMENTS};
 pub use table::signatures;
 pub(super) use table::{find, rows};
 
@@ -67,30 +66,6 @@ impl ModalCycle {
     /// Why it cannot be drilled was reported.
     pub fn refuse(&mut self) {
         self.refused = true;
-    }
-}
-
-impl State {
-    fn spindle_state(&self) -> SpindleState {
-        let State { spindles, tool, .. } = self;
-        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
-        (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
-    }
-
-    /// Does `_DMODE` name another plane than the active one?
-    fn names_other_plane(&self, args: &Arguments) -> bool {
-        let plane = args.digit(DMODE, 0);
-        plane != 0 && plane != i32::from(self.codes.of(Group::Plane).index)
-    }
-
-    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
-        args.number(key).map(|value| value * self.length_unit())
-    }
-
-    fn moved_in_plane(&mut self, point: Point2) -> Pos {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.plane(), point);
-        end
     }
 }
 
@@ -197,7 +172,7 @@ impl Run<'_> {
                 let hole = self.cycle(&args).hole(drilling)?;
                 let feed_of_block = drilling.modal_feed;
                 let under = (self.st.plane(), self.st.length_unit());
-                let (here, spindle) = (self.here, self.st.spindle_state());
+                let (here, spindle) = (self.here, self.spindle_state());
                 let refused = false;
                 let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
                 self.st.modal_call.set_cycle(Box::new(made));
@@ -205,15 +180,31 @@ impl Run<'_> {
             });
             return Some(result);
         }
-        match self.vocabulary.get(name) {
-            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(self.fail_help(
-                codes::S9005,
-                block.span,
-                format!("{name} ({what}) is not supported as a modal call"),
-                "replace it by plain moves, or compile the program without it",
-            )),
-            _ => None,
-        }
+        None
+    }
+}
+
+impl Channel<'_> {
+    fn spindle_state(&self) -> SpindleState {
+        let (spindles, tool) = (&self.st.spindles, &self.st.tool);
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
+    }
+
+    /// Does `_DMODE` name another plane than the active one?
+    fn names_other_plane(&self, args: &Arguments) -> bool {
+        let plane = args.digit(DMODE, 0);
+        plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index)
+    }
+
+    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
+        args.number(key).map(|value| value * self.st.length_unit())
+    }
+
+    fn moved_in_plane(&mut self, point: Point2) -> Pos {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.st.plane(), point);
+        end
     }
 }
 
@@ -245,7 +236,7 @@ impl Channel<'_> {
         }
         let feed_of_block = modal.feed_of_block;
         self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
-        let mut hole = if modal.spindle == self.st.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
         }
@@ -262,7 +253,7 @@ impl Channel<'_> {
         self.here = here;
         let hole = made?;
         modal.hole = hole.clone();
-        modal.spindle = self.st.spindle_state();
+        modal.spindle = self.spindle_state();
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }

@@ -47,7 +47,7 @@ impl CycleCall<'_, '_> {
             }
             axis = counted[0];
         }
-        if self.st.names_other_plane(args) {
+        if self.names_other_plane(args) {
             axis = self.axis_of_named_plane()?;
         }
         self.digits_are_known()?;
@@ -65,7 +65,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let retract = self.needed_length(RTP, "the retraction plane RTP")?;
         let reference = self.needed_length(RFP, "the reference plane RFP")?;
-        let clearance = self.st.length_of(args, SDIS).unwrap_or(0.0);
+        let clearance = self.length_of(args, SDIS).unwrap_or(0.0);
         if clearance < 0.0 {
             self.reading(SDIS, "SDIS has no sign, and its minus is left out");
         }
@@ -75,7 +75,7 @@ impl CycleCall<'_, '_> {
             _ => Depth::Classic,
         };
         let by_tens = args.digit(GMODE, 1) == 1;
-        let (mut absolute, mut relative) = (self.st.length_of(args, DP), self.st.length_of(args, DPR));
+        let (mut absolute, mut relative) = (self.length_of(args, DP), self.length_of(args, DPR));
         if by_tens && centring {
             let depth = self.centring_depth(retract, reference)?;
             (absolute, relative) = (Some(depth), None);

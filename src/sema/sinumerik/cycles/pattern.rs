@@ -120,7 +120,7 @@ impl CycleCall<'_, '_> {
         self.budget.take(positions.len() as u64 / 16);
         for position in positions {
             self.goes_on()?;
-            let end = self.st.moved_in_plane(position);
+            let end = self.moved_in_plane(position);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
@@ -189,7 +189,7 @@ impl CycleCall<'_, '_> {
         if args.or_zero(NSP) != 0.0 {
             return self.not_built(NSP, "another first position (`_NSP`)");
         }
-        if self.st.names_other_plane(args) {
+        if self.names_other_plane(args) {
             return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(())

@@ -78,7 +78,7 @@ impl CycleCall<'_, '_> {
             }
         }
         self.flank_agrees()?;
-        if self.st.names_other_plane(args) {
+        if self.names_other_plane(args) {
             return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         self.thread(&Course { points, leads, starts: NUMT, lift: VRT, coded: false })
@@ -104,7 +104,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let from = self.point(start[0], start[1])?;
         let z = self.needed_length(end[0], "the end of the thread along Z")?;
-        let radius = self.st.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
+        let radius = self.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
         Ok(vec![from, Point2::new(z, radius)])
     }
 
@@ -129,7 +129,7 @@ impl CycleCall<'_, '_> {
             self.without_signs()?;
         }
         let depth = self.needed_length(TDEP, "the thread depth TDEP")?.abs();
-        let finish = self.st.length_of(args, FAL).unwrap_or(0.0).abs();
+        let finish = self.length_of(args, FAL).unwrap_or(0.0).abs();
         let passes = self.roughing_passes(depth - finish, area)?;
         let idle = self.whole_of(NID, 0)?;
         let starts = self.whole_of(course.starts, 0)?.max(1);
@@ -179,8 +179,8 @@ impl CycleCall<'_, '_> {
             flank,
             finish,
             air_cuts: idle,
-            run_in: self.st.length_of(args, APP).unwrap_or(0.0).abs(),
-            run_out: self.st.length_of(args, ROP).unwrap_or(0.0).abs(),
+            run_in: self.length_of(args, APP).unwrap_or(0.0).abs(),
+            run_out: self.length_of(args, ROP).unwrap_or(0.0).abs(),
             fixed_end: true,
             starts,
             start_angle: Deg(start_angle),
@@ -214,7 +214,7 @@ impl CycleCall<'_, '_> {
     /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.
     fn roughing_passes(&self, way: f64, area: bool) -> Outcome<u32> {
         let args = self.args;
-        let infeed = match self.st.length_of(args, MID) {
+        let infeed = match self.length_of(args, MID) {
             Some(infeed) if infeed != 0.0 => infeed,
             _ => {
                 self.needed(NRC, "the number of roughing passes NRC")?;
@@ -249,7 +249,7 @@ impl CycleCall<'_, '_> {
     /// The lift-off plane: clear of the thread and of its extensions.
     fn lift_off(&self, key: Key, thread: &Thread, internal: bool) -> f64 {
         let args = self.args;
-        let lift = self.st.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
+        let lift = self.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
         let (Some(first), Some(last)) = (thread.parts.first(), thread.parts.last()) else { return thread.start.y };
         let before_last = thread.parts.iter().rev().nth(1).map_or(thread.start, |part| part.end);
         let ends = [
@@ -284,7 +284,7 @@ impl CycleCall<'_, '_> {
             self.reading(GDEP, "`_GDEP` is taken for a return distance of the editor, which changes no pass");
         }
         self.flank_agrees()?;
-        if self.st.names_other_plane(args) {
+        if self.names_other_plane(args) {
             return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         self.note_once(

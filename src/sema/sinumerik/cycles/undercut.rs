@@ -107,7 +107,7 @@ impl CycleCall<'_, '_> {
         if args.text(PTABA).is_some_and(|text| !text.is_empty()) {
             return self.not_built(PTABA, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
-        if self.st.names_other_plane(args) {
+        if self.names_other_plane(args) {
             return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
@@ -176,7 +176,7 @@ impl CycleCall<'_, '_> {
 
     fn call_940(&self) -> Cycle940 {
         let args = self.args;
-        let mm = |key: Key| self.st.length_of(args, key);
+        let mm = |key: Key| self.length_of(args, key);
         Cycle940 {
             spd: mm(SPD),
             spl: mm(SPL),
