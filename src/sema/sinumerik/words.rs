@@ -441,7 +441,7 @@ impl Words {
     pub fn set_axis(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome {
         if self.axes.contains(axis) {
             let message = format!("the axis {} stands twice in the block", axis.letter());
-            return core.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the self");
+            return core.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words");
         }
         self.axes.insert(axis);
         self.axis_words[axis.index()] = given;
@@ -457,7 +457,7 @@ impl Words {
                 codes::S2007.alarm(12000),
                 given.span,
                 "the address stands twice in the block",
-                "delete one of the self",
+                "delete one of the words",
             );
         }
         self.given |= 1 << address as u64;
