@@ -26,7 +26,7 @@ use crate::machine::{Axis, Machine};
 use arcs::{Adjusted, Extra, LastDirection};
 use capture::{Recording, SavedPasses};
 use corner::{Corners, Event};
-use step::Checked;
+use step::{Checked, Step};
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.
 const ARC: u64 = 3;
@@ -115,7 +115,7 @@ impl<'a> Lower<'a> {
         self.ctx = Rc::clone(ctx);
     }
 
-    #[inline]
+    #[inline(always)]
     fn path_element(&mut self, mv: &contour::Move, origin: &Origin) {
         let step = self.corners.slot();
         if !Rc::ptr_eq(&step.ctx, &self.ctx) {
@@ -132,23 +132,44 @@ impl<'a> Lower<'a> {
             step.mv.axes.iter().for_each(|axis| self.start.forget(axis));
         }
         if step.mv.machine {
-            step.mv.path = match mv.path {
-                contour::Path::Rapid => motion::Path::Rapid,
-                contour::Path::Line(feed) | contour::Path::Arc(_, feed) => motion::Path::Line(feed),
-                contour::Path::Thread(thread) => motion::Path::Thread { lead: thread.lead },
-            };
-            step.mv.end = *programmed;
-            // Every programmed coordinate that depends on the axes that moved is unknown now.
-            let mut workpiece = self.ctx.frame.apply(&self.at);
-            for axis in programmed.known().iter() {
-                workpiece.forget(axis);
-            }
-            self.at = self.ctx.frame.unapply(&workpiece);
-            self.last.forget();
+            return self.machine_element(mv);
+        }
+        if let Some(path) = arcs::straight(&mv.path) {
+            self.at.update(programmed);
+            step.mv.end = self.at;
+            step.mv.path = path;
+            self.last.follow(step);
             return self.push();
         }
+        self.bent_element(mv, origin);
+    }
+
+    /// The rest of [`Lower::path_element`] in machine coordinates.
+    #[cold]
+    fn machine_element(&mut self, mv: &contour::Move) {
+        let step = self.corners.slot();
+        step.mv.path = match mv.path {
+            contour::Path::Rapid => motion::Path::Rapid,
+            contour::Path::Line(feed) | contour::Path::Arc(_, feed) => motion::Path::Line(feed),
+            contour::Path::Thread(thread) => motion::Path::Thread { lead: thread.lead },
+        };
+        step.mv.end = mv.end;
+        // Every programmed coordinate that depends on the axes that moved is unknown now.
+        let mut workpiece = self.ctx.frame.apply(&self.at);
+        for axis in mv.end.known().iter() {
+            workpiece.forget(axis);
+        }
+        self.at = self.ctx.frame.unapply(&workpiece);
+        self.last.forget();
+        self.push();
+    }
+
+    /// The rest of [`Lower::path_element`] for what is more than a straight line.
+    #[inline(never)]
+    fn bent_element(&mut self, mv: &contour::Move, origin: &Origin) {
+        let step = self.corners.slot();
         step.mv.end = self.at;
-        step.mv.end.update(programmed);
+        step.mv.end.update(&mv.end);
         match arcs::resolve(&mv.path, step, &self.last, &mut self.adjusted) {
             Ok(extra) => {
                 self.last.follow(step);
@@ -165,8 +186,7 @@ impl<'a> Lower<'a> {
                 }
             }
             Err(found) => {
-                let programmed = *programmed;
-                self.refuse(found, &programmed, origin);
+                self.refuse(found, &mv.end, origin);
             }
         }
     }
@@ -206,7 +226,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn push(&mut self) {
         if cfg!(debug_assertions) {
             self.corners.slot().check();
@@ -334,7 +354,7 @@ struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    #[inline]
+    #[inline(always)]
     fn event(&mut self, event: Event<'_>) {
         if cfg!(debug_assertions) {
             self.chain.event(&event);
@@ -343,25 +363,33 @@ impl Finish<'_> {
             return self.record(event);
         }
         match event {
-            Event::Step(step) => match frames::workpiece(step) {
-                Ok(mv) => {
-                    if !self.machine.limits.is_empty() && !mv.machine {
-                        limits::check(&mv, &self.machine.limits, step.origin, self.diags);
-                    }
-                    self.out.movement(&mv, &step.origin);
-                }
-                Err((code, message, help)) => {
-                    self.diags.push(at(code, step.origin, message).help(help));
-                    // The move is missing, so the next one does not start where the last one ended.
-                    self.out.lost(&step.origin);
-                }
-            },
+            Event::Step(step) if step.is_in_workpiece() => self.send(&step.mv, &step.origin),
+            Event::Step(step) => self.map(step),
             Event::Function(function, origin) => self.out.function(function, &origin),
         }
     }
-}
 
-impl Finish<'_> {
+    #[inline(always)]
+    fn send(&mut self, mv: &motion::Move, origin: &Origin) {
+        if !self.machine.limits.is_empty() && !mv.machine {
+            limits::check(mv, &self.machine.limits, *origin, self.diags);
+        }
+        self.out.movement(mv, origin);
+    }
+
+    /// A step in a frame.
+    #[inline(never)]
+    fn map(&mut self, step: &Step) {
+        match frames::workpiece(&step.mv, &step.ctx.frame) {
+            Ok(mv) => self.send(&mv, &step.origin),
+            Err((code, message, help)) => {
+                self.diags.push(at(code, step.origin, message).help(help));
+                // The move is missing, so the next one does not start where the last one ended.
+                self.out.lost(&step.origin);
+            }
+        }
+    }
+
     /// The element belongs to a contour that is described. Functions have no place in one; who sends them says so.
     #[cold]
     fn record(&mut self, event: Event<'_>) {

@@ -227,12 +227,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if !self.line_lane(block) {
+        if !self.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.plain = false;
             self.execute_any(block, text);
             self.plain = self.is_plain();
         }
+    }
+
+    #[inline]
+    fn line_lane(&mut self) -> bool {
+        self.straight_line()
     }
 
     fn end_of_file(&mut self) {
