@@ -10,13 +10,13 @@ use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, Compensation, Generation};
 use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::sema::common::plane::plane_axes;
 use crate::sema::run::Site;
 use crate::text::Span;
 
 use super::last_move::LastMove;
 use super::words::{Admits, Comp, FeedWord, Words};
 use super::{Outcome, Reported, Run};
-use crate::sema::common::plane::plane_axes;
 
 /// Functions and comments that may stand between an approach and the first element of its contour.
 pub(super) const MOST_HELD: usize = 256;

@@ -2,14 +2,15 @@
 //!
 //! Source: S 1.5 and 5.6 (docs/sources.md).
 
+use crate::diag::codes;
+use crate::ir::Side;
+use crate::text::Span;
+
 use super::frames::FrameValue;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Channel, Core, Outcome};
-use crate::diag::codes;
-use crate::ir::Side;
-use crate::text::Span;
 
 impl Channel<'_> {
     /// A code of group 3.
