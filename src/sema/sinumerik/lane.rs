@@ -49,6 +49,7 @@ impl Channel<'_> {
     fn nothing_waits(&self) -> bool {
         !self.iso
             && self.capture.is_none()
+            && self.soft.is_none()
             && self.st.stored.is_none()
             && !self.st.pair.is_open()
             && !self.st.modal_call.is_on()

@@ -99,6 +99,11 @@ impl CompensationState {
         self.starts = false;
     }
 
+    /// The side that G40 ended.
+    pub fn left(&self) -> Side {
+        self.leaving
+    }
+
     /// A move in machine coordinates has ended the contour.
     pub fn is_over(&mut self) {
         (self.starts, self.leaving_open) = (false, false);
