@@ -1,11 +1,13 @@
 //! The text under construction: finished lines, and the line that words are added to.
 
-use super::number::{Places, write_whole};
+use super::number::{LONGEST, Places, Room, write_whole};
 
 /// Collects words into lines.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Text {
+    /// The text up to `end`; what stands behind it is of no account.
     bytes: Vec<u8>,
+    end: usize,
     /// Start of the line under construction.
     line: usize,
     /// Units from which a number may have more digits than the target reads.
@@ -19,7 +21,7 @@ impl Text {
     /// An empty text for numbers of at most `digits` digits; 0 for any number of them.
     pub fn new(capacity: usize, digits: u32) -> Text {
         let many = if digits == 0 { u64::MAX } else { 10u64.saturating_pow(digits) };
-        Text { bytes: Vec::with_capacity(capacity), line: 0, many, digits, too_long: false }
+        Text { bytes: vec![0; capacity], end: 0, line: 0, many, digits, too_long: false }
     }
 
     /// Has a number of the line more digits than the target reads? Asking forgets it.
@@ -29,68 +31,110 @@ impl Text {
     }
 
     /// Everything, the unfinished line included.
+    #[inline]
     pub fn bytes(&self) -> &[u8] {
-        &self.bytes
+        &self.bytes[..self.end]
+    }
+
+    /// Bytes of everything.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.end
     }
 
     /// Forgets everything that was collected.
     pub fn clear(&mut self) {
-        self.bytes.clear();
+        self.end = 0;
         self.line = 0;
     }
 
     /// The line under construction.
     pub fn line(&self) -> &[u8] {
-        &self.bytes[self.line..]
+        &self.bytes[self.line..self.end]
+    }
+
+    /// Bytes of the line under construction.
+    #[inline]
+    pub fn line_len(&self) -> usize {
+        self.end - self.line
     }
 
     /// Takes the line under construction back.
     pub fn drop_line(&mut self) {
-        self.bytes.truncate(self.line);
+        self.end = self.line;
+    }
+
+    /// Room behind the text.
+    #[inline(always)]
+    fn room(&mut self) -> &mut Room {
+        if self.bytes.len() < self.end + LONGEST {
+            self.grow(LONGEST);
+        }
+        self.bytes[self.end..].first_chunk_mut().expect("room was made")
+    }
+
+    #[cold]
+    fn grow(&mut self, by: usize) {
+        self.bytes.resize(self.end + by.max(1 << 12), 0);
     }
 
     /// Ends the line.
-    #[inline]
+    #[inline(always)]
     pub fn end_line(&mut self) {
-        self.bytes.push(b'\n');
-        self.line = self.bytes.len();
+        self.room()[0] = b'\n';
+        self.end += 1;
+        self.line = self.end;
     }
 
     /// Appends text as it is, with a blank in front unless the line is empty.
-    #[inline]
+    #[inline(always)]
     pub fn word(&mut self, word: &str) -> &mut Text {
-        if self.bytes.len() > self.line {
-            self.bytes.push(b' ');
+        if self.end > self.line {
+            self.raw(b" ");
         }
-        self.bytes.extend_from_slice(word.as_bytes());
-        self
+        match *word.as_bytes() {
+            [first, second] => {
+                let room = self.room();
+                [room[0], room[1]] = [first, second];
+                self.end += 2;
+                self
+            }
+            _ => self.raw(word.as_bytes()),
+        }
     }
 
     /// Appends an address with a number in units of `places`.
-    #[inline]
-    pub fn number(&mut self, address: u8, units: i64, places: Places) -> &mut Text {
+    #[inline(always)]
+    pub fn hot_number(&mut self, address: u8, units: i64, places: Places) {
         if units.unsigned_abs() >= self.many {
             self.too_long |= places.digits(units) > self.digits;
         }
         // A line that begins with a number word has no blank in front.
-        let blank = self.bytes.len() > self.line;
-        places.write(blank, address, units, &mut self.bytes);
+        let blank = self.end > self.line;
+        self.end += places.write(blank, address, units, self.room());
+    }
+
+    /// The same where it is not called often.
+    pub fn number(&mut self, address: u8, units: i64, places: Places) -> &mut Text {
+        self.hot_number(address, units, places);
         self
     }
 
     /// Appends an address with a whole number.
     pub fn whole(&mut self, address: u8, number: u64) -> &mut Text {
-        if self.bytes.len() > self.line {
-            self.bytes.push(b' ');
-        }
-        self.bytes.push(address);
-        write_whole(number, &mut self.bytes);
+        let blank = self.end > self.line;
+        self.end += write_whole(blank, address, number, self.room());
         self
     }
 
     /// Appends without a blank in front.
     pub fn raw(&mut self, bytes: &[u8]) -> &mut Text {
-        self.bytes.extend_from_slice(bytes);
+        let end = self.end + bytes.len();
+        if self.bytes.len() < end {
+            self.grow(bytes.len());
+        }
+        self.bytes[self.end..end].copy_from_slice(bytes);
+        self.end = end;
         self
     }
 }

@@ -14,6 +14,8 @@ pub(super) struct Modal {
     /// Axes that are printed again even if they do not change.
     stale: AxisSet,
     feed: Option<(FeedKind, i64)>,
+    /// The feed as it was given, which needs no second look.
+    given: Option<Feed>,
     feed_kind: FeedKind,
     pub plane: Plane,
     /// Constant cutting speed is on.
@@ -27,6 +29,7 @@ impl Modal {
             known: AxisSet::EMPTY,
             stale: AxisSet::EMPTY,
             feed: None,
+            given: None,
             feed_kind: FeedKind::PerMinute,
             plane,
             cutting_speed: false,
@@ -46,13 +49,13 @@ impl Modal {
     }
 
     /// Would printing `units` tell the target nothing new?
-    #[inline]
+    #[inline(always)]
     pub fn says(&self, axis: Axis, units: i64) -> bool {
         self.known.contains(axis) && self.at[axis.index()] == units && !self.stale.contains(axis)
     }
 
     /// These axes were printed with these ends.
-    #[inline]
+    #[inline(always)]
     pub fn reach(&mut self, axes: AxisSet, ends: &[i64; AXES]) {
         for axis in axes.iter() {
             self.at[axis.index()] = ends[axis.index()];
@@ -92,17 +95,24 @@ impl Modal {
     }
 
     /// True if the kind of feed changes to `kind`.
-    #[inline]
     pub fn feed_kind_changes(&mut self, kind: FeedKind) -> bool {
         std::mem::replace(&mut self.feed_kind, kind) != kind
     }
 
     /// True if the feed has to be printed.
-    #[inline]
-    pub fn feed_changes(&mut self, kind: FeedKind, units: i64) -> bool {
+    pub fn feed_changes(&mut self, feed: Feed, units: i64) -> bool {
+        let kind = FeedKind::of(feed);
         let new = (kind, units);
         // By time, every line has its own feed.
-        self.feed.replace(new) != Some(new) || kind == FeedKind::InverseTime
+        let each = kind == FeedKind::InverseTime;
+        self.given = (!each).then_some(feed);
+        self.feed.replace(new) != Some(new) || each
+    }
+
+    /// Was the last feed this one, so that it holds without a word?
+    #[inline(always)]
+    pub fn holds(&self, feed: Feed) -> bool {
+        self.given == Some(feed)
     }
 }
 

@@ -8,57 +8,69 @@ const TIE: f64 = 1e-9;
 const LARGEST: f64 = 1e9;
 
 /// A fixed number of decimal places.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Places(u8);
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Places {
+    /// 0 to 6.
+    count: u8,
+    /// Units per millimetre.
+    scale: f64,
+    /// What rounding adds to a number of units.
+    half: f64,
+}
 
 impl Places {
     /// 0 to 6 places.
-    pub fn new(places: u8) -> Places {
-        Places(places.min(6))
+    pub fn new(count: u8) -> Places {
+        const SCALES: [f64; 7] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
+        let count = count.min(6);
+        let scale = SCALES[usize::from(count)];
+        Places { count, scale, half: 0.5 + TIE * scale }
     }
 
     /// Units per millimetre.
     #[inline]
     pub fn scale(self) -> f64 {
-        const SCALES: [f64; 7] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
-        SCALES[self.0 as usize]
+        self.scale
     }
 
     /// `value` in units of the last place, ties away from zero. `None` for what cannot be printed.
-    #[inline]
+    #[inline(always)]
     pub fn units(self, value: f64) -> Option<i64> {
-        if value.is_nan() || value.abs() > LARGEST {
-            return None;
-        }
-        let scale = self.scale();
-        let scaled = value * scale;
-        let half = 0.5 + TIE * scale;
-        Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
+        let scaled = value * self.scale;
+        let rounded = (scaled + self.half.copysign(scaled)) as i64;
+        // Nor is what is no number.
+        (value.abs() <= LARGEST).then_some(rounded)
     }
 
     /// Digits of `units` as it is written.
     #[cold]
     pub fn digits(self, units: i64) -> u32 {
-        let (mut units, mut places) = (units.unsigned_abs(), self.0);
+        let (mut units, mut places) = (units.unsigned_abs(), self.count);
         while places > 0 && units % 10 == 0 {
             (units, places) = (units / 10, places - 1);
         }
         units.checked_ilog10().map_or(1, |log| log + 1).max(u32::from(places) + 1)
     }
 
-    /// Appends `address` and `units` as a decimal number, after a blank if `blank`.
-    #[inline]
-    pub fn write(self, blank: bool, address: u8, units: i64, out: &mut Vec<u8>) {
-        // Constant divisors make multiplications of the divisions.
-        match self.0 {
-            3 => write_fixed::<1_000, 3>(blank, address, units, out),
-            4 => write_fixed::<10_000, 4>(blank, address, units, out),
-            5 => write_fixed::<100_000, 5>(blank, address, units, out),
-            6 => write_fixed::<1_000_000, 6>(blank, address, units, out),
-            2 => write_fixed::<100, 2>(blank, address, units, out),
-            1 => write_fixed::<10, 1>(blank, address, units, out),
-            _ => write_fixed::<1, 0>(blank, address, units, out),
+    /// Writes `address` and `units` as a decimal number, after a blank if `blank`; how many bytes that are.
+    #[inline(always)]
+    pub fn write(self, blank: bool, address: u8, units: i64, room: &mut Room) -> usize {
+        let mut digits = Digits::begin(blank, address, room);
+        if units < 0 {
+            digits.put(b'-');
         }
+        let units = units.unsigned_abs();
+        // Constant divisors make multiplications of the divisions.
+        match self.count {
+            3 => digits.fixed::<1_000, 3>(units),
+            4 => digits.fixed::<10_000, 4>(units),
+            5 => digits.fixed::<100_000, 5>(units),
+            6 => digits.fixed::<1_000_000, 6>(units),
+            2 => digits.fixed::<100, 2>(units),
+            1 => digits.fixed::<10, 1>(units),
+            _ => digits.whole(units),
+        }
+        digits.at
     }
 }
 
@@ -73,103 +85,97 @@ const PAIRS: [[u8; 2]; 100] = {
     pairs
 };
 
-/// Longest number: blank, address, sign, 20 digits, point; a multiple of 16, which is appended in two steps.
-const LONGEST: usize = 32;
+/// Longest number: blank, address, sign, 20 digits, point; a power of two.
+pub const LONGEST: usize = 32;
 
-/// Blank, address, sign, whole part, fraction without trailing zeros.
-#[inline]
-fn write_fixed<const POWER: u64, const PLACES: usize>(blank: bool, address: u8, units: i64, out: &mut Vec<u8>) {
-    let mut buffer = [b' '; LONGEST];
-    let mut at = usize::from(blank);
-    let mut put = |byte: u8| {
-        buffer[at & (LONGEST - 1)] = byte;
-        at += 1;
-    };
-    put(address);
-    if units < 0 {
-        put(b'-');
+/// Where a number is written.
+pub type Room = [u8; LONGEST];
+
+/// A number under construction.
+struct Digits<'a> {
+    room: &'a mut Room,
+    /// Bytes that are written.
+    at: usize,
+}
+
+impl<'a> Digits<'a> {
+    #[inline(always)]
+    fn begin(blank: bool, address: u8, room: &'a mut Room) -> Digits<'a> {
+        let mut digits = Digits { room, at: usize::from(blank) };
+        digits.room[0] = b' ';
+        digits.put(address);
+        digits
     }
-    let magnitude = units.unsigned_abs();
-    let (whole, mut fraction) = (magnitude / POWER, magnitude % POWER);
-    put_whole(whole, &mut put);
-    if fraction != 0 {
-        put(b'.');
-        // The first digit alone where their number is odd.
-        let mut power = POWER;
-        if PLACES % 2 == 1 {
-            power /= 10;
-            put(b'0' + (fraction / power) as u8);
-            fraction %= power;
+
+    #[inline(always)]
+    fn put(&mut self, byte: u8) {
+        self.room[self.at % LONGEST] = byte;
+        self.at += 1;
+    }
+
+    /// Two digits of a number under a hundred.
+    #[inline(always)]
+    fn pair(&mut self, number: u64) {
+        let [first, second] = PAIRS[number as usize % 100];
+        self.put(first);
+        self.put(second);
+    }
+
+    /// Whole part, and a fraction of `PLACES` places without its trailing zeros.
+    #[inline(always)]
+    fn fixed<const POWER: u64, const PLACES: usize>(&mut self, units: u64) {
+        self.whole(units / POWER);
+        let fraction = units % POWER;
+        if fraction == 0 {
+            return;
         }
-        while fraction != 0 {
+        self.put(b'.');
+        // An odd place more makes pairs of them; it is zero, and goes with the others.
+        let mut rest = if PLACES % 2 == 1 { fraction * 10 } else { fraction };
+        let mut power = if PLACES % 2 == 1 { POWER * 10 } else { POWER };
+        let mut kept = self.at;
+        for _ in 0..PLACES.div_ceil(2) {
             power /= 100;
-            let [first, second] = PAIRS[(fraction / power) as usize % 100];
-            fraction %= power;
-            put(first);
-            if fraction != 0 || second != b'0' {
-                put(second);
+            let pair = rest / power;
+            rest %= power;
+            self.pair(pair);
+            if pair != 0 {
+                kept = self.at - usize::from(pair % 10 == 0);
             }
         }
+        self.at = kept;
     }
-    let length = out.len() + at;
-    out.extend_from_slice(&buffer);
-    out.truncate(length);
-}
 
-/// The digits of `whole` without leading zeros.
-#[inline]
-fn put_whole(whole: u64, put: &mut impl FnMut(u8)) {
-    if whole >= 10_000 {
-        put_long(whole / 10_000, put);
-        put_pair(whole / 100 % 100, put);
-        put_pair(whole % 100, put);
-    } else if whole >= 100 {
-        put_first(whole / 100, put);
-        put_pair(whole % 100, put);
-    } else {
-        put_first(whole, put);
-    }
-}
-
-/// One or two digits.
-#[inline]
-fn put_first(number: u64, put: &mut impl FnMut(u8)) {
-    if number >= 10 {
-        put_pair(number, put);
-    } else {
-        put(b'0' + number as u8);
-    }
-}
-
-#[inline]
-fn put_pair(number: u64, put: &mut impl FnMut(u8)) {
-    for digit in PAIRS[number as usize % 100] {
-        put(digit);
-    }
-}
-
-#[cold]
-fn put_long(number: u64, put: &mut impl FnMut(u8)) {
-    if number >= 10 {
-        put_long(number / 10, put);
-    }
-    put(b'0' + (number % 10) as u8);
-}
-
-/// Appends a whole number.
-#[inline]
-pub fn write_whole(mut n: u64, out: &mut Vec<u8>) {
-    let mut digits = [0; 20];
-    let mut at = digits.len();
-    loop {
-        at -= 1;
-        digits[at] = b'0' + (n % 10) as u8;
-        n /= 10;
-        if n == 0 {
-            break;
+    /// Digits without leading zeros.
+    #[inline(always)]
+    fn whole(&mut self, number: u64) {
+        if number < 10 {
+            self.put(b'0' + number as u8);
+        } else if number < 100 {
+            self.pair(number);
+        } else {
+            self.long(number);
         }
     }
-    out.extend_from_slice(&digits[at..]);
+
+    #[inline(never)]
+    fn long(&mut self, number: u64) {
+        if number < 1_000 {
+            self.put(b'0' + (number / 100) as u8);
+        } else if number < 10_000 {
+            self.pair(number / 100);
+        } else {
+            self.long(number / 100);
+        }
+        self.pair(number % 100);
+    }
+}
+
+/// Writes `address` and a whole number, after a blank if `blank`; how many bytes that are.
+pub fn write_whole(blank: bool, address: u8, number: u64, room: &mut Room) -> usize {
+    let mut digits = Digits::begin(blank, address, room);
+    digits.whole(number);
+    digits.at
 }
 
 #[cfg(test)]
@@ -177,11 +183,15 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    fn written(places: Places, blank: bool, units: i64) -> String {
+        let mut room = [b'?'; LONGEST];
+        let len = places.write(blank, b'X', units, &mut room);
+        String::from_utf8(room[..len].to_vec()).unwrap()
+    }
+
     fn text(value: f64, places: u8) -> String {
         let places = Places::new(places);
-        let mut out = Vec::new();
-        places.write(false, b'X', places.units(value).unwrap(), &mut out);
-        String::from_utf8(out).unwrap()[1..].to_owned()
+        written(places, false, places.units(value).unwrap())[1..].to_owned()
     }
 
     #[test]
@@ -216,15 +226,70 @@ mod tests {
             for number in [10i64.pow(digits), 10i64.pow(digits) - 1, 1_234_567_890_123_456_789 / 10i64.pow(18 - digits)]
             {
                 for units in [number, -number] {
-                    let mut out = Vec::new();
-                    Places::new(0).write(true, b'X', units, &mut out);
-                    assert_eq!(String::from_utf8(out).unwrap(), format!(" X{units}"));
+                    assert_eq!(written(Places::new(0), true, units), format!(" X{units}"));
                 }
             }
         }
     }
 
+    /// The number by the standard library: whole part, point, all places; then the zeros go.
+    fn by_the_standard(units: i64, places: u8) -> String {
+        let (sign, power) = (if units < 0 { "-" } else { "" }, 10u64.pow(u32::from(places)));
+        let (whole, fraction) = (units.unsigned_abs() / power, units.unsigned_abs() % power);
+        match fraction {
+            0 => format!(" X{sign}{whole}"),
+            _ => format!(" X{sign}{whole}.{fraction:0places$}", places = usize::from(places))
+                .trim_end_matches('0')
+                .to_owned(),
+        }
+    }
+
+    /// Rounding in so many words.
+    fn rounded(value: f64, places: u8) -> Option<i64> {
+        if value.is_nan() || value.abs() > LARGEST {
+            return None;
+        }
+        let scale = (0..places).fold(1.0, |scale, _| scale * 10.0);
+        let (scaled, half) = (value * scale, 0.5 + TIE * scale);
+        Some(if scaled < 0.0 { (scaled - half) as i64 } else { (scaled + half) as i64 })
+    }
+
+    #[test]
+    fn the_edges_are_rounded_as_said() {
+        let edges = [
+            0.0,
+            1e-9,
+            0.5,
+            1.5,
+            0.00005,
+            0.000_049_999_999,
+            999.99995,
+            9.999_95,
+            1e9,
+            1e9 + 1e-6,
+            1e15,
+            1e300,
+            f64::MIN_POSITIVE,
+        ];
+        for value in edges.into_iter().flat_map(|v| [v, -v]).chain([f64::NAN, f64::INFINITY, f64::NEG_INFINITY]) {
+            for places in 0..=6 {
+                assert_eq!(Places::new(places).units(value), rounded(value, places), "{value} to {places} places");
+            }
+        }
+    }
+
     proptest! {
+        #[test]
+        fn written_as_the_standard_library_writes(units in any::<i64>(), shift in 0u32..64, places in 0u8..=6, zeros in 0u32..8) {
+            let units = (units >> shift) / 10i64.pow(zeros) * 10i64.pow(zeros);
+            prop_assert_eq!(written(Places::new(places), true, units), by_the_standard(units, places));
+        }
+
+        #[test]
+        fn rounded_as_said(value in prop_oneof![any::<f64>(), -1e4f64..1e4, (-1_000_000i64..1_000_000).prop_map(|n| n as f64 / 2e4)], places in 0u8..=6) {
+            prop_assert_eq!(Places::new(places).units(value), rounded(value, places));
+        }
+
         #[test]
         fn printed_is_the_rounded_value(value in -1e6f64..1e6, places in 0u8..=6) {
             let shown: f64 = text(value, places).parse().unwrap();

@@ -61,6 +61,7 @@ impl<'a> Page<'a> {
         self.lines
     }
 
+    #[inline]
     pub fn full(&self) -> bool {
         self.full
     }
@@ -76,16 +77,16 @@ impl<'a> Page<'a> {
     }
 
     /// Ends the line under construction.
-    #[inline]
+    #[inline(always)]
     pub fn end_line(&mut self, origin: &Origin) {
-        if self.text.line().len() > self.limits.length {
+        if self.text.line_len() > self.limits.length {
             self.split_feed(origin);
         }
         if self.text.take_too_long() {
             self.too_many_digits(origin);
         }
         self.count_line(origin);
-        if self.text.bytes().len() >= self.chunk {
+        if self.text.len() >= self.chunk {
             self.write_out();
         }
     }
@@ -108,6 +109,7 @@ impl<'a> Page<'a> {
         }
     }
 
+    #[cold]
     fn write_out(&mut self) {
         if self.error.is_none()
             && let Err(error) = self.out.append(self.text.bytes())
@@ -118,7 +120,7 @@ impl<'a> Page<'a> {
         self.text.clear();
     }
 
-    #[inline]
+    #[inline(always)]
     fn count_line(&mut self, origin: &Origin) {
         self.text.end_line();
         self.lines += 1;

@@ -90,7 +90,7 @@ impl<'a> Printer<'a> {
         let mut name = comment::harmless(source.as_bytes(), self.target.comments.forbidden);
         name.truncate(40);
         let mut text = format!("{open}source {}, hash ", String::from_utf8_lossy(&name)).into_bytes();
-        self.hash_at = self.page.text.bytes().len() as u64 + text.len() as u64;
+        self.hash_at = self.page.text.len() as u64 + text.len() as u64;
         text.extend_from_slice(&[b'0'; HASH_DIGITS]);
         text.extend_from_slice(close.as_bytes());
         self.page.plain(&text);
@@ -129,30 +129,39 @@ impl<'a> Printer<'a> {
 
     // Moves.
 
+    #[inline(always)]
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
-        if !self.compensation.is_idle(mv.side) {
-            let way =
-                Way { in_plane: self.changes_plane(mv), length: self.way_in_plane(mv), radius: self.known_radius() };
-            let Some(words) = &self.target.compensation else {
-                return self.lacks_compensation(mv, origin);
-            };
-            match self.compensation.before(mv, origin, self.modal.plane, words.planes, way) {
-                Preparation::Nothing => {}
-                Preparation::Switch => self.switch_side(mv, origin),
-                Preparation::Refuse(found) => {
-                    if let Some(found) = found {
-                        self.diags.push(*found);
-                    }
-                    return;
+        if !self.compensation.is_idle(mv.side) && !self.compensate(mv, origin) {
+            return;
+        }
+        let word = match &mv.path {
+            Path::Rapid => self.target.motion.rapid,
+            Path::Line(_) => self.target.motion.line,
+            Path::Thread { lead } => return self.thread(*lead, mv, origin),
+            Path::Arc(arc, feed) => return self.arc(arc, *feed, mv, origin),
+        };
+        self.straight_block(word, mv, None, origin);
+    }
+
+    /// Looks at the compensation in front of a move; false if the move is refused.
+    #[cold]
+    fn compensate(&mut self, mv: &Move, origin: &Origin) -> bool {
+        let way = Way { in_plane: self.changes_plane(mv), length: self.way_in_plane(mv), radius: self.known_radius() };
+        let Some(words) = &self.target.compensation else {
+            self.lacks_compensation(mv, origin);
+            return false;
+        };
+        match self.compensation.before(mv, origin, self.modal.plane, words.planes, way) {
+            Preparation::Nothing => {}
+            Preparation::Switch => self.switch_side(mv, origin),
+            Preparation::Refuse(found) => {
+                if let Some(found) = found {
+                    self.diags.push(*found);
                 }
+                return false;
             }
         }
-        match &mv.path {
-            Path::Rapid => self.straight(self.target.motion.rapid, mv, None, origin),
-            Path::Line(_) => self.straight(self.target.motion.line, mv, None, origin),
-            Path::Thread { lead } => self.thread(*lead, mv, origin),
-            Path::Arc(arc, feed) => self.arc(arc, *feed, mv, origin),
-        }
+        true
     }
 
     /// Does an axis of the working plane get another number?

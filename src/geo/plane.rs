@@ -15,6 +15,7 @@ pub enum Plane {
 
 impl Plane {
     /// Indices (X 0, Y 1, Z 2) of the first, second and third axis.
+    #[inline]
     pub fn axes(self) -> (usize, usize, usize) {
         match self {
             Plane::Xy => (0, 1, 2),

@@ -16,6 +16,12 @@ impl Pos {
     /// Nothing known.
     pub const UNKNOWN: Pos = Pos { values: [0.0; AXES], known: AxisSet::EMPTY };
 
+    /// X, Y and Z, of which those in `known` count; no other axis is known.
+    #[inline(always)]
+    pub fn of_main([x, y, z]: [f64; 3], known: AxisSet) -> Pos {
+        Pos { values: [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], known: known.common(AxisSet::MAIN) }
+    }
+
     #[inline]
     pub fn get(&self, axis: Axis) -> Option<f64> {
         self.known.contains(axis).then_some(self.values[axis.index()])

@@ -59,17 +59,42 @@ impl LastDirection {
     }
 
     /// Takes over the direction at the end of `step`.
-    #[inline]
+    #[inline(always)]
     pub fn follow(&mut self, step: &Step) {
         let plane = step.plane();
-        let Some(element) = step.element(plane) else { return self.forget() };
+        let known = step.start.known().common(step.mv.end.known());
+        if !plane_axes(plane).without(known).is_empty() {
+            return self.forget();
+        }
         if step.leaves(plane) {
-            *self = LastDirection { element: None, why: Why::OtherAxis };
-        } else if element.length() > SAME_POINT {
+            self.element = None;
+            self.why = Why::OtherAxis;
+        } else {
+            self.follow_in(plane, step);
+        }
+    }
+
+    /// The same for a step that stays in `plane`, where both of its ends are known.
+    #[inline(never)]
+    fn follow_in(&mut self, plane: Plane, step: &Step) {
+        // An element of no length leaves the direction as it was.
+        if let Some(element) = step.element(plane).filter(is_long) {
             self.element = Some((element, plane));
         }
-        // An element of no length leaves the direction as it was.
     }
+}
+
+/// Is the element longer than a point?
+#[inline]
+fn is_long(element: &Element) -> bool {
+    if let Element::Line { from, to } = element {
+        let way = to - from;
+        // No side of a triangle is longer than the one across the right angle.
+        if way.x.abs().max(way.y.abs()) > 2.0 * SAME_POINT {
+            return true;
+        }
+    }
+    element.length() > SAME_POINT
 }
 
 /// How far centres were moved, for one note and one warning at the end.
@@ -136,11 +161,20 @@ pub enum Extra {
     Word(Box<Diagnostic>),
 }
 
+/// A straight line, which is complete as it is; `None` for anything else.
+#[inline(always)]
+pub fn straight(path: &contour::Path) -> Option<Path> {
+    match path {
+        contour::Path::Rapid => Some(Path::Rapid),
+        contour::Path::Line(feed) => Some(Path::Line(*feed)),
+        contour::Path::Arc(..) | contour::Path::Thread(_) => None,
+    }
+}
+
 /// Completes `step` with the geometry of `path`.
 ///
 /// # Errors
 /// Geometry that does not exist.
-#[inline]
 pub fn resolve(
     path: &contour::Path,
     step: &mut Step,
@@ -148,8 +182,7 @@ pub fn resolve(
     adjusted: &mut Adjusted,
 ) -> Result<Extra, Refused> {
     match path {
-        contour::Path::Rapid => step.mv.path = Path::Rapid,
-        contour::Path::Line(feed) => step.mv.path = Path::Line(*feed),
+        contour::Path::Rapid | contour::Path::Line(_) => step.mv.path = straight(path).unwrap_or_default(),
         contour::Path::Arc(arc, feed) => {
             let extra = resolve_arc(arc, *feed, step, last, adjusted)?;
             if arc.turns > 0 {

@@ -53,7 +53,7 @@ impl Corners {
     }
 
     /// The element in [`Corners::slot`] is complete.
-    #[inline]
+    #[inline(always)]
     pub fn push(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         // An element that goes nowhere is no neighbour of a corner.
         if self.held && self.steps[self.waiting ^ 1].rests_behind(&self.steps[self.waiting]) {
@@ -238,8 +238,15 @@ impl Corners {
 }
 
 /// Sends what waited, in its order.
-#[inline]
+#[inline(always)]
 fn send(waiting: &mut Vec<(Function, Origin)>, out: &mut impl FnMut(Event<'_>)) {
+    if !waiting.is_empty() {
+        send_all(waiting, out);
+    }
+}
+
+#[inline(never)]
+fn send_all(waiting: &mut Vec<(Function, Origin)>, out: &mut impl FnMut(Event<'_>)) {
     for (function, origin) in waiting.drain(..) {
         out(Event::Function(&function, origin));
     }

@@ -1,7 +1,5 @@
 //! Pass 3: from programmed to workpiece coordinates. A mirror turns arcs and compensation around.
 
-use std::borrow::Cow;
-
 use crate::diag::{Code, codes};
 use crate::geo::Point2;
 use crate::ir::frame::PlaneMap;
@@ -9,25 +7,14 @@ use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Frame, Pos};
 use crate::machine::{Axis, AxisSet};
 
-use super::step::Step;
-
 /// What cannot be mapped: code, message and help.
 type Unmapped = (&'static Code, String, String);
 
-/// The move that `step` is in workpiece coordinates.
+/// A move of `frame` in workpiece coordinates.
 ///
 /// # Errors
 /// An arc that is no arc any more, or an axis whose position is not known.
-#[inline]
-pub fn workpiece(step: &Step) -> Result<Cow<'_, Move>, Unmapped> {
-    let frame = &step.ctx.frame;
-    if step.mv.machine || frame.is_identity() {
-        return Ok(Cow::Borrowed(&step.mv));
-    }
-    mapped(&step.mv, frame).map(Cow::Owned)
-}
-
-fn mapped(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
+pub fn workpiece(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
     let end = frame.apply(&mv.end);
     let axes = frame.touched(mv.axes);
     if !axes.without(end.known()).is_empty() {

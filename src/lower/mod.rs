@@ -127,7 +127,7 @@ impl<'a> Lower<'a> {
         self.ctx = Rc::clone(ctx);
     }
 
-    #[inline]
+    #[inline(always)]
     fn path_element(&mut self, mv: &contour::Move, origin: &Origin) {
         let step = self.corners.slot();
         if !Rc::ptr_eq(&step.ctx, &self.ctx) {
@@ -144,23 +144,44 @@ impl<'a> Lower<'a> {
             step.mv.axes.iter().for_each(|axis| self.start.forget(axis));
         }
         if step.mv.machine {
-            step.mv.path = match mv.path {
-                contour::Path::Rapid => motion::Path::Rapid,
-                contour::Path::Line(feed) | contour::Path::Arc(_, feed) => motion::Path::Line(feed),
-                contour::Path::Thread(thread) => motion::Path::Thread { lead: thread.lead },
-            };
-            step.mv.end = *programmed;
-            // Every programmed coordinate that depends on the axes that moved is unknown now.
-            let mut workpiece = self.ctx.frame.apply(&self.at);
-            for axis in programmed.known().iter() {
-                workpiece.forget(axis);
-            }
-            self.at = self.ctx.frame.unapply(&workpiece);
-            self.last.forget();
+            return self.machine_element(mv);
+        }
+        if let Some(path) = arcs::straight(&mv.path) {
+            self.at.update(programmed);
+            step.mv.end = self.at;
+            step.mv.path = path;
+            self.last.follow(step);
             return self.push();
         }
+        self.bent_element(mv, origin);
+    }
+
+    /// The rest of [`Lower::path_element`] in machine coordinates.
+    #[cold]
+    fn machine_element(&mut self, mv: &contour::Move) {
+        let step = self.corners.slot();
+        step.mv.path = match mv.path {
+            contour::Path::Rapid => motion::Path::Rapid,
+            contour::Path::Line(feed) | contour::Path::Arc(_, feed) => motion::Path::Line(feed),
+            contour::Path::Thread(thread) => motion::Path::Thread { lead: thread.lead },
+        };
+        step.mv.end = mv.end;
+        // Every programmed coordinate that depends on the axes that moved is unknown now.
+        let mut workpiece = self.ctx.frame.apply(&self.at);
+        for axis in mv.end.known().iter() {
+            workpiece.forget(axis);
+        }
+        self.at = self.ctx.frame.unapply(&workpiece);
+        self.last.forget();
+        self.push();
+    }
+
+    /// The rest of [`Lower::path_element`] for what is more than a straight line.
+    #[inline(never)]
+    fn bent_element(&mut self, mv: &contour::Move, origin: &Origin) {
+        let step = self.corners.slot();
         step.mv.end = self.at;
-        step.mv.end.update(programmed);
+        step.mv.end.update(&mv.end);
         match arcs::resolve(&mv.path, step, &self.last, &mut self.adjusted) {
             Ok(extra) => {
                 self.last.follow(step);
@@ -177,8 +198,7 @@ impl<'a> Lower<'a> {
                 }
             }
             Err(found) => {
-                let programmed = *programmed;
-                self.refuse(found, &programmed, origin);
+                self.refuse(found, &mv.end, origin);
             }
         }
     }
@@ -219,7 +239,7 @@ impl<'a> Lower<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn push(&mut self) {
         if cfg!(debug_assertions) {
             self.corners.slot().check();
@@ -347,7 +367,7 @@ struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    #[inline]
+    #[inline(always)]
     fn event(&mut self, event: Event<'_>) {
         if cfg!(debug_assertions) {
             self.chain.event(&event);
@@ -356,29 +376,39 @@ impl Finish<'_> {
             return self.record(event);
         }
         match event {
-            Event::Step(step) => match frames::workpiece(step) {
-                Ok(mv) if self.compensator.is_idle(mv.side) => self.out.movement(&mv, &step.origin),
-                Ok(mv) => self.beside(step, &mv),
-                Err((code, message, help)) => {
-                    self.diags.push(at(code, step.origin, message).help(help));
-                    // The move is missing, so the next one does not start where the last one ended.
-                    self.compensator.lost(&step.origin, &mut self.out);
-                }
-            },
+            Event::Step(step) if step.is_in_workpiece() && self.compensator.is_idle(step.mv.side) => {
+                self.out.movement(&step.mv, &step.origin);
+            }
+            Event::Step(step) => self.place(step),
             Event::Function(function, origin) => self.compensator.function(function, &origin, &mut self.out),
         }
     }
 
-    /// A move on one side of a contour, or the first one behind it.
-    #[cold]
-    fn beside(&mut self, step: &Step, mv: &motion::Move) {
-        let start = step.ctx.frame.apply(&step.start);
-        let rules = step.ctx.compensation.as_ref();
-        self.compensator.movement(mv, &start, rules, &step.origin, &mut self.out);
+    /// A step in a frame, or beside a contour.
+    #[inline(never)]
+    fn place(&mut self, step: &Step) {
+        let frame = &step.ctx.frame;
+        if step.is_in_workpiece() {
+            return self.beside(&step.mv, &step.start, step);
+        }
+        match frames::workpiece(&step.mv, frame) {
+            Ok(mv) if self.compensator.is_idle(mv.side) => self.out.movement(&mv, &step.origin),
+            Ok(mv) => self.beside(&mv, &frame.apply(&step.start), step),
+            Err((code, message, help)) => {
+                self.diags.push(at(code, step.origin, message).help(help));
+                // The move is missing, so the next one does not start where the last one ended.
+                self.compensator.lost(&step.origin, &mut self.out);
+            }
+        }
     }
-}
 
-impl Finish<'_> {
+    /// A move on one side of a contour, or the first one behind it.
+    #[inline]
+    fn beside(&mut self, mv: &motion::Move, start: &Pos, step: &Step) {
+        let rules = step.ctx.compensation.as_ref();
+        self.compensator.movement(mv, start, rules, &step.origin, &mut self.out);
+    }
+
     /// The element belongs to a contour that is described. Functions have no place in one; who sends them says so.
     #[cold]
     fn record(&mut self, event: Event<'_>) {

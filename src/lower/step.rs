@@ -33,6 +33,12 @@ impl Step {
         }
     }
 
+    /// Does the frame leave the move as it is?
+    #[inline]
+    pub fn is_in_workpiece(&self) -> bool {
+        self.mv.machine || self.ctx.frame.is_identity()
+    }
+
     /// Checks what a step promises by itself.
     pub fn check(&self) {
         let kept = verify::element(&self.start, &self.mv);
@@ -108,6 +114,6 @@ impl Checked {
 /// Axes of a plane as a set.
 #[inline]
 pub fn plane_axes(plane: Plane) -> AxisSet {
-    let (first, second, _) = plane.axes();
-    AxisSet::of(Axis::ALL[first]).union(AxisSet::of(Axis::ALL[second]))
+    let (_, _, third) = plane.axes();
+    AxisSet::MAIN.without(AxisSet::of(Axis::ALL[third]))
 }

@@ -69,6 +69,7 @@ impl AxisSet {
     /// Every axis.
     pub const ALL: AxisSet = AxisSet(0b1_1111_1111);
 
+    #[inline]
     pub fn of(axis: Axis) -> AxisSet {
         AxisSet(1 << axis.index())
     }

@@ -15,7 +15,9 @@ pub mod undercut;
 mod values;
 
 pub use axis::{Axis, AxisSet};
-pub use options::klartext::{CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes};
+pub use options::klartext::{
+    ApproachDepth, CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes,
+};
 pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use settings::{
     AxisUse, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,

@@ -18,6 +18,12 @@ pub(super) trait Shape {
     /// Longest literal; a longer one is left to the grammar.
     const LONGEST: usize = usize::MAX;
 
+    /// Does the text go on with another block behind this byte?
+    #[inline(always)]
+    fn ends_text(_byte: u8) -> bool {
+        false
+    }
+
     /// Adds the word at `at`, which begins with `letter`; where it ends.
     fn word(text: &[u8], at: usize, letter: u8, block: &mut Self::Block) -> Option<usize>;
 
@@ -51,18 +57,24 @@ impl Literal {
     }
 }
 
-/// Reads the words at `at`, whose last one ends there or behind `end`; where that is. `None` where something else than
-/// plain words stands: then `block` is as it was.
-#[inline]
-pub(super) fn words<S: Shape>(text: &[u8], mut at: usize, mut end: usize, block: &mut S::Block) -> Option<usize> {
+/// Reads the words at `at`, whose last one ends there or behind `end`; where that is, and where the text ends that may be
+/// words. `None` where something else than plain words stands: then `block` is as it was.
+#[inline(always)]
+pub(super) fn words<S: Shape>(
+    text: &[u8],
+    mut at: usize,
+    mut end: usize,
+    block: &mut S::Block,
+) -> Option<(usize, usize)> {
     loop {
-        while let Some(b' ' | b'\t') = text.get(at) {
-            at += 1;
+        at = after_blanks(text, at);
+        let Some(&letter) = text.get(at) else { return Some((end, at)) };
+        if S::ends_text(letter) {
+            return Some((end, at));
         }
-        let Some(&letter) = text.get(at) else { return Some(end) };
         if letter == S::COMMENT {
             if S::comment(text, at, block) {
-                return Some(end);
+                return Some((end, at));
             }
             break;
         }
@@ -74,14 +86,30 @@ pub(super) fn words<S: Shape>(text: &[u8], mut at: usize, mut end: usize, block:
     give_up::<S>(block)
 }
 
+/// Where the blanks at `at` end. Mostly there is one of them, or none.
+#[inline(always)]
+pub(super) fn after_blanks(text: &[u8], at: usize) -> usize {
+    let next = at + usize::from(text.get(at) == Some(&b' '));
+    match text.get(next) {
+        Some(&byte) if byte <= b' ' && matches!(byte, b' ' | b'\t') => after_more_blanks(text, next),
+        _ => next,
+    }
+}
+
+#[inline(never)]
+fn after_more_blanks(text: &[u8], at: usize) -> usize {
+    let blanks = text.get(at..).unwrap_or_default().iter().take_while(|byte| matches!(byte, b' ' | b'\t'));
+    at + blanks.count()
+}
+
 #[cold]
-fn give_up<S: Shape>(block: &mut S::Block) -> Option<usize> {
+fn give_up<S: Shape>(block: &mut S::Block) -> Option<(usize, usize)> {
     S::undo(block);
     None
 }
 
 /// The number at `at`, if a plain word may end behind it.
-#[inline]
+#[inline(always)]
 pub(super) fn number<S: Shape>(text: &[u8], at: usize) -> Option<Literal> {
     let (signed, negative) = match text.get(at)? {
         b'-' => (true, true),
@@ -98,10 +126,10 @@ pub(super) fn number<S: Shape>(text: &[u8], at: usize) -> Option<Literal> {
 }
 
 /// May a plain word end in front of `at`?
-#[inline]
+#[inline(always)]
 pub(super) fn ends<S: Shape>(text: &[u8], at: usize) -> bool {
     match text.get(at) {
         None | Some(b' ' | b'\t') => true,
-        Some(&byte) => byte == S::COMMENT || S::GLUED && byte.is_ascii_alphabetic(),
+        Some(&byte) => byte == S::COMMENT || S::GLUED && byte.is_ascii_alphabetic() || S::ends_text(byte),
     }
 }

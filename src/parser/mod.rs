@@ -9,5 +9,6 @@ pub mod mtc200;
 pub mod not_a_number;
 pub mod problem;
 pub mod sinumerik;
+pub mod straight;
 pub mod symbols;
 pub mod turning;

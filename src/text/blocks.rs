@@ -281,11 +281,31 @@ impl Cursor {
         self.whole
     }
 
+    /// The text from the next block on, as far as it was read forward, and the byte that ends its lines. Nothing in a file
+    /// that jumps, and while a hole waits to be reported.
+    #[inline(always)]
+    pub fn ahead(&self) -> (&[u8], u8) {
+        let none = self.whole || self.is_past_hole();
+        (if none { &[] } else { self.window.get(self.pos..self.end).unwrap_or_default() }, self.line_end)
+    }
+
+    /// Goes behind the first `len` bytes of [`Cursor::ahead`], which are one line.
+    #[inline(always)]
+    pub fn pass_line(&mut self, len: usize) {
+        self.pos += len;
+        self.line += 1;
+    }
+
+    #[inline(always)]
+    fn is_past_hole(&self) -> bool {
+        let [inside, between] = self.holes.found;
+        inside.min(between) < self.base + self.pos as u64
+    }
+
     /// The first hole of each kind that was read over; said once. `block` was read last.
     #[inline]
     pub fn passed_hole(&mut self, block: Place) -> Option<Hole> {
-        let [inside, between] = self.holes.found;
-        if inside.min(between) < self.base + self.pos as u64 { self.hole(block) } else { None }
+        if self.is_past_hole() { self.hole(block) } else { None }
     }
 
     #[cold]

@@ -12,11 +12,11 @@ const HIGH: u64 = 0x8080_8080_8080_8080;
 ///
 /// Returns the value and the number of bytes read; `None` where no digit stands. A point without a digit
 /// after it (`45.`) or before it (`.5`) is fine. The result is the double nearest to the decimal.
-#[inline]
+#[inline(always)]
 pub fn decimal(text: &[u8], comma: bool) -> Option<(f64, usize)> {
     let bytes = first_bytes(text) ^ ZEROS;
     // Bytes that are no digits. Behind a short text stand zero bytes, which are none either.
-    let others = ((bytes & !HIGH).wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH;
+    let others = others(bytes);
     let whole = others.trailing_zeros() / 8;
     let mark = (bytes.wrapping_shr(8 * whole) as u8) ^ b'0';
     let (digits, count, places, used) = if others == 0 {
@@ -40,8 +40,21 @@ pub fn decimal(text: &[u8], comma: bool) -> Option<(f64, usize)> {
     Some((mantissa as f64 / POWERS[places as usize & 15], used as usize))
 }
 
+/// Digits at the start of `text`; `None` where they are more than seven.
+#[inline(always)]
+pub fn leading_digits(text: &[u8]) -> Option<usize> {
+    let others = others(first_bytes(text) ^ ZEROS);
+    (others != 0).then_some(others.trailing_zeros() as usize / 8)
+}
+
+/// The high bit of each byte that is no digit, of text with the bits of `0` turned.
+#[inline(always)]
+fn others(bytes: u64) -> u64 {
+    ((bytes & !HIGH).wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH
+}
+
 /// The first eight bytes of `text`, the first one lowest; zero bytes behind a shorter one.
-#[inline]
+#[inline(always)]
 fn first_bytes(text: &[u8]) -> u64 {
     if let Some(bytes) = text.first_chunk::<8>() {
         return u64::from_le_bytes(*bytes);
@@ -55,7 +68,7 @@ fn first_bytes(text: &[u8]) -> u64 {
 }
 
 /// The number of eight digits, the first one in the lowest byte: neighbours are joined to pairs, fours and all.
-#[inline]
+#[inline(always)]
 fn eight_digits(digits: u64) -> u64 {
     let pairs = (digits & 0x0f0f_0f0f_0f0f_0f0f).wrapping_mul(10 * 256 + 1) >> 8;
     let fours = (pairs & 0x00ff_00ff_00ff_00ff).wrapping_mul(100 * 65_536 + 1) >> 16;
@@ -63,6 +76,7 @@ fn eight_digits(digits: u64) -> u64 {
 }
 
 /// The same for any length.
+#[inline(never)]
 fn long_decimal(text: &[u8], comma: bool) -> Option<(f64, usize)> {
     let (mantissa, rest) = digits(0, text);
     let whole = text.len() - rest.len();

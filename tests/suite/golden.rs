@@ -45,6 +45,8 @@ books! {
         text tools units;
     klartext_arcs = "klartext/arcs":
         centres radius tangential;
+    klartext_compensation = "klartext/compensation":
+        approach contours m_functions;
     klartext_corners = "klartext/corners":
         chamfers;
     klartext_flow = "klartext/flow":

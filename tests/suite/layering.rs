@@ -1,6 +1,6 @@
 //! Folders use only what the architecture allows them (ARCHITECTURE.md, Allowed dependencies).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -78,6 +78,76 @@ fn nothing_behind_the_contour_knows_a_dialect() {
             }
         }
     }
+}
+
+/// The files of a dialect that use each other in a circle, if any are meant to.
+const CIRCLES: &[&str] = &[];
+
+/// Modules of a dialect, and which siblings the files of each use. The `mod.rs` of the dialect does not count.
+fn uses_between_siblings(dialect: &Path) -> BTreeMap<String, BTreeSet<String>> {
+    let mut uses: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut files = Vec::new();
+    for (file, text) in sources(dialect) {
+        let inside = Path::new(&file).strip_prefix(dialect).expect("a file of the dialect").with_extension("");
+        let parts: Vec<String> = inside.iter().map(|part| part.to_string_lossy().into_owned()).collect();
+        if parts != ["mod"] {
+            uses.entry(parts[0].clone()).or_default();
+            files.push((parts, text));
+        }
+    }
+    let modules: BTreeSet<String> = uses.keys().cloned().collect();
+    for (parts, text) in files {
+        let up = "super::".repeat(if parts.last().is_some_and(|last| last == "mod") {
+            parts.len() - 1
+        } else {
+            parts.len()
+        });
+        let root = format!("crate::sema::{}::", dialect.file_name().expect("a name").to_string_lossy());
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default().replace(&root, &format!(" {up}"));
+        for (at, _) in code.match_indices(&up) {
+            let before = code[..at].chars().next_back();
+            let rest = &code[at + up.len()..];
+            if before.is_some_and(|c| c == ':' || c.is_alphanumeric() || c == '_') || rest.starts_with("super::") {
+                continue;
+            }
+            let named = match rest.strip_prefix('{') {
+                Some(list) => list.split('}').next().unwrap_or_default(),
+                None => rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default(),
+            };
+            let names = named.split(|c: char| !c.is_alphanumeric() && c != '_');
+            let siblings = names.filter(|name| modules.contains(*name) && *name != parts[0]).map(str::to_owned);
+            uses.entry(parts[0].clone()).or_default().extend(siblings);
+        }
+    }
+    uses
+}
+
+fn reaches(uses: &BTreeMap<String, BTreeSet<String>>, from: &str, to: &str) -> bool {
+    let mut seen = BTreeSet::new();
+    let mut open = vec![from];
+    while let Some(module) = open.pop() {
+        for next in &uses[module] {
+            if next == to {
+                return true;
+            }
+            if seen.insert(next.as_str()) {
+                open.push(next);
+            }
+        }
+    }
+    false
+}
+
+#[test]
+fn files_of_a_dialect_use_each_other_in_one_direction() {
+    let sema = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/sema");
+    let mut circles = Vec::new();
+    for dialect in ["klartext", "mtc200", "sinumerik", "turning"] {
+        let uses = uses_between_siblings(&sema.join(dialect));
+        assert!(uses.len() > 10 && uses.values().any(|used| used.len() > 3), "{dialect}: the files were not read");
+        circles.extend(uses.keys().filter(|m| reaches(&uses, m, m)).map(|module| format!("{dialect}/{module}")));
+    }
+    assert_eq!(circles, CIRCLES, "files that use each other in a circle");
 }
 
 #[test]

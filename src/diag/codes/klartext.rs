@@ -361,6 +361,14 @@ K2605 Error "approach-radius" "radius of an approach or departure does not fit"
 "The point outside lies inside the circle of APPR LCT or DEP LCT, so that no line touches it, or the arc of a negative R is not larger than the tool. \
 R counts on the path of the tool centre. Start further away, or change R."
 
+K2606 Error "compensation-under-way" "block may not stand in a compensated contour"
+"TOOL CALL, the end of the program, M128, and whatever changes the coordinate system come while RL or RR is active. The control stops there, or ends the \
+compensation in a way that is not confirmed, and where the tool stands beside the contour would be a guess. End the compensation first."
+
+K2607 Error "corner-function-without-element" "M97, M98 or M197 in a block without a contour element"
+"These functions change what the control makes of the corner at the end of their block. A block that moves nothing in the working plane has no such corner. \
+Write the function into the block that ends in the corner."
+
 K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
 If the target machine understands the same number, list it: `[output] pass_m = [25]`. Else take it out of the program."
@@ -408,9 +416,9 @@ K9002 Error "fk-unsupported" "free contour programming (FK) is not supported yet
 Most controls can convert an FK program to conventional blocks (CONVERT PROGRAM)."
 
 K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
-"LT, CT and LCT in Cartesian coordinates are supported, onto a contour with RL or RR that begins with a line or an arc by centre or radius. LN is not, \
-because the manuals leave open whether LEN counts from the contour or from the tool centre; the polar forms, R0, M functions and FMAX in these blocks are \
-not built. Program the approach as L and C blocks."
+"All eight forms are compiled onto a contour with RL or RR, and from it. Its first element has to have a direction of its own: a line, or an arc by centre or \
+radius; so has the last one. Not supported are scaling, an approach while RL or RR is active, R0 on newer controls, and LN where the target compensates. \
+Program the approach as L and C blocks."
 
 K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
 "PLANE functions and cycle 19 turn the coordinate system in space, unless all they do is a turn about the tool axis Z. The output has no word \
@@ -423,9 +431,10 @@ K9006 Error "file-function" "table and file functions run only at the control"
 "The block opens, reads or writes a file of the control. What it reads is not known here, and what it writes would be missing there. \
 Put the values into the program instead."
 
-K9007 Error "compensation-unresolved" "radius compensation cannot be computed yet"
-"With `compensation = \"resolve\"` the output is the path of the tool centre. partc does not compute it yet for RL, RR, R+ and R- blocks. \
-Set `[output] compensation = \"control\"` to print the programmed contour with G41/G42 and let the target compensate."
+K9007 Error "compensation-unresolved" "radius compensation cannot be computed here"
+"With `compensation = \"resolve\"` the output is the path of the tool centre. What the control does here is not confirmed: a tool radius below zero, compensation \
+under M128, or a rounding as way to the contour or from it, for which `[control] rounded_approach = \"round\"` chooses a reading. Program it in another way, or set \
+`[output] compensation = \"control\"` to print the programmed contour with G41/G42 and let the target compensate."
 
 K9008 Error "m-function-unsupported" "M function changes the path in a way that is not supported"
 "The function moves the tool, changes what coordinates mean, or needs the geometry of the machine. It is refused rather than left out."

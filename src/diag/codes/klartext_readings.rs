@@ -66,4 +66,21 @@ K2891 Error "compensation-changes-at-chamfer" "compensation changes at a chamfer
 K2892 Warning "compensation-changes-at-rounding" "compensation begins after a rounding"
 "RND stands before the block that turns the radius compensation on or changes its side. Manuals show RND after the first compensated block (approach) \
 and before the block with R0 (departure); what the control does here is open. partc rounds the programmed corner."
+
+K2893 Warning "open-corner" "way across the open corner of M98 is a reading"
+"M98 leads the tool beyond the corner on both sides, so that both are machined completely. No manual at hand says how the tool gets from one side to the other: \
+partc takes a straight line. `[control] m98 = \"refuse\"` refuses such corners."
+
+K2894 Warning "rounded-approach" "rounding as way to a contour is a reading"
+"RND behind the first block with RL or RR, or in front of the block with R0, leads the tool to the contour or from it on an arc. partc rounds the programmed corner and \
+compensates the arc as an element of the contour, as `[control] rounded_approach` says. APPR CT and DEP CT say the same without a doubt."
+
+K2895 Warning "approach-without-side" "approach or departure without RL or RR"
+"Controls up to the iTNC 530 compute an APPR block with R0 as for a tool of radius 0 to the right of the contour, newer ones refuse it. partc does the same, and for DEP \
+behind such a contour as well. Write RL or RR, or program the way as L and C blocks."
+
+K2896 Warning "approach-depth" "when the tool axis of an approach or departure moves is a reading"
+"The order of plane and tool axis in APPR and DEP blocks differs from one control to the other, and between editions of their manuals. Write the tool axis into a block of its own, or \
+choose with `[control] approach_depth`: \"staged\" moves it alone at PH and at the end of the departure, \"together\" with the plane."
+
 }

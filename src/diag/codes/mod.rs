@@ -11,6 +11,8 @@ mod klartext_readings;
 mod mtc200;
 mod output;
 mod sinumerik;
+mod sinumerik_unsupported;
+mod sinumerik_warnings;
 mod turning;
 
 pub use compensation::*;
@@ -21,6 +23,8 @@ pub use klartext_readings::*;
 pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
+pub use sinumerik_unsupported::*;
+pub use sinumerik_warnings::*;
 pub use turning::*;
 
 use super::Severity;
@@ -96,6 +100,8 @@ pub fn all() -> Vec<&'static Code> {
         compensation::COMPENSATION,
         output::OUTPUT,
         sinumerik::SINUMERIK,
+        sinumerik_warnings::SINUMERIK_WARNINGS,
+        sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         turning::TURNING,
         mtc200::MTC200,
     ]

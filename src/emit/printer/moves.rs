@@ -26,6 +26,12 @@ struct ArcBlock {
 impl Printer<'_> {
     /// The axes of a straight move that change, or nothing. `lead` in units.
     pub(super) fn straight(&mut self, word: &str, mv: &Move, lead: Option<(u8, i64)>, origin: &Origin) {
+        self.straight_block(word, mv, lead, origin);
+    }
+
+    /// [`Printer::straight`] where most moves come from.
+    #[inline(always)]
+    pub(super) fn straight_block(&mut self, word: &str, mv: &Move, lead: Option<(u8, i64)>, origin: &Origin) {
         let mut ends = [0; AXES];
         let mut changed = AxisSet::EMPTY;
         for axis in mv.axes.iter() {
@@ -43,13 +49,21 @@ impl Printer<'_> {
         if !lacking.is_empty() {
             return self.lacks_axes(lacking, mv, origin);
         }
-        let Ok(feed) = mv.path.feed().map_or(Ok(None), |feed| self.feed_word(feed, origin)) else { return };
+        let feed = match mv.path.feed() {
+            Some(feed) if !self.modal.holds(feed) => match self.feed_word(feed, origin) {
+                Ok(feed) => feed,
+                Err(()) => return,
+            },
+            _ => None,
+        };
         if mv.machine {
             self.page.text.word(self.target.motion.machine);
         }
         self.page.text.word(word);
         for axis in changed.iter() {
-            self.axis_word(axis, ends[axis.index()]);
+            let units = ends[axis.index()];
+            let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
+            self.page.text.hot_number(axis.letter() as u8, units, self.places);
         }
         if let Some((address, units)) = lead {
             self.page.text.number(address, units, self.places);
@@ -67,7 +81,6 @@ impl Printer<'_> {
     }
 
     /// An axis with its coordinate in units.
-    #[inline]
     fn axis_word(&mut self, axis: Axis, units: i64) {
         let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
         self.page.text.number(axis.letter() as u8, units, self.places);
@@ -98,7 +111,7 @@ impl Printer<'_> {
     }
 
     /// The F word where it changes; a change of its kind gets a line of its own.
-    #[inline]
+    #[inline(never)]
     fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
         let units = self.places.units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
@@ -115,7 +128,7 @@ impl Printer<'_> {
                 }
             }
         }
-        Ok(self.modal.feed_changes(kind, units).then_some(units))
+        Ok(self.modal.feed_changes(feed, units).then_some(units))
     }
 
     pub(super) fn arc(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {

@@ -182,7 +182,9 @@ impl Compensator {
             return Ok(());
         }
         let mv = with_plane(mv, self.plane);
-        self.send(&mv, origin, out);
+        if !self.stands_at_end(&mv) {
+            self.send(&mv, origin, out);
+        }
         self.forget();
         Ok(())
     }

@@ -223,6 +223,12 @@ impl Compensator {
         self.at.update(&mv.end);
     }
 
+    /// Is the tool where `mv` leads already?
+    fn stands_at_end(&self, mv: &Move) -> bool {
+        let close = |(from, to): (f64, f64)| (from - to).abs() <= SAME_POINT;
+        mv.axes.iter().all(|axis| self.at.get(axis).zip(mv.end.get(axis)).is_some_and(close))
+    }
+
     fn send_items(&mut self, items: Vec<Item>, out: &mut Out<'_>) {
         for item in items {
             match item {
@@ -362,6 +368,8 @@ impl Compensator {
             }
         };
         self.path.pop_front();
+        // An approach on an arc has brought the tool beside the contour already.
+        let mv = mv.filter(|mv| kind != Kind::Entry || !self.stands_at_end(mv));
         if let Some(mv) = mv {
             self.send(&mv, &origin, out);
         }

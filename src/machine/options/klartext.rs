@@ -99,6 +99,31 @@ pub const KEYS: &[Key] = &[
         put(&mut s.control.klartext_choices.cycle_19_axes, is(v, "axes"))
     })
     .or(r#""space""#),
+    key(
+        "m98",
+        Kind::Choice(&["line", "refuse"]),
+        "Klartext: open corner of M98: a line between its sides, or refused",
+        |s, v| put(&mut s.control.klartext_choices.open_corners_refused, is(v, "refuse")),
+    )
+    .or(r#""line""#),
+    key(
+        "rounded_approach",
+        Kind::Choice(&["refuse", "round"]),
+        "RND directly behind the block with RL or RR, or in front of the one with R0",
+        |s, v| put(&mut s.control.klartext_choices.rounded_approach, is(v, "round")),
+    )
+    .or(r#""refuse""#),
+    key(
+        "approach_depth",
+        Kind::Choice(&["staged", "together"]),
+        "tool axis in APPR and DEP: alone at PH or PN, or with the plane; without it as the control generation does",
+        |s, v| {
+            put(
+                &mut s.control.klartext_choices.approach_depth,
+                Some(if is(v, "together") { ApproachDepth::Together } else { ApproachDepth::Staged }),
+            )
+        },
+    ),
     key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)", |s, v| {
         put(&mut s.control.scaling_in_plane, is(v, "plane"))
     })
@@ -116,6 +141,15 @@ pub enum Generation {
     Itnc530,
     Tnc640,
     Tnc7,
+}
+
+/// How the tool axis moves in APPR and DEP.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ApproachDepth {
+    /// Alone, at PH of an approach and at PN of a departure.
+    Staged,
+    /// Together with the axes of the plane.
+    Together,
 }
 
 /// What a missing coordinate of a CC block is.
@@ -181,6 +215,12 @@ pub struct KlartextChoices {
     pub probing_left_out: bool,
     /// Angles of cycle 19 are positions of the rotary axes, not space angles.
     pub cycle_19_axes: bool,
+    /// M98 is refused instead of being a line between both sides of the corner.
+    pub open_corners_refused: bool,
+    /// RND beside the block that begins or ends the compensation rounds the programmed corner instead of being refused.
+    pub rounded_approach: bool,
+    /// How the tool axis moves in APPR and DEP; `None` for what the control generation does.
+    pub approach_depth: Option<ApproachDepth>,
 }
 
 /// Klartext: further readings that manuals leave open.

@@ -17,13 +17,13 @@ pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
         _ => return false,
     };
     // A head alone is as long as the head; blanks behind it are not part of the block.
-    let Some(end) = literal::words::<Plain>(text, at, at - 1, block) else { return false };
+    let Some((end, _)) = literal::words::<Plain>(text, at, at - 1, block) else { return false };
     block.stmt = stmt;
     block.span = Span { start: from as u32, end: end as u32 };
     true
 }
 
-struct Plain;
+pub(super) struct Plain;
 
 impl Shape for Plain {
     type Block = Block;
@@ -46,7 +46,7 @@ impl Shape for Plain {
             b'I' => (text.get(at + 1).filter(|b| b.is_ascii_uppercase()).and_then(|b| Axis::of(*b))?, true),
             _ => return other_word(text, at, letter, block),
         };
-        let (value, end) = number(text, at + 1 + usize::from(incremental))?;
+        let (value, end) = number::<Plain>(text, at + 1 + usize::from(incremental))?;
         Some(add(block, Addr::Axis { axis, incremental }, Value::Number(value), at, end))
     }
 
@@ -68,9 +68,9 @@ fn add(block: &mut Block, addr: Addr, value: Value, at: usize, end: usize) -> us
     end
 }
 
-#[inline]
-fn number(text: &[u8], at: usize) -> Option<(f64, usize)> {
-    let number = literal::number::<Plain>(text, at)?;
+#[inline(always)]
+pub(super) fn number<S: Shape>(text: &[u8], at: usize) -> Option<(f64, usize)> {
+    let number = literal::number::<S>(text, at)?;
     (number.value.abs() <= super::LARGEST_WORD).then_some((number.value, number.end))
 }
 
@@ -80,7 +80,7 @@ fn other_word(text: &[u8], at: usize, letter: u8, block: &mut Block) -> Option<u
     let (addr, value, end) = match letter {
         b'F' if rest.starts_with(b"FMAX") => (Addr::FeedMax, Value::None, at + 4),
         b'F' if rest.get(1)?.is_ascii_digit() => {
-            let (value, end) = number(text, at + 1)?;
+            let (value, end) = number::<Plain>(text, at + 1)?;
             (Addr::Feed, Value::Number(value), end)
         }
         b'M' => m_function(text, at)?,

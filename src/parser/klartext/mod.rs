@@ -6,6 +6,7 @@ pub mod build;
 mod cycle;
 pub mod literal;
 pub mod problem;
+pub mod straight;
 
 pub use problem::no_number;
 

@@ -8,7 +8,7 @@ use super::ast::{Block, Stmt, Target, Value, Word};
 /// Reads the words at `from` if all are a letter and a number; otherwise leaves `block` as it was.
 #[inline]
 pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
-    let Some(end) = literal::words::<Plain>(text, from, from, block) else { return false };
+    let Some((end, _)) = literal::words::<Plain>(text, from, from, block) else { return false };
     if block.words.is_empty() {
         Plain::undo(block);
         return false;

@@ -8,13 +8,13 @@ use super::ast::{Block, Stmt, Target, Value, Word};
 /// Reads the words at `from` if all are a letter and a number; otherwise leaves `block` as it was.
 #[inline]
 pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
-    let Some(end) = literal::words::<Plain>(text, from, from, block) else { return false };
+    let Some((end, _)) = literal::words::<Plain>(text, from, from, block) else { return false };
     block.stmt = Stmt::Words;
     block.span = Span { start: from as u32, end: end as u32 };
     true
 }
 
-struct Plain;
+pub(super) struct Plain;
 
 impl Shape for Plain {
     type Block = Block;

@@ -7,6 +7,7 @@ pub mod literal;
 pub mod problem;
 pub mod records;
 pub mod scan;
+pub mod straight;
 
 #[allow(clippy::all, clippy::pedantic, clippy::unwrap_used, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {

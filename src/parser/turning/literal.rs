@@ -10,7 +10,7 @@ use super::ast::{Block, Stmt, Value, Word};
 /// comment is only its start.
 #[inline]
 pub fn parse(text: &[u8], from: usize, block: &mut Block) -> bool {
-    let Some(end) = literal::words::<Plain>(text, from, from, block) else { return false };
+    let Some((end, _)) = literal::words::<Plain>(text, from, from, block) else { return false };
     if block.words.is_empty() {
         Plain::undo(block);
         return false;

@@ -5,5 +5,6 @@
 pub mod compensation;
 pub mod corner;
 pub mod feed;
+pub mod plane;
 pub mod position;
 pub mod start;

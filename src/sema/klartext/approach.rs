@@ -1,114 +1,131 @@
-//! APPR and DEP: LT, CT and LCT, onto a contour that the target compensates.
+//! APPR and DEP: the ways to a contour and from it, on lines and arcs.
 //!
-//! Source: K 2.10 (docs/sources.md). Lengths and radii count on the path of the tool centre, so the printed contour has
-//! the radius R ± r. An approach is sent when the first contour element is known: its direction decides where the
-//! approach begins. The last compensated block leads to the end of the contour, the first one from PH.
+//! Source: K 2.10 (docs/sources.md). Lengths and radii count on the path of the tool centre. Where the compiler computes
+//! it, these ways are sent as what they are, without compensation; the target that compensates gets the contour that
+//! leads to them, with the radius R ± r. An approach is sent when the first contour element is known: its direction
+//! decides where the approach begins.
 
-use crate::diag::{Diagnostic, codes};
-use crate::geo::{self, Point2, SAME_DIRECTION, SAME_POINT, Vec2, arc, distance, left, length};
+mod arrival;
+mod departure;
+
+use crate::diag::codes;
+use crate::geo::{Point2, SAME_DIRECTION, Vec2, left};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
-use crate::machine::{Axis, Generation};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Word};
-use crate::sema::run::Site;
 use crate::text::Span;
 
-use super::path::{PATH, plane_axes};
-use super::words::{Admits, Comp, FeedWord, Words};
-use super::{Outcome, Reported, Run};
+use super::words::{Admits, Words};
+use super::{Outcome, Run};
+use crate::sema::common::plane::plane_axes;
 
-/// Functions and comments that may stand between an approach and the first element of its contour.
-pub(super) const MOST_HELD: usize = 256;
+pub(super) use arrival::{Approach, Held, MOST_HELD};
+
 /// How far a computed arc end may lie beside its circle, in mm.
 const CLOSE: f64 = 1e-6;
+/// M functions that have no place in an approach or departure.
+const FORBIDDEN: [u32; 8] = [6, 89, 91, 97, 98, 99, 140, 197];
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shape {
-    /// LT: straight, by this length.
+    /// LT: straight along the element, by this length.
     Line { length: f64 },
+    /// LN: straight at a right angle to the element, by this length.
+    Normal { length: f64 },
     /// CT: arc of this radius (negative: from the other side) over this angle in degrees.
     Arc { radius: f64, angle: f64 },
     /// LCT: arc of this radius with a tangential line.
     LineArc { radius: f64 },
 }
 
-/// An approach whose contour is not known yet.
-#[derive(Debug)]
-pub(super) struct Approach {
-    shape: Shape,
-    name: String,
-    here: Site,
-    span: Span,
-    from: Point2,
-    to: Point2,
-    /// Depth, reached at PH before the way to the contour.
-    depth: Option<f64>,
-    side: Side,
-    /// Tool radius in the programmed frame.
-    radius: f64,
-    /// Feed to PH; `None` for rapid.
-    lead: Option<Feed>,
-    feed: Feed,
-    /// What came since: it belongs behind the approach.
-    pub held: Vec<(Function, Origin)>,
+impl Shape {
+    fn is_round(self) -> bool {
+        matches!(self, Shape::Arc { .. } | Shape::LineArc { .. })
+    }
 }
 
-/// The last move in the working plane, for its direction at the end.
+/// First or last point of a contour.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LastMove {
-    from: Point2,
-    to: Point2,
-    path: Path,
+struct Border {
+    /// Where the elements that are sent pass it: on the contour where the target compensates, else where the tool
+    /// centre stands.
+    at: Point2,
+    /// Where the tool centre stands.
+    edge: Point2,
+    heading: Vec2,
+    /// From the contour to the tool.
+    out: Vec2,
+    /// Is the tool left of the contour?
+    left: bool,
+    /// Side that is sent.
+    side: Side,
+    /// What the target takes off the radii.
+    tool: f64,
+}
+
+/// The circle of an approach or departure as it is sent.
+#[derive(Debug, Clone, Copy)]
+struct Circle {
+    center: Point2,
+    radius: f64,
+    ccw: bool,
 }
 
 impl Run<'_> {
     pub(super) fn approach_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let (name, span) = self.block_name(block, text, 2);
-        let result = self.read_approach(&name, span, block, text);
+        let result = self.read_approach(&name.to_ascii_uppercase(), span, block, text);
         if result.is_err() {
             self.approach = None;
-            self.st.compensation.end();
-            self.st.compensation.lose();
+            self.forget_contour();
             self.lose_all();
         }
         result
     }
 
+    /// The contour was refused: what only suffers from it is not worth another error.
+    fn forget_contour(&mut self) {
+        self.st.end_compensation();
+        self.st.compensation.lose();
+        self.st.contour = None;
+    }
+
     fn read_approach(&mut self, name: &str, span: Span, block: &Block, text: &[u8]) -> Outcome {
-        let upper = name.to_ascii_uppercase();
-        let (function, kind) = upper.split_once(' ').unwrap_or((&upper, ""));
-        if !matches!(kind, "LT" | "CT" | "LCT") {
-            return self.fail(codes::K9003, span, format!("{name} is not supported yet"));
-        }
+        let (function, kind) = name.split_once(' ').unwrap_or((name, ""));
         let departs = function == "DEP";
-        let (rest, len, angle) = self.named_lengths(block, text, &upper)?;
-        let admits = if departs && kind != "LCT" {
-            Admits::FEED.and(Admits::RADIUS).and(Admits::M)
-        } else {
-            PATH.and(Admits::RADIUS)
+        let (polar, kind) = match kind.strip_prefix('P') {
+            Some(rest) => (true, rest),
+            None => (false, kind),
         };
-        let w = self.gather(&rest, &upper, admits)?;
-        self.check_m(&w)?;
-        self.forbid_m(&w, &upper, &[6, 89, 91, 99, 140])?;
-        if !departs {
-            self.forbid_m(&w, &upper, &[2, 30])?;
+        if !matches!(kind, "LT" | "LN" | "CT" | "LCT") || departs && polar && kind != "LCT" {
+            return self.fail(codes::K9003, span, format!("{name} is not supported"));
         }
-        if w.feed == FeedWord::Max {
+        if kind == "LN" && !self.computes_path() {
             return self.fail_help(
                 codes::K9003,
-                w.feed_span,
-                format!("{name} at FMAX is not supported"),
-                "program a feed",
+                span,
+                format!(
+                    "{name} is not supported where the target compensates: it would not come straight to the contour"
+                ),
+                "set `[output] compensation = \"resolve\"`, or write LT or CT",
             );
         }
-        let shape = self.shape(kind, len, angle, w.radius, &upper)?;
-        self.m_at_start(&w, true)?;
+        let (rest, len, angle) = self.named_lengths(block, text, name)?;
+        let w = self.gather(&rest, name, admits(departs, polar, kind))?;
+        self.check_m(&w)?;
+        self.forbid_m(&w, name, &FORBIDDEN)?;
+        let shape = self.shape(kind, len, angle, w.radius, name)?;
         if departs {
-            self.depart(&upper, shape, &w)?;
+            self.m_at_start(&w, true)?;
+            self.depart(name, shape, polar, &w)?;
         } else {
-            self.approach_later(name, span, shape, &w)?;
+            self.forbid_m(&w, name, &[2, 30])?;
+            self.approach_later(name, span, shape, polar, &w)?;
         }
-        self.m_at_end(&w)
+        self.m_at_end(&w)?;
+        self.put_back(w);
+        Ok(())
     }
 
     /// Takes LEN and CCA out of the words of the block.
@@ -119,7 +136,10 @@ impl Run<'_> {
         rest.words.clear();
         let mut words = block.words.iter();
         while let Some(&word) = words.next() {
-            if word.addr != Addr::Name {
+            let name_of_word = word.span.of(text).to_ascii_uppercase();
+            let is_ours = word.addr == Addr::Name && matches!(name_of_word.as_slice(), b"LEN" | b"CCA");
+            if !is_ours {
+                // Others may belong to an M function.
                 rest.words.push(word);
                 continue;
             }
@@ -127,11 +147,7 @@ impl Run<'_> {
                 Some(value @ Word { addr: Addr::Value, .. }) => self.number(value.value, value.span)?,
                 _ => return self.not_admitted(word, name),
             };
-            let slot = match word.span.of(text).to_ascii_uppercase().as_slice() {
-                b"LEN" => &mut len,
-                b"CCA" => &mut angle,
-                _ => return self.not_admitted(word, name),
-            };
+            let slot = if name_of_word == b"LEN" { &mut len } else { &mut angle };
             if slot.replace(value).is_some() {
                 return self.twice(word, block);
             }
@@ -150,13 +166,14 @@ impl Run<'_> {
         let span = self.block_span();
         let shape = match (kind, len, angle, radius) {
             ("LT", Some(length), None, None) if length > 0.0 => Shape::Line { length },
+            ("LN", Some(length), None, None) if length > 0.0 => Shape::Normal { length },
             ("CT", None, Some(angle), Some(radius)) if angle > 0.0 && angle <= 360.0 && radius != 0.0 => {
                 Shape::Arc { radius, angle }
             }
             ("LCT", None, None, Some(radius)) if radius > 0.0 => Shape::LineArc { radius },
             _ => {
                 let form = match kind {
-                    "LT" => "LEN above zero: `LEN15`",
+                    "LT" | "LN" => "LEN above zero: `LEN15`",
                     "CT" => "CCA up to 360 degrees and R: `CCA90 R+10`",
                     _ => "R above zero: `R8`",
                 };
@@ -171,11 +188,37 @@ impl Run<'_> {
         Ok(shape)
     }
 
-    /// The radius of the tool in the programmed frame, and what compensation needs besides.
-    fn approach_radius(&mut self, span: Span) -> Outcome<f64> {
-        self.compute_compensation(span)?;
-        self.check_cutter(span)?;
-        let radius = self.tool_radius(span)?;
+    /// The end point in the plane, and that of the tool axis if the block names it.
+    fn border_point(&mut self, name: &str, polar: bool, from: Point2, w: &Words) -> Outcome<(Point2, Option<f64>)> {
+        let plane = self.st.plane();
+        let (first, second, third) = plane.axes();
+        let third = Axis::ALL[third];
+        if !w.axes.known().without(plane_axes(plane)).without(AxisSet::of(third)).is_empty() {
+            return self.fail(
+                codes::K1005,
+                w.axes_span,
+                format!("{name} moves the axes of the plane and the tool axis"),
+            );
+        }
+        let end = self.absolute(w)?;
+        let to = if polar {
+            let pole = self.pole(name)?;
+            if pole.plane != plane {
+                return self.fail(codes::K9003, w.polar_radius_span, format!("{name} about a pole of another plane"));
+            }
+            let (radius, angle) = self.polar_words(w, &pole, name)?;
+            self.keep_polar(radius, angle, &pole);
+            crate::geo::angle::polar_point(pole.at, radius, angle)
+        } else {
+            self.st.polar.forget_last();
+            let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
+            Point2::new(coordinate(first, from.x), coordinate(second, from.y))
+        };
+        Ok((to, end.get(third)))
+    }
+
+    /// Lengths and radii are real ones, as the radius of the tool is.
+    fn forbid_scaling(&mut self, span: Span) -> Outcome {
         let scale = self.st.ctx.frame.uniform_scale();
         if scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
             return self.fail_help(
@@ -185,164 +228,23 @@ impl Run<'_> {
                 "reset the scaling in front of the contour",
             );
         }
-        Ok(radius)
-    }
-
-    fn approach_later(&mut self, name: &str, span: Span, shape: Shape, w: &Words) -> Outcome {
-        let plane = self.st.plane();
-        let side = match w.comp {
-            Some(Comp::Side(side @ (Side::Left | Side::Right))) if !self.st.compensation.is_on() => side,
-            Some(Comp::Side(Side::Left | Side::Right)) => {
-                return self.fail(codes::K9003, span, format!("{name} while RL or RR is active is not supported"));
-            }
-            _ => {
-                return self.fail_help(
-                    codes::K9003,
-                    span,
-                    format!("{name} with R0 is not supported: controls differ in what it does"),
-                    "write RL or RR, or program the approach as L and C blocks",
-                );
-            }
-        };
-        let radius = self.approach_radius(w.comp_span)?;
-        let (first, second, third) = plane.axes();
-        let third = Axis::ALL[third];
-        if !w.axes.known().without(plane_axes(plane)).without(crate::machine::AxisSet::of(third)).is_empty() {
-            return self.fail(
-                codes::K1005,
-                w.axes_span,
-                format!("{name} moves the axes of the plane and the tool axis"),
-            );
-        }
-        let from = self.start_in(plane, name)?;
-        // LT and CT go to PH as the block before went, LCT at the feed of its own block.
-        let before = if self.st.feed.last_rapid { None } else { self.st.feed.word() };
-        let own = matches!(shape, Shape::LineArc { .. });
-        if before.is_none() && !self.st.feed.last_rapid && !own {
-            return self.feed_missing();
-        }
-        self.set_feed(w)?;
-        let Some(feed) = self.st.feed.word() else { return self.feed_missing() };
-        let lead = if own { Some(feed) } else { before };
-        let end = self.absolute(w)?;
-        let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
-        let to = Point2::new(coordinate(first, from.x), coordinate(second, from.y));
-        let mut after = Pos::UNKNOWN;
-        after.set_in_plane(plane, to);
-        if let Some(depth) = end.get(third) {
-            after.set(third, depth);
-        }
-        self.approach = Some(Box::new(Approach {
-            shape,
-            name: name.to_owned(),
-            here: self.here,
-            span,
-            from,
-            to,
-            depth: end.get(third),
-            side,
-            radius,
-            lead,
-            feed,
-            held: Vec::new(),
-        }));
-        self.st.compensation.select(side);
-        self.st.compensation.found();
-        self.st.position.move_to(&after);
-        self.st.polar.forget_last();
-        self.st.last = None;
         Ok(())
     }
 
-    /// The first element of the contour is about to be sent: now the approach to it is known.
-    #[cold]
-    pub(super) fn send_approach(&mut self, end: &Pos, path: &Path) {
-        let Some(approach) = self.approach.take() else { return };
-        let plane = self.st.plane();
-        let (first, second, _) = plane.axes();
-        let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
-        let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
-        let element = LastMove { from: approach.to, to, path: *path };
-        let here = std::mem::replace(&mut self.here, approach.here);
-        let made = match element.direction(true) {
-            Some(heading) => self.make_approach(&approach, heading),
-            None => self.fail_help(
-                codes::K9003,
-                approach.span,
-                format!("{} leads onto a block whose direction is not known here", approach.name),
-                "let a straight line or an arc of the working plane with centre or radius follow",
-            ),
-        };
-        if made.is_err() {
-            self.lost();
-        }
-        self.here = here;
-        for (function, origin) in &approach.held {
-            self.core.out.function(function, &self.st.ctx, origin);
-        }
+    /// The border point of a contour whose moves have `side`, with the tool at `radius` from it.
+    fn border(&self, contour: Point2, heading: Vec2, on_left: bool, side: Side, radius: f64) -> Border {
+        let out = if on_left { left(heading) } else { -left(heading) };
+        let edge = contour + out * radius;
+        let by_target = side != Side::None && !self.computes_path();
+        let (at, side, tool) = if by_target { (contour, side, radius) } else { (edge, Side::None, 0.0) };
+        Border { at, edge, heading, out, left: on_left, side, tool }
     }
 
-    fn make_approach(&mut self, a: &Approach, heading: Vec2) -> Outcome {
-        let beside = if a.side == Side::Left { left(heading) } else { -left(heading) };
-        let plane = self.st.plane();
-        let third = Axis::ALL[plane.axes().2];
-        let (start, arc) = match a.shape {
-            Shape::Line { length } => (a.to - heading * length, None),
-            Shape::Arc { radius, angle } => {
-                let on = self.circle_beside(a.to, beside, radius, a.radius, a.side, &a.name)?;
-                let turn = if on.ccw { -angle } else { angle };
-                (geo::angle::rotated(a.to, on.center, geo::Deg(turn)), Some(on))
-            }
-            Shape::LineArc { radius } => {
-                let on = self.circle_beside(a.to, beside, radius, a.radius, a.side, &a.name)?;
-                let Some(out) = touching(a.from, on.center, radius, on.ccw) else { return self.inside(a) };
-                (on.center + out * on.radius, Some(on))
-            }
-        };
-        self.plane_move(start, a.lead, a.side);
-        // Newer controls go to the depth together with the plane; the printed path stages it as the older ones do.
-        if let Some(depth) = a.depth {
-            if self.job.settings.control.klartext >= Generation::Tnc7 {
-                return self.fail_help(
-                    codes::K9003,
-                    a.span,
-                    format!("{} with the tool axis is not supported for this control", a.name),
-                    "write the depth into a block in front of the approach",
-                );
-            }
-            let mut end = Pos::UNKNOWN;
-            end.set(third, depth);
-            self.raw_move(end, Path::Line(a.feed), a.side);
-        }
-        match arc {
-            None => self.plane_move(a.to, Some(a.feed), a.side),
-            Some(on) => self.arc_move(a.to, &on, a.feed, a.side)?,
-        }
-        Ok(())
-    }
-
-    fn inside<T>(&self, a: &Approach) -> Outcome<T> {
-        self.fail_help(
-            codes::K2605,
-            a.span,
-            format!("the start of {} lies inside its circle", a.name),
-            "start further away, or make R smaller",
-        )
-    }
-
-    /// The circle that touches the contour in `at`, with its printed radius.
-    fn circle_beside(
-        &mut self,
-        at: Point2,
-        beside: Vec2,
-        radius: f64,
-        tool: f64,
-        side: Side,
-        name: &str,
-    ) -> Outcome<Circle> {
+    /// The circle that touches the path in the border point.
+    fn circle_at(&mut self, border: &Border, radius: f64, name: &str) -> Outcome<Circle> {
         // On the side of the tool the contour lies outside the path of its centre, on the other side inside.
-        let printed = radius + tool;
-        if radius < 0.0 && printed >= 0.0 {
+        let sent = radius + border.tool;
+        if radius < 0.0 && sent >= 0.0 {
             return self.fail_help(
                 codes::K2605,
                 self.block_span(),
@@ -350,102 +252,40 @@ impl Run<'_> {
                 "make R larger than the radius of the tool",
             );
         }
-        let ccw = (side == Side::Left) == (radius > 0.0);
-        Ok(Circle { center: at + beside * printed, radius: printed.abs(), ccw })
-    }
-
-    fn depart(&mut self, name: &str, shape: Shape, w: &Words) -> Outcome {
-        let span = self.block_span();
-        let side = self.st.compensation.side();
-        let plane = self.st.plane();
-        let at = self.start_in(plane, name)?;
-        // Where RL or RR was refused, that was said.
-        if side == Side::None && self.st.compensation.take_lost() {
-            return Err(Reported);
-        }
-        if self.approach.is_some() || side == Side::None || w.comp.is_some_and(|comp| comp != Comp::Side(Side::None)) {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} is supported behind a contour with RL or RR"),
-                "program the departure as L and C blocks",
-            );
-        }
-        let radius = self.approach_radius(span)?;
-        let Some(heading) =
-            self.st.last.filter(|last| distance(last.to, at) <= SAME_POINT).and_then(|last| last.direction(false))
-        else {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} follows a block whose direction is not known here"),
-                "let a straight line or an arc of the working plane with centre or radius stand in front",
-            );
-        };
-        self.set_feed(w)?;
-        let Some(feed) = self.st.feed.word() else { return self.feed_missing() };
-        let beside = if side == Side::Left { left(heading) } else { -left(heading) };
-        let edge = at + beside * radius;
-        let third = Axis::ALL[plane.axes().2];
-        let end = match shape {
-            Shape::Line { length } => edge + heading * length,
-            Shape::Arc { radius: r, angle } => {
-                let on = self.circle_beside(at, beside, r, radius, side, name)?;
-                let turn = geo::Deg(if on.ccw { angle } else { -angle });
-                self.arc_move(geo::angle::rotated(at, on.center, turn), &on, feed, side)?;
-                geo::angle::rotated(edge, on.center, turn)
-            }
-            Shape::LineArc { radius: r } => {
-                let on = self.circle_beside(at, beside, r, radius, side, name)?;
-                let (first, second, _) = plane.axes();
-                let words = self.absolute(w)?;
-                let coordinate = |axis: usize, old: f64| words.get(Axis::ALL[axis]).unwrap_or(old);
-                let end = Point2::new(coordinate(first, at.x), coordinate(second, at.y));
-                // Backwards it is an approach.
-                let Some(out) = touching(end, on.center, r, !on.ccw) else {
-                    return self.fail_help(
-                        codes::K2605,
-                        span,
-                        format!("the end of {name} lies inside its circle"),
-                        "end further away, or make R smaller",
-                    );
-                };
-                self.arc_move(on.center + out * on.radius, &on, feed, side)?;
-                end
-            }
-        };
-        self.st.compensation.end();
-        self.plane_move(end, Some(feed), Side::None);
-        let mut after = Pos::UNKNOWN;
-        after.set_in_plane(plane, end);
-        if matches!(shape, Shape::LineArc { .. })
-            && let Some(depth) = w.axes.get(third)
-        {
-            let depth =
-                if w.incremental.contains(third) { self.absolute(w)?.get(third).unwrap_or(depth) } else { depth };
-            let mut up = Pos::UNKNOWN;
-            up.set(third, depth);
-            self.raw_move(up, Path::Line(feed), Side::None);
-            after.set(third, depth);
-        }
-        self.st.position.move_to(&after);
-        self.st.polar.forget_last();
-        self.st.last = None;
-        self.st.feed.last_rapid = false;
-        Ok(())
+        let ccw = border.left == (radius > 0.0);
+        Ok(Circle { center: border.at + border.out * sent, radius: sent.abs(), ccw })
     }
 
     fn plane_move(&mut self, to: Point2, feed: Option<Feed>, side: Side) {
+        self.way_to(to, None, feed, side);
+    }
+
+    /// A straight move in the plane, together with the tool axis if `depth` is given.
+    fn way_to(&mut self, to: Point2, depth: Option<f64>, feed: Option<Feed>, side: Side) {
+        let plane = self.st.plane();
         let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), to);
+        end.set_in_plane(plane, to);
+        if let Some(depth) = depth {
+            end.set(Axis::ALL[plane.axes().2], depth);
+        }
         self.raw_move(end, Path::straight(feed), side);
     }
 
-    fn arc_move(&mut self, to: Point2, on: &Circle, feed: Feed, side: Side) -> Outcome {
+    fn axis_move(&mut self, depth: f64, feed: Option<Feed>, side: Side) {
+        let mut end = Pos::UNKNOWN;
+        end.set(Axis::ALL[self.st.plane().axes().2], depth);
+        self.raw_move(end, Path::straight(feed), side);
+    }
+
+    fn arc_to(&mut self, to: Point2, depth: Option<f64>, on: &Circle, feed: Option<Feed>, side: Side) -> Outcome {
+        let Some(feed) = feed else { return self.feed_missing() };
         self.check_edge_feed(side)?;
         let plane = self.st.plane();
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, to);
+        if let Some(depth) = depth {
+            end.set(Axis::ALL[plane.axes().2], depth);
+        }
         let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: CLOSE };
         self.raw_move(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed), side);
         Ok(())
@@ -455,59 +295,14 @@ impl Run<'_> {
         self.movement(&Move { end, path, side, coords: Coords::Frame });
         self.st.moved = true;
     }
-
-    /// Refuses whatever may not stand between an approach and its contour.
-    pub(super) fn forbid_open_approach(&mut self) -> Outcome {
-        let Some(approach) = self.approach.take() else { return Ok(()) };
-        let loc = approach.here.loc(&self.job, approach.span);
-        let found = Diagnostic::new(codes::K9003, loc, format!("no contour element follows {}", approach.name))
-            .help("let a path block follow directly");
-        self.job.diags.push(found.called(approach.here.origin.call));
-        self.lose_all();
-        Err(Reported)
-    }
 }
 
-/// The circle of an approach or departure as it is printed.
-#[derive(Debug, Clone, Copy)]
-struct Circle {
-    center: Point2,
-    radius: f64,
-    ccw: bool,
-}
-
-impl LastMove {
-    pub fn new(from: Point2, to: Point2, path: Path) -> LastMove {
-        LastMove { from, to, path }
+/// The words of an approach or departure besides LEN and CCA.
+fn admits(departs: bool, polar: bool, kind: &str) -> Admits {
+    let admits = Admits::FEED.and(Admits::RADIUS).and(Admits::M);
+    if departs && kind != "LCT" {
+        return admits;
     }
-
-    /// Direction of travel at the start or the end.
-    fn direction(&self, at_start: bool) -> Option<Vec2> {
-        let at = if at_start { self.from } else { self.to };
-        match self.path {
-            Path::Line(_) | Path::Rapid => geo::direction(self.to - self.from, SAME_POINT),
-            Path::Arc(Arc { shape, .. }, _) => match shape {
-                ArcShape::Center { center, ccw, .. } => arc::tangent_at(at, center, ccw),
-                ArcShape::Sweep { center, sweep } => arc::tangent_at(at, center, sweep.0 > 0.0),
-                ArcShape::Radius { radius, ccw, tol } => {
-                    let center = arc::center_by_radius(self.from, self.to, radius, ccw, SAME_POINT, tol)?;
-                    arc::tangent_at(at, center, ccw)
-                }
-                _ => None,
-            },
-            Path::Thread(_) => None,
-        }
-    }
-}
-
-/// Direction from the centre to the point where the line from `from` touches the circle, which is travelled from
-/// there in the sense of `ccw`. `None` inside.
-fn touching(from: Point2, center: Point2, radius: f64, ccw: bool) -> Option<Vec2> {
-    let out = from - center;
-    let far = length(out);
-    if far < radius {
-        return None;
-    }
-    let angle = libm::acos((radius / far).min(1.0));
-    Some(geo::turned(out / far, if ccw { angle } else { -angle }))
+    let admits = admits.and(Admits::AXES).and(Admits::COMP);
+    if polar { admits.and(Admits::POLAR) } else { admits }
 }

@@ -8,10 +8,10 @@ use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
 
-use super::path::plane_axes;
-use super::state::PoleState;
+use super::polar::PoleState;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
+use crate::sema::common::plane::plane_axes;
 
 /// How far the end of an arc may miss the circle: machine parameter *circleDeviation* at its largest.
 const CIRCLE_TOLERANCE: f64 = 0.016;

@@ -12,42 +12,15 @@ use crate::parser::klartext::ast::{Addr, Stmt};
 use crate::text::{FileId, Loc, Span};
 
 use super::super::Job;
-use super::path::plane_axes;
+use super::active_tool::Change;
 use super::state::State;
 use super::{Klartext, Outcome, Reported, Run};
 use crate::parser::symbols::Symbols;
+use crate::sema::common::plane::plane_axes;
 use crate::sema::run::unexecuted::Blocks;
 
 /// The number of the M function that changes the tool.
 const M6: u32 = 6;
-
-/// How far a tool change got since the last block that cut.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) enum Change {
-    /// Complete, or none under way.
-    #[default]
-    None,
-    /// An M6 stood in front of its TOOL CALL: the next TOOL CALL changes.
-    Announced,
-    /// The tool that was called is in the spindle already: an M6 changes nothing.
-    InSpindle,
-    /// Printed at the TOOL CALL; did the tool move since?
-    Printed { moved: bool },
-    /// Called and made ready; the M6 is still to come.
-    Called {
-        number: u32,
-        /// TOOL CALL.
-        from: Loc,
-        /// Coordinate of the tool axis at the TOOL CALL, before it was forgotten.
-        height: Option<f64>,
-        /// The block under way holds the M6: wherever it goes, the change waits at its end.
-        at_end: bool,
-        /// Something moved since.
-        moved: bool,
-    },
-    /// The change was missing where something cut, which was reported: an M6 now comes too late.
-    Missed,
-}
 
 impl State {
     /// Takes the tool that was called for the one in the spindle, whose tip lies somewhere else along the tool axis.

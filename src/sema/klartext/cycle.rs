@@ -13,8 +13,8 @@ use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
 use crate::text::Span;
 
 use super::cycle_definition::{DottedValue, Open, What};
+use super::cycles::DefinedCycle;
 use super::cycles::{Nature, find};
-use super::defined_cycle::DefinedCycle;
 use super::drilling::Retract;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};

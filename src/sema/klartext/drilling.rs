@@ -11,12 +11,12 @@ use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::cycle_table::Name;
 
+use super::cycles::DefinedCycle;
 use super::cycles::drilling::{
     AHEAD_ABOVE, AHEAD_BELOW, ANGLE, BREAK_DEPTH, BREAK_WAY, BREAKS, BY_DIAMETER, DECREMENT, DEEPENED, DEPTH_REFERENCE,
     DIRECTION, DWELL, DWELL_ABOVE, FEED, LEAST_PLUNGE, PITCH, PLUNGE, RETRACT_FEED, ROUGH_DIAMETER,
 };
 use super::cycles::{CLEARANCE, Cut, DEPTH, Q, SECOND_CLEARANCE, SURFACE};
-use super::defined_cycle::DefinedCycle;
 use super::{Outcome, Reported, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.

@@ -164,6 +164,7 @@ impl Run<'_> {
             return self.leave().map(drop);
         }
         self.warn_without_head();
+        self.refuse_compensated("the program ends");
         self.function(Function::End { rewind: false });
         self.stop_run();
         Ok(())
@@ -191,6 +192,7 @@ impl Run<'_> {
             return self.fatal(codes::K2208, "a called program ends the job with M2 or M30");
         }
         self.warn_without_head();
+        self.refuse_compensated("the program ends");
         self.function(Function::End { rewind });
         self.stop_run();
         Ok(())
@@ -440,7 +442,7 @@ impl Run<'_> {
                 Diagnostic::new(codes::K2603, site, "a program call ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.compensation.end();
+            self.st.end_compensation();
         }
         let opened = if name.to_ascii_uppercase().ends_with(".I") {
             self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));

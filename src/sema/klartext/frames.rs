@@ -43,6 +43,7 @@ impl Run<'_> {
     /// Puts a new transformation in force; the tool stays where it is.
     pub(super) fn set_transformation(&mut self, transform: Transformation) -> Outcome {
         self.warn_of_order(&transform);
+        self.refuse_compensated("the coordinate system changes");
         self.st.frames.transform = transform;
         let span = self.block_span();
         self.update_frame(span)
@@ -203,12 +204,13 @@ impl Run<'_> {
     }
 
     pub(super) fn rotate(&mut self, angle: f64, incremental: bool) -> Outcome {
+        self.refuse_compensated("the coordinate system turns");
         if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the rotation ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.compensation.end();
+            self.st.end_compensation();
         }
         let mut next = self.st.frames.transform.clone();
         next.angle = Deg(if incremental { next.angle.0 + angle } else { angle });

@@ -5,11 +5,12 @@
 
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
-use crate::lexer::klartext::Value;
-use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
+use crate::parser::klartext::ast::Block;
+use crate::parser::klartext::straight;
+use crate::parser::straight::Straight;
 
 use super::Run;
-use super::change::Change;
+use super::active_tool::Change;
 
 impl Run<'_> {
     /// Does a straight block do nothing but move?
@@ -28,41 +29,45 @@ impl Run<'_> {
             && !st.compensation.is_lost()
     }
 
-    /// Executes an `L` block of X, Y, Z, F and R0 while nothing else is on; false if it is another block.
+    /// Executes the next block where it stands, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.
     #[inline]
-    pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        let line = matches!(block.stmt, Stmt::Path(PathFn::Line));
-        if !self.plain || !line || block.skip || block.comment.is_some() {
+    pub(super) fn straight_line(&mut self) -> bool {
+        if !self.plain {
             return false;
         }
-        let mm = self.level().frame.unit.mm();
-        let mut end = Pos::UNKNOWN;
-        let (mut feed, mut rapid, mut uncompensated) = (None, false, false);
-        for word in &block.words {
-            match (word.addr, word.value) {
-                (Addr::Axis { axis, incremental: false }, Value::Number(value))
-                    if axis.is_main() && !end.known().contains(axis) =>
-                {
-                    end.set(axis, value * mm);
-                }
-                (Addr::Feed, Value::Number(value)) if value > 0.0 && feed.is_none() && !rapid => feed = Some(value),
-                (Addr::FeedMax, _) if feed.is_none() && !rapid => rapid = true,
-                (Addr::Radius { signed: false }, Value::Number(0.0)) if !uncompensated => uncompensated = true,
-                _ => return false,
-            }
-        }
-        if end.known().is_empty() || feed.is_none() && self.st.feed.word().is_none() && !rapid {
+        let Some(line) = self.core.straight_ahead(straight::of_line).filter(|line| self.knows_feed(line)) else {
             return false;
-        }
-        if let Some(written) = feed {
+        };
+        self.core.take_straight(&line);
+        self.go_straight(&line);
+        true
+    }
+
+    /// The same for a block that was read; false if it is another one.
+    pub(super) fn straight_block(&mut self, block: &Block) -> bool {
+        let line = if self.plain { straight::of_block(block) } else { None };
+        let Some(line) = line.filter(|line| self.knows_feed(line)) else { return false };
+        self.go_straight(&line);
+        true
+    }
+
+    #[inline(always)]
+    fn knows_feed(&self, line: &Straight) -> bool {
+        line.rapid || line.feed.is_some() || self.st.feed.word().is_some()
+    }
+
+    #[inline(always)]
+    fn go_straight(&mut self, line: &Straight) {
+        if let Some(written) = line.feed {
             let feed = self.feed_of(written);
             self.st.feed.program(feed, written);
         }
-        let path = if rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let path = if line.rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let mm = self.level().frame.unit.mm();
+        let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
-        self.st.feed.last_rapid = rapid;
+        self.st.feed.last_rapid = line.rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;
-        true
     }
 }

@@ -2,157 +2,15 @@
 //!
 //! Source: K 2.14 (docs/sources.md).
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
-use crate::machine::{Axis, AxisSet, Unit};
+use crate::machine::Unit;
 use crate::text::Span;
 
+use super::m_table::{Act, When, entry};
 use super::words::{Comp, MWord, Words};
 use super::{Outcome, Run};
-
-/// What follows an M function.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Args {
-    pub feed: Option<f64>,
-    pub feed_max: bool,
-    pub value: Option<f64>,
-    pub max: bool,
-    pub axes: AxisSet,
-    /// A value, or MAX, was given.
-    pub given: bool,
-}
-
-/// What an M function may be followed by.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Takes {
-    pub feed: bool,
-    /// Axis letters without a value.
-    pub letters: bool,
-    /// Axis letters with a value that is no position.
-    pub values: AxisSet,
-    /// A name with a value: `LA 5`, `T0.01`.
-    pub named: bool,
-    /// `MB 50`, `MB MAX`.
-    pub retract: bool,
-}
-
-/// When an M function acts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum When {
-    Start,
-    End,
-}
-
-/// What an M function does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Act {
-    Spindle(Turn),
-    SpindleAndCoolant(Turn),
-    SpindleStop,
-    CoolantOn,
-    CoolantOff,
-    Stop,
-    OptionalStop,
-    ProgramEnd {
-        rewind: bool,
-    },
-    ToolChange,
-    Orient,
-    /// Handled where the block moves: M89, M91, M99.
-    Block,
-    /// Smoothing, supervision: no influence on the programmed path.
-    Note,
-    /// M124: the control may leave out points.
-    ShortPoints,
-    /// Changes the compensated path: nothing without compensation.
-    CompensationOnly,
-    /// Leaves out parts of the compensated contour that the tool does not fit into.
-    LookAhead,
-    PlungeShare,
-    EdgeFeed(bool),
-    RotaryFeed(bool),
-    ShortWay(bool),
-    PerRevolution(bool),
-    ModuloRotary,
-    FollowTip(bool),
-    Retract,
-    Refused,
-}
-
-/// The table. Everything that is not in it is the machine builder's.
-fn entry(number: u32) -> Option<(Act, When)> {
-    use Act::*;
-    use When::*;
-    Some(match number {
-        0 => (Stop, End),
-        1 => (OptionalStop, End),
-        2 => (ProgramEnd { rewind: false }, End),
-        30 => (ProgramEnd { rewind: true }, End),
-        3 => (Spindle(Turn::Clockwise), Start),
-        4 => (Spindle(Turn::CounterClockwise), Start),
-        5 => (SpindleStop, End),
-        6 => (ToolChange, End),
-        8 => (CoolantOn, Start),
-        9 => (CoolantOff, End),
-        13 => (SpindleAndCoolant(Turn::Clockwise), Start),
-        14 => (SpindleAndCoolant(Turn::CounterClockwise), Start),
-        19 => (Orient, End),
-        89 | 91 | 99 => (Block, Start),
-        // Constant path speed, replacement tools, kv factors, oversize errors, rounding of transitions, handwheel,
-        // untilted blocks, exact stop, tilt axes, probe supervision, basic rotation of the setup, lift-off, limit
-        // switch messages.
-        90 | 101 | 102 | 105..=108 | 112 | 113 | 118 | 130 | 134 | 135 | 138 | 141 | 143 | 148..=150 => (Note, Start),
-        124 => (ShortPoints, Start),
-        120 => (LookAhead, Start),
-        97 | 98 | 197 => (CompensationOnly, End),
-        103 => (PlungeShare, Start),
-        109 | 110 => (EdgeFeed(true), Start),
-        111 => (EdgeFeed(false), Start),
-        116 => (RotaryFeed(true), Start),
-        117 => (RotaryFeed(false), Start),
-        126 => (ShortWay(true), Start),
-        127 => (ShortWay(false), Start),
-        136 => (PerRevolution(true), Start),
-        137 => (PerRevolution(false), Start),
-        94 => (ModuloRotary, Start),
-        140 => (Retract, Start),
-        // Switched off is how every program starts.
-        115 | 145 => (Note, Start),
-        128 => (FollowTip(true), Start),
-        129 => (FollowTip(false), End),
-        92 | 93 | 95 | 96 | 104 | 114 | 142 | 144 => (Refused, Start),
-        _ => return None,
-    })
-}
-
-pub(super) fn takes(number: u32) -> Takes {
-    let none = Takes::default();
-    match number {
-        103 | 128 => Takes { feed: true, ..none },
-        94 | 138 => Takes { letters: true, ..none },
-        118 => Takes { letters: true, values: Axis::ALL.into_iter().collect(), ..none },
-        112 => Takes { named: true, values: AxisSet::of(Axis::A), ..none },
-        120 | 124 | 197 => Takes { named: true, ..none },
-        140 => Takes { retract: true, feed: true, ..none },
-        _ => none,
-    }
-}
-
-/// Two functions of one block that contradict each other.
-pub(super) fn conflict(a: u32, b: u32) -> bool {
-    let group = |n: u32| match n {
-        3..=5 | 13 | 14 => 1,
-        8 | 9 => 2,
-        2 | 30 => 3,
-        126 | 127 => 4,
-        136 | 137 => 5,
-        116 | 117 => 6,
-        _ => 0,
-    };
-    let coolant = |n: u32| matches!(n, 13 | 14);
-    (group(a) != 0 && group(a) == group(b)) || (coolant(a) && b == 9) || (coolant(b) && a == 9)
-}
 
 /// What the program told the spindle.
 #[derive(Debug, Clone, Copy, Default)]
@@ -220,7 +78,9 @@ impl Run<'_> {
                         "reset the plane before the block, and program it again after",
                     );
                 }
-                Some((Act::CompensationOnly | Act::LookAhead, _)) if compensated && acts(m) => {
+                Some((Act::CompensationOnly | Act::LookAhead, _))
+                    if compensated && acts(m) && !self.computes_path() =>
+                {
                     return self.fail_help(
                         codes::K9008,
                         m.span,
@@ -340,7 +200,7 @@ impl Run<'_> {
             }
             Act::FollowTip(on) => return self.follow_tip(on, m.span),
             Act::ModuloRotary => {
-                if !self.st.reduce_rotary(m.args.axes) {
+                if !self.st.rotary.reduce(&self.st.position, m.args.axes) {
                     self.note_m(m);
                 }
             }
@@ -354,6 +214,7 @@ impl Run<'_> {
                 )
                 .help("remove M124 if the path is to be the programmed one"),
             ),
+            Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
             Act::CompensationOnly | Act::LookAhead => {
                 let found =
                     Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
@@ -431,24 +292,9 @@ impl Run<'_> {
     }
 }
 
-/// May words follow that belong to the function?
-pub(super) fn takes_words(number: u32) -> bool {
-    let takes = takes(number);
-    takes.feed || takes.letters || takes.named || takes.retract || !takes.values.is_empty()
-}
-
 /// Does the function switch something on? `M120` without LA, or with LA0, switches off.
 fn acts(m: &MWord) -> bool {
     m.number != 120 || m.args.value.is_some_and(|blocks| blocks != 0.0)
-}
-
-/// What `partc check` can say of an M function in a block that does not run.
-pub(super) fn refused_code(number: u32, pass_m: &[u32]) -> Option<&'static Code> {
-    match entry(number) {
-        Some((Act::Refused, _)) => Some(codes::K9008),
-        None if !pass_m.contains(&number) => Some(codes::K2701),
-        _ => None,
-    }
 }
 
 /// Why an M function is refused, and what to do.
@@ -461,16 +307,5 @@ fn refusal(number: u32) -> (&'static str, &'static str) {
             ("makes the control follow the tool tip with the rotary axes", "use 3-axis output of the CAM system")
         }
         _ => ("resets functions that partc cannot know of", "reset them one by one"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn contradictions() {
-        assert!(conflict(3, 4) && conflict(8, 9) && conflict(13, 9) && conflict(3, 5) && conflict(13, 3));
-        assert!(!conflict(3, 8) && !conflict(5, 9) && !conflict(13, 91) && !conflict(99, 30));
     }
 }

@@ -4,15 +4,16 @@
 //! Source: K 1 to 5; the order inside a block is: M functions at the
 //! start, motion, M functions at the end, cycle call (Appendix B).
 
+mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
 mod change;
+mod compensation;
 mod cycle;
 mod cycle_definition;
 mod cycle_words;
 mod cycles;
-mod defined_cycle;
 mod drilling;
 mod eval;
 mod feed;
@@ -22,6 +23,7 @@ mod help;
 mod labels;
 mod lane;
 mod m_functions;
+mod m_table;
 mod numbered_functions;
 mod path;
 mod pattern_def;
@@ -238,12 +240,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if !self.line_lane(block) {
+        if !self.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.plain = false;
             self.execute_any(block, text);
             self.plain = self.is_plain();
         }
+    }
+
+    #[inline]
+    fn line_lane(&mut self) -> bool {
+        self.straight_line()
     }
 
     fn end_of_file(&mut self) {
@@ -406,7 +413,7 @@ impl Run<'_> {
 
     #[inline]
     fn movement(&mut self, mv: &Move) {
-        if !matches!(self.st.tool.change, change::Change::None) {
+        if !matches!(self.st.tool.change, active_tool::Change::None) {
             self.watch_move(mv);
         }
         if let Some(corner) = self.st.corner.take() {
@@ -419,7 +426,7 @@ impl Run<'_> {
         if let Some(approach) = &mut self.approach
             && approach.held.len() < approach::MOST_HELD
         {
-            return approach.held.push((function, self.core.here.origin));
+            return approach.held.push(approach::Held::Function(function, self.core.here.origin));
         }
         self.core.send_function(&function, &self.st.ctx);
     }
@@ -442,6 +449,7 @@ impl Run<'_> {
             self.finish_cycle();
         }
         self.forgotten_change();
+        self.refuse_compensated("the program ends");
         if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")

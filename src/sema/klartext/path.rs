@@ -3,46 +3,16 @@
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Plane;
 use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
-use crate::machine::{Axis, AxisSet, Compensation};
+use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
-use crate::text::Loc;
 
-use super::approach::LastMove;
-use super::m_functions::Args;
-use super::state::State;
+use super::compensation::OwnCorner;
+use super::m_table::Args;
+use super::state::CornerMade;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
-
-pub(super) const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
-
-/// A chamfer or rounding whose second element is still to come.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct CornerMade {
-    rounding: bool,
-    /// Of the element before.
-    side: Side,
-    loc: Loc,
-}
-
-impl State {
-    /// Notes a compensated move in the plane, for the departure behind it. Called before the position is taken over.
-    fn keep_direction(&mut self, after: &Pos, path: Path) {
-        let plane = self.plane();
-        let mut end = *self.position.at();
-        end.update(after);
-        let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) else {
-            self.last = None;
-            return;
-        };
-        let arc = matches!(path, Path::Arc(..));
-        if arc || from != to {
-            self.last = Some(LastMove::new(from, to, path));
-        }
-    }
-}
 
 impl Run<'_> {
     pub(super) fn path_block(&mut self, function: PathFn, block: &Block) -> Outcome {
@@ -76,6 +46,11 @@ impl Run<'_> {
     }
 
     pub(super) fn run_path(&mut self, function: PathFn, w: &Words) -> Outcome {
+        let result = self.run_words(function, w);
+        if self.st.own_corner != OwnCorner::No { result.and(self.end_own_corner(w)) } else { result }
+    }
+
+    fn run_words(&mut self, function: PathFn, w: &Words) -> Outcome {
         self.check_m(w)?;
         let machine = w.has_m(91);
         if machine && matches!(w.comp, Some(Comp::Paraxial(_))) {
@@ -95,6 +70,7 @@ impl Run<'_> {
             );
         }
         self.switch_side(w, function.is_arc())?;
+        self.shape_corners(w)?;
         // M functions and the feed act before the end point is computed: M94 and M126 change what it means.
         let moves = function != PathFn::Line || !w.axes.known().is_empty();
         if w.m().is_empty() {
@@ -170,70 +146,18 @@ impl Run<'_> {
 
     /// A block that holds M functions or a feed only.
     pub(super) fn functions_block(&mut self, block: &Block) -> Outcome {
-        let w = self.gather(block, "", PATH)?;
+        let w = self.gather(block, "", Admits::PATH)?;
         self.run_path(PathFn::Line, &w)
-    }
-
-    pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
-        let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
-        if side == self.st.compensation.side() {
-            if side == Side::None {
-                self.st.compensation.found();
-            }
-            return Ok(());
-        }
-        let switched = self.switch_side_to(w, side, arc);
-        match switched {
-            Ok(()) => self.st.compensation.found(),
-            Err(Reported) => self.st.compensation.lose(),
-        }
-        switched
-    }
-
-    fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
-        if arc {
-            return self.fail_help(
-                codes::K2601,
-                w.comp_span,
-                "radius compensation cannot start or end in an arc",
-                "program a straight block with RL, RR or R0 before or after the arc",
-            );
-        }
-        if side != Side::None {
-            if self.st.compensation.is_on() {
-                return self.fail_help(
-                    codes::K2602,
-                    w.comp_span,
-                    "RL and RR follow each other without R0",
-                    "program a straight block with R0 between them",
-                );
-            }
-            self.compute_compensation(w.comp_span)?;
-            self.check_cutter(w.comp_span)?;
-        }
-        self.st.compensation.select(side);
-        Ok(())
-    }
-
-    /// The compiler itself computes the path of the tool centre, unless the target shall.
-    pub(super) fn compute_compensation(&mut self, span: crate::text::Span) -> Outcome {
-        if self.job.settings.output.compensation == Compensation::Resolve {
-            let radius = self.tool_radius(span)?;
-            self.st.compensate(crate::ir::Compensation { radius, ..Default::default() });
-        }
-        Ok(())
     }
 
     /// Sends a move and takes over its end.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
-        if self.approach.is_some() {
-            self.send_approach(end, &path);
+        let mv = Move { end: *end, path, side: self.st.compensation.side(), coords: Coords::Frame };
+        if self.approach.is_none() || !self.wait_for_contour(&mv) {
+            self.movement(&mv);
         }
-        self.movement(&Move { end: *end, path, side: self.st.compensation.side(), coords: Coords::Frame });
-        if self.st.compensation.is_on() {
-            self.st.keep_direction(end, path);
-        }
+        self.note_contour(end, path);
         self.st.feed.last_rapid = path.is_rapid();
         self.st.position.move_to(end);
         self.st.moved = true;
@@ -273,6 +197,7 @@ impl Run<'_> {
             self.st.rotary.moves(axis);
         }
         let (path, coords) = (Path::straight(feed), Coords::Machine);
+        self.forbid_open_approach()?;
         self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
         self.st.moved_by_machine(end.known());
         self.st.feed.last_rapid = feed.is_none();
@@ -305,6 +230,7 @@ impl Run<'_> {
             ));
             end.set(axis, top);
             let coords = Coords::Machine;
+            self.forbid_open_approach()?;
             self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
             self.st.moved_by_machine(end.known());
             return Ok(());
@@ -377,8 +303,14 @@ impl Run<'_> {
             self.check_edge_feed(self.st.compensation.side())?;
         }
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
-        // What stands behind a corner begins at its cut.
-        self.st.last = None;
+        if let Some(contour) = &mut self.st.contour {
+            let begins = rounding && !contour.begun && contour.side != Side::None;
+            // What stands behind a corner begins at its cut.
+            contour.last = None;
+            if begins {
+                self.round_border(false)?;
+            }
+        }
         self.st.corner = Some(CornerMade { rounding, side: self.st.compensation.side(), loc: self.here.origin.loc });
         self.core.send_corner(
             &Corner {
@@ -397,7 +329,7 @@ impl Run<'_> {
 
     /// The element after a chamfer or rounding: the compensation goes on as it was in front of it.
     #[cold]
-    pub(super) fn side_at_corner(&self, made: &CornerMade, side: Side) {
+    pub(super) fn side_at_corner(&mut self, made: &CornerMade, side: Side) {
         if side == made.side {
             return;
         }
@@ -415,18 +347,20 @@ impl Run<'_> {
                     .help("begin or end the compensation in a block that is no neighbour of CHF"),
             );
         } else if side != Side::None {
-            // A rounding from a compensated contour into R0 is the departure on an arc.
             self.report(
                 Diagnostic::new(codes::K2892, made.loc, format!("{change} at this rounding; it is made all the same"))
                     .also(here, "in this block")
                     .help("for an approach on an arc write RL or RR into the block before RND"),
             );
+        } else if self.round_border(true).is_err() {
+            // A rounding from a compensated contour into R0 is the departure on an arc.
+            self.lose_all();
         }
     }
 
     /// `X+50 R+ F200`: one axis.
     pub(super) fn paraxial_block(&mut self, block: &Block) -> Outcome {
-        let result = self.gather(block, "positioning", PATH.and(Admits::PARAXIAL)).and_then(|w| {
+        let result = self.gather(block, "positioning", Admits::PATH.and(Admits::PARAXIAL)).and_then(|w| {
             let paraxial = matches!(w.comp, Some(Comp::Paraxial(_)));
             if w.axes.known().len() > 1 && !paraxial {
                 return self.fail_help(
@@ -489,11 +423,11 @@ impl Run<'_> {
 /// The words that a path function takes.
 pub(super) fn path_words(function: PathFn) -> Admits {
     match function {
-        PathFn::Line | PathFn::CircleTangent => PATH,
-        PathFn::Circle => PATH.and(Admits::TURN),
-        PathFn::CircleRadius => PATH.and(Admits::TURN).and(Admits::RADIUS),
-        PathFn::LinePolar | PathFn::TangentPolar => PATH.and(Admits::POLAR),
-        PathFn::CirclePolar => PATH.and(Admits::POLAR).and(Admits::TURN),
+        PathFn::Line | PathFn::CircleTangent => Admits::PATH,
+        PathFn::Circle => Admits::PATH.and(Admits::TURN),
+        PathFn::CircleRadius => Admits::PATH.and(Admits::TURN).and(Admits::RADIUS),
+        PathFn::LinePolar | PathFn::TangentPolar => Admits::PATH.and(Admits::POLAR),
+        PathFn::CirclePolar => Admits::PATH.and(Admits::POLAR).and(Admits::TURN),
     }
 }
 
@@ -501,10 +435,4 @@ pub(super) fn path_words(function: PathFn) -> Admits {
 pub(super) fn corner_words(rounding: bool) -> Admits {
     let admits = Admits::FEED.and(Admits::NUMBER);
     if rounding { admits.and(Admits::RADIUS) } else { admits }
-}
-
-/// Both axes of a plane.
-pub(super) fn plane_axes(plane: Plane) -> AxisSet {
-    let (first, second, _) = plane.axes();
-    [Axis::ALL[first], Axis::ALL[second]].into_iter().collect()
 }

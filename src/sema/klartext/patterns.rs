@@ -11,15 +11,15 @@ use crate::ir::{Feed, Pos};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::Block;
 
+use super::cycles::DefinedCycle;
 use super::cycles::patterns::{
     AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
 };
 use super::cycles::{PlacesOf, Q};
-use super::defined_cycle::DefinedCycle;
 use super::drilling::{Heights, Retract};
-use super::path::plane_axes;
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::common::plane::plane_axes;
 
 /// Most places of a pattern.
 const MOST: f64 = 99_999.0;

@@ -297,12 +297,13 @@ impl Run<'_> {
             self.lose_all();
             return Err(Reported);
         }
+        self.refuse_compensated("the working plane turns");
         if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2603, here, "the turn of the plane ends the radius compensation")
                     .help("program a block with R0 first"),
             );
-            self.st.compensation.end();
+            self.st.end_compensation();
         }
         if angle != 0.0 {
             self.report(
@@ -349,6 +350,9 @@ impl Run<'_> {
                 "M128 makes the control follow the tool tip with the rotary axes, and they are turned",
                 "use 3-axis output of the CAM system",
             );
+        }
+        if on {
+            self.refuse_compensated("M128 begins");
         }
         self.st.rotary.follows_tip = on;
         Ok(())

@@ -9,12 +9,41 @@ use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::{Axis, AxisSet, CcMissing, CpSign, PolarMissing};
 use crate::parser::klartext::ast::Block;
+use crate::text::Loc;
 use crate::text::Span;
 
-use super::path::plane_axes;
-use super::state::{LastPolar, PoleState};
 use super::words::{Admits, Words};
 use super::{Outcome, Reported, Run};
+use crate::sema::common::plane::plane_axes;
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PoleState {
+    pub at: Point2,
+    pub plane: Plane,
+    pub set: Loc,
+    pub system: u32,
+    /// A polar block named or reached an angle about it.
+    pub used: bool,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LastPolar {
+    /// Not negative: a negative PR is kept as its opposite direction.
+    pub radius: f64,
+    pub angle: Deg,
+    pub pole: Point2,
+    pub plane: Plane,
+    /// PR was written negative or zero: what a missing word means then is open.
+    pub doubtful: bool,
+}
+
+impl LastPolar {
+    pub fn new(radius: f64, angle: Deg, pole: &PoleState) -> LastPolar {
+        let (at, plane) = (pole.at, pole.plane);
+        let angle = if radius < 0.0 { Deg(angle.0 + 180.0) } else { angle };
+        LastPolar { radius: radius.abs(), angle, pole: at, plane, doubtful: radius <= 0.0 }
+    }
+}
 
 /// Poles, and what polar blocks and arcs leave to the next.
 #[derive(Debug, Clone, Copy, Default)]
@@ -152,7 +181,7 @@ impl Run<'_> {
     }
 
     /// What a polar block leaves to the next.
-    fn keep_polar(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
+    pub(super) fn keep_polar(&mut self, radius: f64, angle: Deg, pole: &PoleState) {
         self.st.polar.keep(radius, angle, pole);
     }
 
@@ -185,7 +214,7 @@ impl Run<'_> {
     }
 
     /// Radius and angle of the end of LP or CTP.
-    fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
+    pub(super) fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
         if w.polar_radius.is_none() && w.polar_angle.is_none() {
             return self.fail_help(
                 codes::K2109,

@@ -117,7 +117,7 @@ impl Run<'_> {
         let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
         self.st.position.clear();
         self.st.polar.forget_last();
-        self.st.last = None;
+        self.st.contour = None;
         if turns {
             self.st.rotary.turned_by_machine(rotary);
         }

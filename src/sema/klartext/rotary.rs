@@ -8,9 +8,9 @@ use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
-use super::state::State;
 use super::words::Words;
 use super::{Outcome, Run};
+use crate::sema::common::position::Position;
 
 /// Rotary axes.
 #[derive(Debug, Clone, Copy, Default)]
@@ -54,16 +54,16 @@ impl RotaryState {
     }
 }
 
-impl State {
+impl RotaryState {
     /// M94: the display of rotary axes is taken below 360 degrees; the axes do not move. False if none was beyond.
-    pub(super) fn reduce_rotary(&mut self, axes: AxisSet) -> bool {
+    pub fn reduce(&mut self, position: &Position, axes: AxisSet) -> bool {
         let mut reduced = false;
         for axis in [Axis::A, Axis::B, Axis::C] {
             if !axes.is_empty() && !axes.contains(axis) {
                 continue;
             }
-            if let Some(at) = self.position.get(axis) {
-                let offset = &mut self.rotary.offset[axis.index() - Axis::A.index()];
+            if let Some(at) = position.get(axis) {
+                let offset = &mut self.offset[axis.index() - Axis::A.index()];
                 let shown = at - *offset;
                 *offset = at - shown % 360.0;
                 reduced |= shown % 360.0 != shown;

@@ -1,8 +1,9 @@
 //! Modal state of a Klartext program.
 
+use crate::ir::Side;
 use std::rc::Rc;
 
-use crate::geo::{Deg, Plane, Point2};
+use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::compensation::Compensation;
@@ -10,11 +11,10 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
-use super::approach::LastMove;
+use super::compensation::{Contour, OwnCorner};
 use super::feed::FeedState;
 use super::frames::FrameState;
 use super::m_functions::SpindleState;
-use super::path::CornerMade;
 use super::polar::PolarState;
 use super::rotary::RotaryState;
 use super::tool::ToolState;
@@ -28,8 +28,11 @@ pub(super) struct State {
     pub polar: PolarState,
     pub feed: FeedState,
     pub compensation: Compensation,
-    /// The last compensated move in the plane, for its direction.
-    pub last: Option<LastMove>,
+    pub contour: Option<Contour>,
+    /// M97, M98 or M197 of this block.
+    pub own_corner: OwnCorner,
+    /// Blocks that M120 looks ahead.
+    pub look_ahead: u32,
     /// RND or CHF that waits for its second element.
     pub corner: Option<CornerMade>,
     pub tool: ToolState,
@@ -43,58 +46,13 @@ pub(super) struct State {
     pub ctx: CtxRef,
 }
 
+/// A chamfer or rounding whose second element is still to come.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PoleState {
-    pub at: Point2,
-    pub plane: Plane,
-    pub set: Loc,
-    pub system: u32,
-    /// A polar block named or reached an angle about it.
-    pub used: bool,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LastPolar {
-    /// Not negative: a negative PR is kept as its opposite direction.
-    pub radius: f64,
-    pub angle: Deg,
-    pub pole: Point2,
-    pub plane: Plane,
-    /// PR was written negative or zero: what a missing word means then is open.
-    pub doubtful: bool,
-}
-
-impl LastPolar {
-    pub fn new(radius: f64, angle: Deg, pole: &PoleState) -> LastPolar {
-        let (at, plane) = (pole.at, pole.plane);
-        let angle = if radius < 0.0 { Deg(angle.0 + 180.0) } else { angle };
-        LastPolar { radius: radius.abs(), angle, pole: at, plane, doubtful: radius <= 0.0 }
-    }
-}
-
-/// The tool in the spindle; lengths in mm, `None` for unknown.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct ActiveTool {
-    /// Number to print.
-    pub number: u32,
-    /// As called: the number without the index, or the name.
-    pub called: String,
-    pub radius: Option<f64>,
-    /// What the tool table says where TOOL DEF gave another radius.
-    pub other_radius: Option<f64>,
-    pub length: Option<f64>,
-    pub corner_radius: Option<f64>,
-    /// Oversizes of length, radius and corner radius from the table.
-    pub table_deltas: [f64; 3],
-    /// The same from TOOL CALL.
-    pub call_deltas: [f64; 3],
-}
-
-impl ActiveTool {
-    /// Radius with all oversizes.
-    pub fn effective_radius(&self) -> Option<f64> {
-        self.radius.map(|r| r + self.table_deltas[1] + self.call_deltas[1])
-    }
+pub(super) struct CornerMade {
+    pub rounding: bool,
+    /// Of the element before.
+    pub side: Side,
+    pub loc: Loc,
 }
 
 /// BLK FORM, for checks only.
@@ -111,7 +69,9 @@ impl State {
             polar: PolarState::default(),
             feed: FeedState::new(settings.control.feed),
             compensation: Compensation::default(),
-            last: None,
+            contour: None,
+            own_corner: OwnCorner::No,
+            look_ahead: 0,
             corner: None,
             tool: ToolState::default(),
             frames: FrameState::new(Transformation::none(settings.control.klartext_readings.mirror_last)),

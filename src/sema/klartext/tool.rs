@@ -2,7 +2,6 @@
 //!
 //! Source: K 1.5 (docs/sources.md).
 
-use super::change::Change;
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Diagnostic, codes};
@@ -13,7 +12,7 @@ use crate::machine::{Axis, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
-use super::state::ActiveTool;
+use super::active_tool::{ActiveTool, Change};
 use super::vars::Val;
 use super::{Outcome, Reported, Run};
 
@@ -149,6 +148,7 @@ impl Run<'_> {
             None => (None, block.words.as_slice()),
         };
         let call = self.call_words(rest, block)?;
+        self.refuse_compensated("TOOL CALL stands");
         // The side stays: a contour that goes on compensated behind a tool change is refused.
         if self.st.compensation.is_on() && tool.is_some() {
             self.report(

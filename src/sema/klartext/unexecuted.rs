@@ -16,9 +16,9 @@ use crate::text::{Loc, Span, decode::readable};
 use super::Klartext;
 use super::cycles::{Nature, find};
 use super::labels::{Label, Labels};
-use super::path::{PATH, corner_words, path_words};
+use super::path::{corner_words, path_words};
 use super::words::{Admits, same_matter};
-use super::{m_functions, plane, refused};
+use super::{m_table, plane, refused};
 
 /// Looks at every block of the main program after its run.
 pub fn check_unexecuted(job: &Job<'_>) {
@@ -88,8 +88,8 @@ fn called_label(block: &Block) -> Option<LabelRef> {
 fn admits(stmt: Stmt) -> Option<Admits> {
     Some(match stmt {
         Stmt::Path(function) => path_words(function),
-        Stmt::Paraxial => PATH.and(Admits::PARAXIAL),
-        Stmt::Functions => PATH,
+        Stmt::Paraxial => Admits::PATH.and(Admits::PARAXIAL),
+        Stmt::Functions => Admits::PATH,
         Stmt::Pole => Admits::AXES,
         Stmt::Rounding => corner_words(true),
         Stmt::Chamfer => corner_words(false),
@@ -117,7 +117,7 @@ fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Site) -> Option<
             );
         }
         // What follows may belong to the function.
-        if matches!(word.addr, Addr::M(number) if m_functions::takes_words(number)) {
+        if matches!(word.addr, Addr::M(number) if m_table::takes_words(number)) {
             return None;
         }
     }
@@ -156,7 +156,7 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     };
     code.or_else(|| {
         block.words.iter().find_map(|word| match word.addr {
-            Addr::M(number) => m_functions::refused_code(number, &job.settings.output.pass_m),
+            Addr::M(number) => m_table::refused_code(number, &job.settings.output.pass_m),
             Addr::FeedOther => Some(codes::K9013),
             _ => None,
         })

@@ -9,7 +9,7 @@ use crate::parser::klartext::no_number;
 use crate::parser::not_a_number::is_no_number;
 use crate::text::{Span, decode::readable};
 
-use super::m_functions::{self, Args};
+use super::m_table::{self, Args};
 use super::{Outcome, Run};
 
 /// Which words a head admits.
@@ -31,6 +31,9 @@ impl Admits {
     /// A number without address.
     pub const NUMBER: Admits = Admits(256);
     pub const SPEED: Admits = Admits(512);
+
+    /// A path block.
+    pub const PATH: Admits = Admits::AXES.and(Admits::COMP).and(Admits::FEED).and(Admits::M).and(Admits::SPEED);
 
     pub const fn and(self, other: Admits) -> Admits {
         Admits(self.0 | other.0)
@@ -358,7 +361,7 @@ impl Run<'_> {
         block: &Block,
         w: &Words,
     ) -> Outcome<(Args, usize)> {
-        let takes = m_functions::takes(number);
+        let takes = m_table::takes(number);
         let mut args = Args::default();
         let mm = self.level().frame.unit.mm();
         let mut at = 0;
@@ -376,13 +379,22 @@ impl Run<'_> {
                     self.check_m_value(number, word, block, w)?;
                     args.given |= self.number_if(word.value, word.span)?.is_some();
                 }
-                Addr::DeltaLength if takes.named => args.value = Some(self.number(word.value, word.span)?),
+                Addr::DeltaLength if number == 197 => args.value = Some(self.number(word.value, word.span)?),
                 Addr::Name if takes.named || takes.retract => {
                     let name = self.word_text(word.span);
                     match words.get(at + 1) {
                         _ if name.eq_ignore_ascii_case("MAX") && takes.retract => {
                             args.max = true;
                             args.given = true;
+                        }
+                        Some(_) if number == 197 || number == 120 && !name.eq_ignore_ascii_case("LA") => {
+                            let wanted = if number == 120 { "LA5" } else { "DL0.5" };
+                            return self.fail_help(
+                                codes::K2707,
+                                word.span,
+                                format!("`{name}` does not belong to M{number}"),
+                                format!("write `M{number} {wanted}`"),
+                            );
                         }
                         Some(value) if value.addr == Addr::Value => {
                             let scale = if name.eq_ignore_ascii_case("MB") { mm } else { 1.0 };
@@ -445,7 +457,7 @@ impl Run<'_> {
                 if a.number == b.number {
                     return self.twice(Word { addr: Addr::M(b.number), value: Value::None, span: b.span }, block);
                 }
-                if m_functions::conflict(a.number, b.number) {
+                if m_table::conflict(a.number, b.number) {
                     self.report(
                         Diagnostic::new(
                             codes::K1014,

@@ -15,8 +15,9 @@ use crate::sema::run::{Core, Program};
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Span};
 
+use super::g_functions::Offset;
 use super::header::Header;
-use super::state::{Offset, State};
+use super::state::State;
 use super::words::{Condition, Flow, FlowWord, Words};
 use super::{Outcome, Reported, Run};
 

@@ -5,7 +5,34 @@
 use crate::geo::Plane;
 use crate::ir::Side;
 
-use super::state::{Motion, Offset};
+/// Kind of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Motion {
+    Rapid,
+    Line,
+    Clockwise,
+    CounterClockwise,
+    Thread,
+}
+
+impl Motion {
+    pub fn is_arc(self) -> bool {
+        matches!(self, Motion::Clockwise | Motion::CounterClockwise)
+    }
+}
+
+/// Which zero offset is in force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Offset {
+    /// Nothing programmed: what the machine has.
+    Start,
+    /// G54 is 1.
+    Work(u8),
+    /// G53.
+    Machine,
+    /// A JMP reset it to what the machine's parameters say.
+    Reset,
+}
 
 /// One G function of each group may stand in a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -42,9 +42,10 @@ use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;
 use flow::{Frame, Labels};
+use g_functions::Motion;
 use g_functions::{G, Group};
 use header::Header;
-use state::{Motion, State};
+use state::State;
 use words::Words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.

@@ -15,7 +15,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::g_functions::G;
-use super::state::Offset;
+use super::g_functions::Offset;
 use super::words::Words;
 use super::{Outcome, Run};
 

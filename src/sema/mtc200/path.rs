@@ -14,7 +14,7 @@ use crate::sema::common::corner::OpenCorner;
 use crate::sema::common::position::Missing;
 use crate::text::Span;
 
-use super::state::{Motion, Offset};
+use super::g_functions::{Motion, Offset};
 use super::words::{At, Words};
 use super::{Outcome, Reported, Run};
 

@@ -10,26 +10,11 @@ use crate::sema::common::feed::{FeedKind, ModalFeed};
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 
+use super::g_functions::Motion;
 use super::length::Length;
 use super::m_functions::{SpindleState, ToolInUse};
 use super::offsets::OffsetState;
 use super::path::Corners;
-
-/// Kind of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Motion {
-    Rapid,
-    Line,
-    Clockwise,
-    CounterClockwise,
-    Thread,
-}
-
-impl Motion {
-    pub fn is_arc(self) -> bool {
-        matches!(self, Motion::Clockwise | Motion::CounterClockwise)
-    }
-}
 
 /// The kind of motion in force.
 #[derive(Debug, Clone, Copy, Default)]
@@ -56,19 +41,6 @@ impl MotionCode {
     pub fn lose(&mut self) {
         self.lost = true;
     }
-}
-
-/// Which zero offset is in force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Offset {
-    /// Nothing programmed: what the machine has.
-    Start,
-    /// G54 is 1.
-    Work(u8),
-    /// G53.
-    Machine,
-    /// A JMP reset it to what the machine's parameters say.
-    Reset,
 }
 
 /// Everything that one block leaves to the next. Positions are mm (X: radius) and degrees in the

@@ -10,7 +10,7 @@ use crate::text::Loc;
 /// Moves of one block that cost nothing while a program runs straight on.
 const FREE_MOVES: u64 = 16;
 /// Bytes of a block, and operations of its formulas, that are one step.
-const BYTES_A_STEP: u32 = 64;
+pub(super) const BYTES_A_STEP: u32 = 64;
 const OPERATIONS_A_STEP: usize = 8;
 /// Steps that parsing a block costs.
 const PARSING: u64 = 5;

@@ -8,12 +8,13 @@ use crate::ir::contour::{Corner, CtxRef, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Pos};
 use crate::parser::problem::Problem;
+use crate::parser::straight::Straight;
 use crate::parser::symbols::Symbols;
 use crate::sema::{Job, Outcome, Reported};
 use crate::text::{FileId, Loc, Span};
 
 use super::Language;
-use super::budget::Budget;
+use super::budget::{BYTES_A_STEP, Budget};
 use super::level::{Level, Program};
 use super::site::Site;
 use super::source::{Parsed, Read};
@@ -129,6 +130,22 @@ impl<L: Language> Core<'_, L> {
         self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, self.here.origin.call);
         self.stop_run();
         Err(Reported)
+    }
+
+    /// The next block, if it is a straight one that costs no more than its step. It stays the next one.
+    #[inline(always)]
+    pub fn straight_ahead(&mut self, decode: impl FnOnce(&[u8], u8) -> Option<Straight>) -> Option<Straight> {
+        let (at, _) = self.running();
+        let (text, line_end) = self.programs[at].source.cursor.ahead();
+        decode(text, line_end).filter(|line| line.len <= BYTES_A_STEP as usize)
+    }
+
+    /// The straight block is the block in hand.
+    #[inline(always)]
+    pub fn take_straight(&mut self, line: &Straight) {
+        let (at, call) = self.running();
+        self.here = self.programs[at].source.pass_line(line.len, call);
+        self.here.mark(line.words);
     }
 
     /// The next block, if it was read before.

@@ -87,6 +87,12 @@ pub trait Interpreter<'a> {
         false
     }
 
+    /// Executes the next block where it is a straight one and nothing else is on; false if it did nothing.
+    #[inline]
+    fn line_lane(&mut self) -> bool {
+        false
+    }
+
     /// Drops the problems in the form of `block` that do not matter where it stands.
     fn forgive(&mut self, _block: &<Self::Language as Language>::Block) {}
 
@@ -109,7 +115,7 @@ pub fn run<'a, I: Interpreter<'a>>(run: &mut I) -> bool {
 /// Executes one block.
 #[inline]
 pub fn step<'a, I: Interpreter<'a>>(run: &mut I) {
-    if !run.core().has_steps() || run.level_ends() {
+    if !run.core().has_steps() || run.level_ends() || run.line_lane() {
         return;
     }
     if let Some(parsed) = run.core().read_before() {

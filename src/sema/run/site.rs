@@ -21,6 +21,7 @@ pub struct Site {
 }
 
 impl Site {
+    #[inline]
     pub fn new(file: FileId, at: u32, line: u32, lines: u32, call: CallPath) -> Site {
         let origin = Origin { loc: Loc { file, line, span: Span::at(at, 0) }, call };
         Site { file, at, line, lines, rewritten: false, origin }

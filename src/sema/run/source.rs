@@ -99,6 +99,16 @@ impl<B: Clone> Source<B> {
         (self.cursor.place().at.saturating_sub(site.at), self.parsed_again)
     }
 
+    /// Goes behind the next block, a line of `len` bytes that was read where it stands.
+    #[inline(always)]
+    pub fn pass_line(&mut self, len: usize, call: CallPath) -> Site {
+        let place = self.cursor.place();
+        self.parsed_again = false;
+        self.furthest = self.furthest.max(place.at.saturating_add(1));
+        self.cursor.pass_line(len);
+        Site::new(self.file, place.at, place.line, 1, call)
+    }
+
     /// The next block, if it was read before.
     #[inline]
     pub fn again(&mut self, call: CallPath) -> Option<(Rc<Parsed<B>>, Site)> {

@@ -10,11 +10,12 @@ use crate::sema::run::{Level, Where, open_program};
 use crate::text::blocks::Place;
 use crate::text::{FileError, Loc, Request, Span};
 
-use super::cycles::ModalCycle;
+use super::modal_call::ModalCall;
 use super::programs::{UnitKind, bare_name, without_extension};
 use super::state::Saved;
 use super::value::Val;
-use super::vars::Slot;
+use super::vars::{Argument, Reference};
+use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::{Channel, Core, Outcome, Reported, Run};
 
 /// What a level of the call stack holds.
@@ -59,29 +60,6 @@ pub(super) enum FrameKind {
     },
 }
 
-/// A variable that a VAR parameter stands for.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Reference {
-    Variable(Slot),
-    Element(Slot, usize),
-    R(u32),
-}
-
-/// An argument of a call.
-#[derive(Debug, Clone)]
-pub(super) struct Argument {
-    pub value: Val,
-    pub reference: Option<Reference>,
-    pub loc: Loc,
-}
-
-/// A program that runs behind every positioning block.
-#[derive(Debug, Clone)]
-struct Modal {
-    pub unit: usize,
-    pub arguments: Vec<Argument>,
-}
-
 impl Frame {
     pub fn main(unit: usize) -> Frame {
         Frame {
@@ -94,54 +72,6 @@ impl Frame {
             declares: false,
             further_pass: false,
         }
-    }
-}
-
-/// What runs after every block that moves: MCALL.
-#[derive(Debug, Clone, Default)]
-pub(super) struct ModalCall {
-    program: Option<Modal>,
-    cycle: Option<Box<ModalCycle>>,
-    /// Where the call stands.
-    site: Loc,
-    /// The last call was refused.
-    lost: bool,
-}
-
-impl ModalCall {
-    #[inline]
-    pub fn is_on(&self) -> bool {
-        self.cycle.is_some() || self.program.is_some()
-    }
-
-    pub fn is_lost(&self) -> bool {
-        self.lost
-    }
-
-    #[inline]
-    pub fn cycle(&self) -> Option<&ModalCycle> {
-        self.cycle.as_deref()
-    }
-
-    /// The cycle cannot be drilled, which was reported.
-    pub fn refuse_cycle(&mut self) {
-        if let Some(cycle) = &mut self.cycle {
-            cycle.refuse();
-        }
-    }
-
-    /// A cycle takes the place of what ran.
-    pub fn set_cycle(&mut self, cycle: Box<ModalCycle>) {
-        (self.program, self.cycle) = (None, Some(cycle));
-    }
-
-    fn set_program(&mut self, program: Modal) {
-        (self.program, self.cycle) = (Some(program), None);
-    }
-
-    /// Nothing runs any more.
-    pub fn end(&mut self) {
-        (self.program, self.cycle) = (None, None);
     }
 }
 
@@ -400,10 +330,10 @@ impl Run<'_> {
     }
 
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
-        self.st.modal_call.site = self.loc(block.span);
-        self.st.modal_call.lost = true;
+        let site = self.loc(block.span);
+        self.st.modal_call.begin(site);
         self.start_modal_call(name, args, block, text)?;
-        self.st.modal_call.lost = false;
+        self.st.modal_call.stands();
         Ok(())
     }
 
@@ -412,9 +342,17 @@ impl Run<'_> {
         if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
             return result;
         }
+        if let Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) = self.vocabulary.get(&word[..]) {
+            return self.fail_help(
+                codes::S9005,
+                block.span,
+                format!("{word} ({what}) is not supported as a modal call"),
+                "replace it by plain moves, or compile the program without it",
+            );
+        }
         let arguments = self.arguments(args, block, text)?;
         let unit = self.find_program(&word, block.span)?;
-        self.st.modal_call.set_program(Modal { unit, arguments });
+        self.st.modal_call.set_program(unit, arguments);
         Ok(())
     }
 
@@ -424,15 +362,15 @@ impl Run<'_> {
         if !inside && self.st.modal_call.is_on() {
             self.no_pair_under_a_modal_call()?;
         }
-        if self.st.modal_call.cycle.is_some() {
+        if self.st.modal_call.cycle().is_some() {
             self.tapping_ends();
         }
-        if self.st.modal_call.cycle.is_some() && !inside {
+        if self.st.modal_call.cycle().is_some() && !inside {
             return self.drill_modal();
         }
-        match &self.st.modal_call.program {
-            Some(modal) if !inside => {
-                let (unit, arguments) = (modal.unit, modal.arguments.clone());
+        match self.st.modal_call.program() {
+            Some((unit, arguments)) if !inside => {
+                let arguments = arguments.to_vec();
                 self.call_unit(unit, arguments, 1, true)
             }
             _ => Ok(()),
@@ -460,7 +398,7 @@ impl Run<'_> {
 impl Channel<'_> {
     /// Where the modal call stands that is still on.
     pub(super) fn open_modal_call(&self) -> Option<Loc> {
-        self.st.modal_call.is_on().then_some(self.st.modal_call.site)
+        self.st.modal_call.is_on().then_some(self.st.modal_call.site())
     }
 }
 

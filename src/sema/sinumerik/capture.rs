@@ -7,29 +7,13 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Where, step};
-use crate::text::blocks::Place;
-use crate::text::{Loc, Span};
+use crate::text::Span;
 
 use super::calls::FrameKind;
+use super::cycles::{ContourCall, MOST_ELEMENTS};
 use super::state::State;
 use super::vars::Vars;
 use super::{Channel, Core, Outcome, Reported, Run};
-
-/// Most elements of a contour, roundings and chamfers counted.
-pub(super) const MOST_ELEMENTS: usize = 1000;
-
-/// Where the blocks of a contour are.
-#[derive(Debug, Clone)]
-pub(super) struct ContourCall {
-    /// The program that holds it.
-    pub unit: usize,
-    /// From this block up to this offset; `None` for the whole program.
-    pub part: Option<(Place, u32)>,
-    /// What the call names, for findings.
-    pub name: String,
-    /// The call.
-    pub loc: Loc,
-}
 
 /// A contour while its blocks run.
 #[derive(Debug)]

@@ -12,8 +12,8 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
 
+use super::diameter::Diameter;
 use super::g_groups::GCode;
-use super::state::Diameter;
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Channel, Core, Outcome};
@@ -121,7 +121,9 @@ impl Channel<'_> {
             }
             (None, None, Some(center)) => {
                 end.set_in_plane(plane, to);
-                self.st.note_stored_centre(center);
+                if let Some(stored) = &mut self.st.stored {
+                    stored.note_centre(center);
+                }
                 let center = self.checked_center(start, to, center, ccw, span)?;
                 let radius = crate::geo::distance(start, center);
                 ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }

@@ -132,8 +132,8 @@ impl Channel<'_> {
         if corner.modal && self.st.is(GCode::G0) {
             return;
         }
-        if self.st.stored.is_some() {
-            self.st.note_stored_corner(&corner);
+        if let Some(stored) = &mut self.st.stored {
+            stored.note_corner(&corner);
         }
         self.core.send_corner(&corner, &self.st.ctx);
         if !corner.modal {

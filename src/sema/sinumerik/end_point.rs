@@ -2,8 +2,8 @@
 //!
 //! Source: S 2.1 (docs/sources.md).
 
+use super::diameter::Diameter;
 use super::g_groups::GCode;
-use super::state::Diameter;
 use super::words::{Given, Mode, Words};
 use super::{Channel, Core, Outcome, Reported};
 use crate::diag::{Diagnostic, codes};

@@ -8,7 +8,7 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
-use crate::sema::value::{At, Fault, Formulas, Rules, Stop, evaluate};
+use crate::sema::value::{At, Fault, Formulas, Stop, evaluate};
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
@@ -19,12 +19,6 @@ use super::value::{Val, to_text, whole};
 use super::vars::{MOST_R, Slot};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::{Core, Outcome, Reported, Run};
-
-/// Relative difference up to which two REAL values are equal.
-const EQUAL: f64 = 1e-12;
-
-/// Whole numbers, truth and texts are types of their own.
-pub(super) const RULES: Rules = Rules { equal: EQUAL, typed: true, ..Rules::USUAL };
 
 /// Longest text that a formula makes.
 const MOST_JOINED: usize = 800;

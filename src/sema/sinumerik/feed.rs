@@ -11,7 +11,6 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
 use super::{Channel, Core, Outcome, Reported};
@@ -85,25 +84,6 @@ impl FeedState {
     /// True once, where no block has said what F counts.
     pub fn take_kind_open(&mut self) -> bool {
         std::mem::take(&mut self.kind_open)
-    }
-}
-
-impl State {
-    /// A programmed feed with the kind that is in force.
-    pub(super) fn feed_of(&self, value: f64) -> Feed {
-        if self.is(GCode::G93) {
-            return Feed::InverseTime(value);
-        }
-        let value = value * self.feed_unit();
-        if self.codes.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
-    }
-
-    /// F means something else now.
-    pub(super) fn feed_mode_changed(&mut self) {
-        let fits = self.feed.word().is_none_or(|feed| self.counts_as(feed));
-        if !fits {
-            self.feed.end();
-        }
     }
 }
 

@@ -7,7 +7,6 @@ use crate::machine::tree::did_you_mean;
 use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::parser::symbols::Symbol;
 use crate::sema::run;
-use crate::sema::sinumerik::Core;
 use crate::text::Span;
 use crate::text::blocks::Place;
 
@@ -16,7 +15,7 @@ use crate::sema::run::Where;
 use super::calls::FrameKind;
 use super::programs::{Mark, Skeleton, Structure};
 use super::value::{Val, to_text, whole};
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
 /// Most passes of a program or a repeat.
 pub(super) const MOST_PASSES: i32 = 9999;

@@ -8,8 +8,7 @@ use crate::geo::Deg;
 use crate::lexer::formula::Function;
 use crate::sema::value::Fault;
 
-use super::eval::RULES;
-use super::value::{Val, to_text, whole};
+use super::value::{RULES, Val, to_text, whole};
 
 /// Why a function has no value.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,7 +7,9 @@ use crate::geo::Plane;
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
-use crate::parser::sinumerik::ast::{Block, Stmt, Target, Value};
+use crate::parser::sinumerik::ast::Block;
+use crate::parser::sinumerik::straight;
+use crate::parser::straight::Straight;
 
 use super::Channel;
 use super::g_groups::{GCode, Group};
@@ -48,6 +50,7 @@ impl Channel<'_> {
     /// Nothing in front of a move waits for it, or takes it for something else.
     fn nothing_waits(&self) -> bool {
         !self.iso
+            && !self.language.has_macros()
             && self.capture.is_none()
             && self.soft.is_none()
             && self.st.stored.is_none()
@@ -60,45 +63,36 @@ impl Channel<'_> {
             && self.st.corners.rounding() == 0.0
     }
 
-    /// Executes a block of X, Y, Z and F while nothing else is on; false if it is another block.
+    /// Executes the next block where it stands, if it is one of X, Y, Z and F while nothing else is on.
     #[inline]
-    pub(super) fn line_lane(&mut self, block: &Block) -> bool {
-        let words = matches!(block.stmt, Stmt::Words);
-        if !self.plain || !words || block.skip.is_some() || block.comment.is_some() {
+    pub(super) fn straight_line(&mut self) -> bool {
+        if !self.plain {
             return false;
         }
-        let mm = self.st.length_unit();
-        let mut end = Pos::UNKNOWN;
-        let mut feed = None;
-        for word in &block.words {
-            let (Target::Letter(letter), Value::Literal { value, .. }) = (word.target, word.value) else {
-                return false;
-            };
-            let axis = match letter {
-                b'X' => Axis::X,
-                b'Y' => Axis::Y,
-                b'Z' => Axis::Z,
-                b'F' if value > 0.0 && value.is_finite() && feed.is_none() => {
-                    feed = Some(value);
-                    continue;
-                }
-                _ => return false,
-            };
-            if end.known().contains(axis) || !value.is_finite() {
-                return false;
-            }
-            end.set(axis, value * mm);
-        }
-        if end.known().is_empty() {
-            return false;
-        }
-        if let Some(feed) = feed {
+        let Some(line) = self.core.straight_ahead(straight::of_line) else { return false };
+        self.core.take_straight(&line);
+        self.go_straight(&line);
+        true
+    }
+
+    /// The same for a block that was read; false if it is another one.
+    pub(super) fn straight_block(&mut self, block: &Block) -> bool {
+        let line = if self.plain { straight::of_block(block) } else { None };
+        let Some(line) = line else { return false };
+        self.go_straight(&line);
+        true
+    }
+
+    #[inline(always)]
+    fn go_straight(&mut self, line: &Straight) {
+        if let Some(feed) = line.feed {
             self.st.feed.program(self.st.feed_of(feed));
         }
         let path = if self.st.is(GCode::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let mm = self.st.length_unit();
+        let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         self.note_heading(&end, &path);
         self.core.send_move(&Move { end, path, side: self.st.side_of_move(), coords: Coords::Frame }, &self.st.ctx);
         self.st.position.move_to(&end);
-        true
     }
 }

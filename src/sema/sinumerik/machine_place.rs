@@ -9,7 +9,6 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::state::State;
-use super::system::system_number;
 use super::words::Words;
 use super::{Channel, Core, Outcome};
 
@@ -49,7 +48,7 @@ impl Channel<'_> {
             return ToolLength::Unknown;
         }
         let edge = tool.edge_or_first();
-        let written = |parameter: u8| system_number(&self.st.system, &format!("$TC_DP{parameter}[{number},{edge}]"));
+        let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
         let listed = || {
             let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
             tool.length.map(|length| length + tool.deltas[0])

@@ -8,6 +8,7 @@ mod angle_lines;
 mod archive;
 mod assign;
 mod axis_names;
+mod axis_words;
 mod block;
 mod calls;
 mod capture;
@@ -17,6 +18,8 @@ mod compensation;
 mod corners;
 mod cycles;
 mod declare;
+mod diameter;
+mod dictionary;
 mod editor_contour;
 mod end_point;
 mod eval;
@@ -33,6 +36,7 @@ mod lane;
 mod left_out;
 mod machine_place;
 mod macros;
+mod modal_call;
 mod moves;
 mod named_words;
 mod nonmodal;
@@ -49,6 +53,7 @@ mod spindle_state;
 mod stand_in;
 mod state;
 mod system;
+mod system_variables;
 mod tangent;
 mod technology;
 mod threads;
@@ -88,8 +93,8 @@ use vocabulary::Meaning;
 use words::Words;
 
 pub use cycles::signatures as cycle_signatures;
+pub use dictionary::all_words;
 pub use unexecuted::check_unexecuted;
-pub use vocabulary::all_words;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
@@ -187,7 +192,7 @@ impl<'a> Run<'a> {
             channel: Channel::new(job, out),
             vars,
             meanings: Vec::new(),
-            vocabulary: vocabulary::words(),
+            vocabulary: dictionary::words(),
             gcodes: GCodes::new(),
             units: Units::default(),
             definitions_read: false,
@@ -196,7 +201,7 @@ impl<'a> Run<'a> {
             externs: Vec::new(),
             contours: cycles::Contours::default(),
             depth: 0,
-            machine: eval::Machine::new(eval::RULES),
+            machine: eval::Machine::new(value::RULES),
             words: None,
         }
     }
@@ -236,12 +241,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if !self.line_lane(block) {
+        if !self.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.plain = false;
             self.execute_any(block, text);
             self.plain = self.is_plain();
         }
+    }
+
+    #[inline]
+    fn line_lane(&mut self) -> bool {
+        self.straight_line()
     }
 
     fn end_of_file(&mut self) {

@@ -8,7 +8,6 @@ use crate::sema::run::Where;
 
 use super::frames::FrameValue;
 use super::g_groups::{GCode, Group};
-use super::system::offset_word;
 use super::{Channel, Core, Outcome};
 
 /// What printed positions count from.
@@ -275,5 +274,14 @@ impl Core<'_> {
             "a work offset that the program writes itself is put into the coordinates, no G54 is printed: the offset active \
              on the target has to be zero",
         );
+    }
+}
+
+/// G54 is 1, G57 is 4, G505 is 5.
+pub(super) fn offset_word(number: u8) -> String {
+    match number {
+        0 => "G500".to_owned(),
+        1..=4 => format!("G{}", 53 + u32::from(number)),
+        _ => format!("G{}", 500 + u32::from(number)),
     }
 }

@@ -7,8 +7,9 @@ use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Va
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
-use super::calls::{Argument, FrameKind, Reference};
+use super::calls::FrameKind;
 use super::value::{Val, type_name};
+use super::vars::{Argument, Reference};
 use super::vars::{Slot, Var};
 use super::{Core, Outcome, Reported, Run};
 

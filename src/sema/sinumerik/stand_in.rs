@@ -4,9 +4,9 @@ use crate::diag::{Diagnostic, codes};
 use crate::machine::StandIn;
 use crate::text::Span;
 
-use super::calls::Argument;
 use super::programs::without_extension;
 use super::value::{Val, whole};
+use super::vars::Argument;
 use super::{Channel, Outcome, Run};
 
 impl Run<'_> {

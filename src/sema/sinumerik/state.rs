@@ -1,6 +1,5 @@
 //! Modal state of a run. Written here and by the statements, sampled by every item.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
@@ -14,29 +13,20 @@ use crate::sema::run::Where;
 
 use super::Channel;
 use super::angle_lines::Pair;
-use super::calls::ModalCall;
 use super::corners::Corners;
+use super::diameter::Diameter;
 use super::editor_contour::Stored;
 use super::feed::FeedState;
 use super::frames::{FrameValue, Frames, SavedFrames};
 use super::g_groups::{ActiveCodes, GCode, Group};
+use super::modal_call::ModalCall;
 use super::offsets::OffsetUse;
 use super::polar::Polar;
 use super::spindle_state::Spindles;
+use super::system_variables::SystemVariables;
 use super::tangent::Heading;
 use super::threads::Threads;
 use super::tool::{CompensationState, ToolInUse};
-use super::value::Val;
-
-/// How values of the diameter axis count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Diameter {
-    Off,
-    /// Absolute and incremental values are diameters.
-    On,
-    /// Absolute values are diameters, increments radii.
-    Absolute,
-}
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
@@ -66,7 +56,7 @@ pub(super) struct State {
     /// The contour of the contour editor that runs.
     pub stored: Option<Box<Stored>>,
     /// System variables that the program wrote.
-    pub system: BTreeMap<String, Val>,
+    pub system: SystemVariables,
 }
 
 /// What the machine is, as far as programs depend on it.
@@ -113,7 +103,7 @@ impl State {
             threads: Threads::default(),
             modal_call: ModalCall::default(),
             stored: None,
-            system: BTreeMap::new(),
+            system: SystemVariables::default(),
         }
     }
 
@@ -159,6 +149,23 @@ impl State {
             Feed::PerRevolution(_) => self.per_revolution(),
             Feed::InverseTime(_) => self.is(GCode::G93),
             Feed::PerMinute(_) => !self.per_revolution() && !self.is(GCode::G93),
+        }
+    }
+
+    /// A programmed feed with the kind that is in force.
+    pub(super) fn feed_of(&self, value: f64) -> Feed {
+        if self.is(GCode::G93) {
+            return Feed::InverseTime(value);
+        }
+        let value = value * self.feed_unit();
+        if self.codes.per_revolution() { Feed::PerRevolution(value) } else { Feed::PerMinute(value) }
+    }
+
+    /// F means something else now.
+    pub(super) fn feed_mode_changed(&mut self) {
+        let fits = self.feed.word().is_none_or(|feed| self.counts_as(feed));
+        if !fits {
+            self.feed.end();
         }
     }
 
@@ -255,7 +262,8 @@ impl Channel<'_> {
             return;
         };
         if frame != self.st.ctx.frame {
-            self.st.heading = self.st.heading_across_frames(frame.linear() != self.st.ctx.frame.linear());
+            self.st.heading =
+                self.st.heading.across_frames(&self.st.position, frame.linear() != self.st.ctx.frame.linear());
             self.st.position.keep_programmed();
             self.st.position.through_frame(&self.st.ctx.frame, &frame);
             self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });

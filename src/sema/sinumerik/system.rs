@@ -2,7 +2,6 @@
 //!
 //! Source: S 4.7 and 5.7 (docs/sources.md).
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::codes;
@@ -11,6 +10,7 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::frames::{Component, FrameValue};
+use super::offsets::offset_word;
 use super::programs::without_extension;
 use super::state::State;
 use super::value::{Val, whole};
@@ -163,7 +163,7 @@ impl Channel<'_> {
                 None => return Ok(None),
             },
             "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge_or_first()).unwrap_or(1)),
-            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.st.system.contains_key(&system_key(word, args)) => {
+            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.st.system.is_written(&system_key(word, args)) => {
                 if let Some(written) = self.written_parameter(word, args) {
                     return Ok(Some(written));
                 }
@@ -231,7 +231,7 @@ impl Channel<'_> {
                 Some(crate::ir::function::Turn::CounterClockwise) => 4,
                 None => 5,
             }),
-            "$AC_MARKER" | "$AC_PARAM" if !self.st.system.contains_key(&system_key(word, args)) => Val::Int(0),
+            "$AC_MARKER" | "$AC_PARAM" if !self.st.system.is_written(&system_key(word, args)) => Val::Int(0),
             "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
@@ -301,7 +301,7 @@ impl Channel<'_> {
         if axis.is_rotary() {
             return Ok(if self.st.machine.modulo.contains(axis) { super::rotary::reduced(value) } else { value });
         }
-        let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::state::Diameter::Off;
+        let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::diameter::Diameter::Off;
         Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
     }
 
@@ -356,7 +356,7 @@ impl Channel<'_> {
                     _ => value,
                 };
                 self.note_tool_data(&word, span);
-                self.st.system.insert(system_key(&word, args), value);
+                self.st.system.set(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
@@ -365,7 +365,7 @@ impl Channel<'_> {
                     span,
                     format!("`{word}` is an output or a counter of the control and is left out"),
                 );
-                self.st.system.insert(system_key(&word, args), value);
+                self.st.system.set(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$P_") && !word.contains("FR") => self.fail_help(
@@ -406,7 +406,7 @@ impl Channel<'_> {
             }
             _ => {}
         }
-        self.st.system.insert(key, value);
+        self.st.system.set(key, value);
         Ok(())
     }
 
@@ -547,20 +547,6 @@ impl Core<'_> {
 
 fn frame(value: FrameValue) -> Val {
     Val::Frame(Rc::new(value))
-}
-
-/// A system variable that the program wrote, as a number.
-pub(super) fn system_number(system: &BTreeMap<String, Val>, key: &str) -> Option<f64> {
-    system.get(key).and_then(Val::number)
-}
-
-/// G54 is 1, G57 is 4, G505 is 5.
-pub(super) fn offset_word(number: u8) -> String {
-    match number {
-        0 => "G500".to_owned(),
-        1..=4 => format!("G{}", 53 + u32::from(number)),
-        _ => format!("G{}", 500 + u32::from(number)),
-    }
 }
 
 /// `$TC_DP6[1,1]`

@@ -14,10 +14,10 @@ use crate::machine::AxisSet;
 use crate::sema::run::Where;
 
 use super::circle::SAME;
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::Words;
 use super::{Channel, Core, Outcome};
+use crate::sema::common::position::Position;
 
 /// The last block that travelled, as far as its direction at the end can be told here.
 #[derive(Debug, Clone, Copy, Default)]
@@ -52,9 +52,9 @@ enum Tangent {
     Missing(&'static str),
 }
 
-impl State {
+impl Heading {
     fn tangent_in(&self, plane: Plane, start: Point2) -> Tangent {
-        match self.heading {
+        match *self {
             Heading::None => Tangent::Missing("no block in front of CT gives a direction"),
             Heading::Later => Tangent::Later,
             Heading::Arc { plane: other, center, ccw } if other == plane => {
@@ -80,17 +80,17 @@ impl State {
 
     /// The frame changes: the tangent is changed with it, so that it keeps its coordinates. To be called while the
     /// position is still that in the old frame.
-    pub(super) fn heading_across_frames(&self, turned: bool) -> Heading {
+    pub fn across_frames(&self, position: &Position, turned: bool) -> Heading {
         let mut way = [None; 3];
-        match self.heading {
+        match *self {
             Heading::Line(from) => {
                 for (axis, part) in AxisSet::MAIN.iter().zip(&mut way) {
-                    *part = self.position.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
+                    *part = position.get(axis).zip(from.get(axis)).map(|(to, from)| to - from);
                 }
                 Heading::Behind { way, turned }
             }
             Heading::Arc { plane, center, ccw } => {
-                let end = self.position.in_plane(plane);
+                let end = position.in_plane(plane);
                 let Some(tangent) = end.and_then(|at| tangent_at(at, center, ccw)) else { return Heading::TooLate };
                 let (first, second, _) = plane.axes();
                 way[first] = Some(tangent.x);
@@ -104,9 +104,9 @@ impl State {
     }
 
     /// The direction behind an arc from where the tool stands.
-    pub(super) fn heading_of(&self, arc: &Arc, end: &Pos) -> Heading {
+    pub(super) fn behind(arc: &Arc, position: &Position, end: &Pos) -> Heading {
         let plane = arc.plane;
-        let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) else {
+        let (Some(from), Some(to)) = (position.in_plane(plane), end.in_plane(plane)) else {
             return Heading::Later;
         };
         let found = match arc.shape {
@@ -170,7 +170,7 @@ impl Channel<'_> {
 
     /// The arc, as far as it can be told here. Alarm 14045.
     fn tangential_arc(&self, plane: Plane, start: Point2, to: Point2, turns: u32) -> Outcome<Option<TangentArc>> {
-        let tangent = match self.st.tangent_in(plane, start) {
+        let tangent = match self.st.heading.tangent_in(plane, start) {
             Tangent::Known(tangent) => tangent,
             Tangent::Later => return Ok(None),
             Tangent::Missing(why) => return self.no_tangent(why, "put a line or arc of the plane in front of CT"),
@@ -190,7 +190,7 @@ impl Channel<'_> {
     #[inline]
     pub(super) fn note_heading(&mut self, end: &Pos, path: &Path) {
         match path {
-            Path::Arc(arc, _) => self.st.heading = self.st.heading_of(arc, end),
+            Path::Arc(arc, _) => self.st.heading = Heading::behind(arc, &self.st.position, end),
             _ => {
                 let at = self.st.position.at();
                 let travels = AxisSet::MAIN.iter().any(|axis| end.get(axis).is_some_and(|to| at.get(axis) != Some(to)));

@@ -236,7 +236,7 @@ impl Channel<'_> {
         if !self.is_diameter_axis(axis) {
             return self.no_diameter_axis(span);
         }
-        use super::state::Diameter;
+        use super::diameter::Diameter;
         self.st.diameter = match indexed {
             Indexed::DiameterOn => Some(Diameter::On),
             Indexed::Diameter90 => Some(Diameter::Absolute),

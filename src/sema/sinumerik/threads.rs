@@ -10,7 +10,6 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::vocabulary::Address;
 use super::words::{Given, MWord, Mode, Words};
 use super::{Channel, Outcome, Reported};
@@ -64,10 +63,10 @@ struct ThreadChain {
 const AUXILIARY: u32 = 10600;
 const STANDSTILL: u32 = 10601;
 
-/// Rigid tapping: in, or out again.
-impl State {
+impl Channel<'_> {
+    /// Rigid tapping: in, or out again.
     fn goes_on_tapping(&self, w: &Words) -> bool {
-        let code = w.code_of(Group::Motion).map_or(self.codes.of(Group::Motion), |(code, _)| code);
+        let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
         let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
         code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
     }
@@ -77,7 +76,7 @@ impl Channel<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
-        if self.st.threads.tapping.is_some() && !self.st.goes_on_tapping(w) {
+        if self.st.threads.tapping.is_some() && !self.goes_on_tapping(w) {
             self.tapping_ends();
         }
         if self.st.threads.chain.is_some() {
@@ -203,7 +202,7 @@ impl Channel<'_> {
 
     /// A thread without SF= starts at the angle of SD 42000.
     fn start_angle_by_setting(&self, span: Span) -> Option<Given> {
-        let value = super::system::system_number(&self.st.system, START_ANGLE)?;
+        let value = self.st.system.number(START_ANGLE)?;
         Some(Given { value, mode: Mode::Plain, span })
     }
 

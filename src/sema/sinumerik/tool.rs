@@ -10,7 +10,6 @@ use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::words::{Given, Words};
 use super::{Channel, Core, Outcome};
 
@@ -114,6 +113,13 @@ impl CompensationState {
         self.starts || self.leaving_open || self.open.is_some()
     }
 
+    /// The side on which a move is printed under `side`: behind G40 the one of before, until a move in the plane takes
+    /// the offset off.
+    #[inline]
+    pub fn side_of_move(&self, side: Side) -> Side {
+        if self.leaving_open { self.leaving } else { side }
+    }
+
     /// G40 waits for a move in the plane.
     #[inline]
     pub fn is_leaving(&self) -> bool {
@@ -121,17 +127,15 @@ impl CompensationState {
     }
 }
 
-impl State {
+impl super::state::State {
     /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
     #[inline]
     pub(super) fn side_of_move(&self) -> Side {
         // The computed path stays beside the contour by itself.
         if self.path.is_computed() {
             self.printed_side(self.side())
-        } else if self.compensation.leaving_open {
-            self.compensation.leaving
         } else {
-            self.side()
+            self.compensation.side_of_move(self.side())
         }
     }
 }
@@ -235,8 +239,8 @@ impl Channel<'_> {
         let number = self.st.tool.active?;
         let mut tool = self.job.settings.tools.by_number(number, 0).cloned().unwrap_or_default();
         let edge = self.st.tool.edge_or_first();
-        let written = self.st.system.get(&format!("$TC_DP6[{number},{edge}]")).and_then(super::value::Val::number);
-        let wear = self.st.system.get(&format!("$TC_DP15[{number},{edge}]")).and_then(super::value::Val::number);
+        let written = self.st.system.number(&format!("$TC_DP6[{number},{edge}]"));
+        let wear = self.st.system.number(&format!("$TC_DP15[{number},{edge}]"));
         tool.radius = written.or(tool.radius.filter(|_| edge == 1)).map(|radius| radius + wear.unwrap_or(0.0));
         Some(tool)
     }
@@ -321,7 +325,7 @@ impl Channel<'_> {
             let help = "select the edge in front of G41 or G42: D1";
             return self.fail_help(codes::S2080, span, "radius compensation under D0, which has no radius", help);
         }
-        if self.st.system.keys().any(|key| key == "$P_AD[6]" || key == "$P_AD[15]") {
+        if self.st.system.is_written("$P_AD[6]") || self.st.system.is_written("$P_AD[15]") {
             let message = "the program changes the radius of the active tool by `$P_AD`";
             return self.fail_help(
                 codes::S9010,
@@ -332,7 +336,7 @@ impl Channel<'_> {
         }
         let written = |parameter: u8| {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
-            self.st.system.get(&key).and_then(super::value::Val::number)
+            self.st.system.number(&key)
         };
         let listed = || {
             let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);

@@ -18,10 +18,11 @@ use crate::text::{FileError, Loc, Request, Span};
 
 use super::calls::EXTENSIONS;
 use super::cycles::is_built;
+use super::dictionary;
 use super::g_groups::{GCode, GCodes};
 use super::macros::Sinumerik;
 use super::programs::{Skeleton, Units, bare_name, without_extension};
-use super::vocabulary::{self, Meaning, Procedure};
+use super::vocabulary::{Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
 pub fn check_unexecuted(job: &Job<'_>) {
@@ -68,7 +69,7 @@ impl<'a> Unexecuted<'a> {
             symbols: Symbols::default(),
             files: Vec::new(),
             units: Units::default(),
-            vocabulary: vocabulary::words(),
+            vocabulary: dictionary::words(),
             gcodes: GCodes::new(),
             reported: job.diags.errors_in(job.main),
             variables: FxHashSet::default(),

@@ -7,8 +7,16 @@ use std::rc::Rc;
 use crate::parser::sinumerik::ast::TypeName;
 pub(super) use crate::sema::value::whole;
 
+use crate::sema::value::Rules;
+
 use super::axis_names::NamedAxis;
 use super::frames::FrameValue;
+
+/// Relative difference up to which two REAL values are equal.
+const EQUAL: f64 = 1e-12;
+
+/// Whole numbers, truth and texts are types of their own.
+pub(super) const RULES: Rules = Rules { equal: EQUAL, typed: true, ..Rules::USUAL };
 
 /// Longest text of a variable.
 pub(super) const MOST_TEXT: usize = 400;

@@ -72,6 +72,22 @@ pub(super) enum Slot {
     Global(Symbol),
 }
 
+/// A variable that a VAR parameter stands for.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reference {
+    Variable(Slot),
+    Element(Slot, usize),
+    R(u32),
+}
+
+/// An argument of a call.
+#[derive(Debug, Clone)]
+pub(super) struct Argument {
+    pub value: Val,
+    pub reference: Option<Reference>,
+    pub loc: Loc,
+}
+
 impl Vars {
     pub fn new(start: &BTreeMap<String, f64>) -> Vars {
         let mut vars = Vars::default();

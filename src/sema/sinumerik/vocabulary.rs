@@ -3,12 +3,11 @@
 //! Source: S 1.3, 2.14, 3, 5 and 6; group numbers and internal indices as `$P_GG` returns
 //! them.
 
-use crate::diag::{self, codes};
-use rustc_hash::FxHashMap;
+use crate::diag::{self};
 
 use super::axis_names::NamedAxis;
-use super::g_groups::{GCode, named_codes};
-use super::known_words::{KNOWN, Known};
+use super::g_groups::GCode;
+use super::known_words::Known;
 
 /// Addresses of more than one letter and those of one letter that are no axes. The value is a bit number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -142,13 +141,13 @@ pub(super) struct Refusal {
 }
 
 /// Names of transformations, by what they are.
-const TRANSFORMATIONS: &[(&str, &str)] = &[
+pub(super) const TRANSFORMATIONS: &[(&str, &str)] = &[
     ("five-axis transformation", "TRAORI TRAFOON ORIRESET"),
     ("transformation", "TRANSMIT TRACYL TRAANG TRACON TRACOOF TRAINT"),
 ];
 
 /// Names that are refused, by what they are.
-const REFUSED: &[(&str, &str)] = &[
+pub(super) const REFUSED: &[(&str, &str)] = &[
     (
         "axis coupling",
         "TRAILON TRAILOF LEADON LEADOF COUPDEF COUPDEL COUPON COUPONC COUPOF COUPOFS COUPRES EGDEF EGON EGONSYN EGONSYNE EGOFS EGOFC EGDEL TANG TANGON TANGOF TANGDEL TLIFT MASLON MASLOF MASLOFS MASLDEF MASLDEL CPON CPOF CPDEF CPDEL CPLON CPLOF CPLDEF CPLDEL GANTRY CTABDEF CTABEND CTABDEL",
@@ -167,16 +166,16 @@ const REFUSED: &[(&str, &str)] = &[
     ("motion synchronous to the cycle of the control", "RDISABLE STOPREOF DELDTG SYNFCT FTOC"),
 ];
 
-const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO SAVE PREPRO ICYCON ICYCOF IPTRLOCK IPTRUNLOCK BLSYNC \
+pub(super) const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO SAVE PREPRO ICYCON ICYCOF IPTRLOCK IPTRUNLOCK BLSYNC \
     GROUP_BEGIN GROUP_END GROUP_ADDEND WORKPIECE NEWCONF WAITS WAITP SPCON SPCOF DRFOF DELAYFSTON DELAYFSTOF GWPSOF \
     EXTCLOSE EXTOPEN PROTOCOL STARTFIFO MMC FPRAOF AUXFUDEL AUXFUDELG AUXFUSYNC AUXFUMSEQ WAITENC";
 
-const CHANNEL: &str = "INIT START WAITM WAITMC WAITE SETM CLEARM GET GETD RELEASE AXTOCHAN CLEAR";
-const INTERRUPT: &str = "SETINT DISABLE ENABLE CLRINT CANCEL LOCK UNLOCK RESET";
-const FILES: &str = "WRITE READ DELETE CHECKSUM FILEDATE FILETIME FILESIZE FILESTAT FILEINFO";
-const DYNAMICS: &str = "FGROUP SOFTA BRISKA DRIVEA JERKA CYCLE832 COMPPATH IPOBRKA ADISPOSA";
+pub(super) const CHANNEL: &str = "INIT START WAITM WAITMC WAITE SETM CLEARM GET GETD RELEASE AXTOCHAN CLEAR";
+pub(super) const INTERRUPT: &str = "SETINT DISABLE ENABLE CLRINT CANCEL LOCK UNLOCK RESET";
+pub(super) const FILES: &str = "WRITE READ DELETE CHECKSUM FILEDATE FILETIME FILESIZE FILESTAT FILEINFO";
+pub(super) const DYNAMICS: &str = "FGROUP SOFTA BRISKA DRIVEA JERKA CYCLE832 COMPPATH IPOBRKA ADISPOSA";
 
-const ADDRESS_NAMES: &[(&str, Address)] = &[
+pub(super) const ADDRESS_NAMES: &[(&str, Address)] = &[
     ("I1", Address::I1),
     ("J1", Address::J1),
     ("K1", Address::K1),
@@ -222,7 +221,7 @@ const ADDRESS_NAMES: &[(&str, Address)] = &[
     ("STOLF", Address::Dynamics),
 ];
 
-const INDEXED_NAMES: &[(&str, Indexed)] = &[
+pub(super) const INDEXED_NAMES: &[(&str, Indexed)] = &[
     ("AX", Indexed::Ax),
     ("POS", Indexed::Pos),
     ("POSA", Indexed::Posa),
@@ -251,84 +250,3 @@ const INDEXED_NAMES: &[(&str, Indexed)] = &[
     ("DIAMCHANA", Indexed::DiameterChannel),
     ("PO", Indexed::Polynomial),
 ];
-
-/// Every word of the language by name.
-pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
-    let mut map = FxHashMap::default();
-    for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::S9005)] {
-        for (what, names) in list {
-            for name in names.split(' ') {
-                map.insert(name, Meaning::Procedure(Procedure::Refused(Refusal { what, code })));
-            }
-        }
-    }
-    for cycle in super::cycles::rows() {
-        map.insert(
-            cycle.signature.name,
-            Meaning::Procedure(Procedure::Refused(Refusal { what: "machining cycle", code: codes::S9005 })),
-        );
-    }
-    let simple = [
-        (NO_EFFECT, Procedure::NoEffect),
-        (CHANNEL, Procedure::Channel),
-        (INTERRUPT, Procedure::Interrupt),
-        (FILES, Procedure::FileAccess),
-        (DYNAMICS, Procedure::Dynamics),
-        ("GWPSON", Procedure::WheelSpeed),
-        ("MSG", Procedure::Message),
-        ("SETAL", Procedure::SetAlarm),
-        ("SETMS", Procedure::SetMaster),
-        ("CALLPATH", Procedure::CallPath),
-        ("EXECSTRING", Procedure::ExecString),
-        ("RET", Procedure::Return),
-        ("TRAFOOF", Procedure::TransformationOff),
-        ("CYCLE800", Procedure::Swivel),
-        ("GEOAX", Procedure::GeoAxes),
-        ("ENDLABEL", Procedure::EndLabel),
-        ("DIAMCHAN", Procedure::DiameterChannel),
-    ];
-    for (names, procedure) in simple {
-        for name in names.split_ascii_whitespace() {
-            map.insert(name, Meaning::Procedure(procedure));
-        }
-    }
-    for (name, address) in ADDRESS_NAMES {
-        map.insert(*name, Meaning::Address(*address));
-    }
-    for (name, indexed) in INDEXED_NAMES {
-        map.insert(*name, Meaning::Indexed(*indexed));
-    }
-    for (name, code) in named_codes() {
-        map.insert(name, Meaning::Code(code));
-    }
-    for row in KNOWN {
-        for name in row.names.split(' ') {
-            map.entry(name).or_insert(Meaning::Known(row));
-        }
-    }
-    map
-}
-
-/// Every word that the compiler knows, with its G group if it is a code of one; in order.
-pub fn all_words() -> Vec<(String, Option<u8>)> {
-    let mut list: Vec<(String, Option<u8>)> = words()
-        .into_iter()
-        .filter(|(name, _)| *name != "-")
-        .map(|(name, meaning)| match meaning {
-            Meaning::Code(code) => (name.to_owned(), Some(code.group.number())),
-            _ => (name.to_owned(), None),
-        })
-        .collect();
-    list.sort();
-    list
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn codes_are_words() {
-        assert_eq!(words().get("DIAMON"), Some(&Meaning::Code(GCode::DIAMON)));
-    }
-}

@@ -11,8 +11,8 @@ use crate::text::decode::readable;
 
 use super::cycle_table::Cycle;
 use super::g_functions::{Function, Kind, find};
-use super::sections::ProgramPart;
-use super::state::SpeedMode;
+use super::program_parts::ProgramPart;
+use super::technology::SpeedMode;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Outcome, Reported, Run};
 

@@ -15,7 +15,7 @@ use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Span, decode::readable};
 
 use super::flow::Nest;
-use super::sections::{Family, ProgramPart};
+use super::program_parts::{Family, ProgramPart};
 use super::vars::Locals;
 use super::words::{Words, letters};
 use super::{Outcome, Reported, Run, Turning};

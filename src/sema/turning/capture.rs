@@ -9,7 +9,7 @@ use crate::text::{Loc, Span};
 use super::cycle_table::{Behind, Cycle};
 use super::geometry::note_adjusted;
 use super::outline::{Builder, Outline};
-use super::sections::Family;
+use super::program_parts::Family;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
 use crate::sema::run::Site;

@@ -11,7 +11,7 @@ use crate::ir::cycle::roughing::Nose;
 
 use super::outline::Outline;
 use super::readings::Question;
-use super::state::Oversize;
+use super::technology::Oversize;
 use super::words::{Fun, Words};
 use super::{Outcome, Run};
 

@@ -8,7 +8,7 @@ use crate::sema::cycle_table::{
 };
 
 use super::outline::Outline;
-use super::sections::Family;
+use super::program_parts::Family;
 use super::words::{Fun, Letters, Words, letters};
 use super::{Outcome, Run};
 

@@ -6,8 +6,8 @@ use crate::machine::{ArcChoice, Axis};
 use crate::text::Span;
 
 use super::chain::{AGREES, Angles, Center, Coord, Data};
+use super::program_parts::Family;
 use super::readings::Question;
-use super::sections::Family;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
 

@@ -12,7 +12,7 @@ use crate::machine::Tool;
 
 use super::geometry::Blank;
 use super::outline::Outline;
-use super::state::Oversize;
+use super::technology::Oversize;
 use super::words::Words;
 use super::{Outcome, Run};
 

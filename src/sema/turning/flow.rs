@@ -7,7 +7,7 @@ use crate::parser::turning::ast::{Block, Formula, Stmt};
 use crate::text::Loc;
 use crate::text::blocks::Place;
 
-use super::sections::ProgramPart;
+use super::program_parts::ProgramPart;
 use super::{Outcome, Parsed, Reported, Run};
 use crate::sema::run::Read;
 

@@ -15,7 +15,7 @@ use crate::text::Span;
 
 use super::chain::{AGREES, Choice, Coord, Data, Fault, RULES, Solved, by_distance, in_words};
 use super::element_data::{Follows, Transition};
-use super::sections::Family;
+use super::program_parts::Family;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 

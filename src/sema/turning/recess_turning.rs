@@ -14,7 +14,7 @@ use crate::machine::tools::Corner;
 use super::geometry::Blank;
 use super::outline::Outline;
 use super::readings::Question;
-use super::sides::tool_is_left;
+use super::tool_side::tool_is_left;
 use super::words::Words;
 use super::{Outcome, Run};
 

@@ -15,8 +15,8 @@ use super::chain::Coord;
 use super::geometry::Blank;
 use super::outline::Outline;
 use super::readings::Question;
-use super::sides::tool_is_left;
-use super::state::Oversize;
+use super::technology::Oversize;
+use super::tool_side::tool_is_left;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 

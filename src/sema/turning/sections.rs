@@ -8,33 +8,9 @@ use crate::parser::turning::parse_block;
 use crate::text::{Loc, Next, Span, decode::readable};
 
 use super::calls::LevelKind;
+use super::program_parts::{Family, ProgramPart};
 use super::words::{Words, letters};
 use super::{Outcome, Reported, Run};
-
-/// The two families of controls, which read the same words differently.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Family {
-    /// MANUALplus 4110: no sections.
-    Basic,
-    /// CNC PILOT and MANUALplus 620: DIN PLUS and smart.Turn.
-    DinPlus,
-}
-
-/// What the blocks are read as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum ProgramPart {
-    /// No section yet: blocks are executed.
-    Start,
-    Head,
-    Turret,
-    /// Belongs to something that turning does not need.
-    Unread,
-    Names,
-    Contour,
-    Machining,
-    /// Behind RETURN: a section has to follow.
-    Between,
-}
 
 /// The sections met so far.
 #[derive(Debug)]

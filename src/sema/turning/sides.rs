@@ -1,21 +1,17 @@
-//! On which side of the contour the tool is, and on which the recesses and undercuts in it expect it.
+//! Recesses and undercuts in a contour, and the side from which they are cut.
 //!
 //! A recess is cut from the side opposite to its floor, an undercut from inside of its corner. Where the tool works on
 //! the other side they would be beads and rings of material, which no cycle cuts.
 
-use crate::diag::{Diagnostic, codes};
-use crate::geo::{Element, Vec2, cross};
-use crate::ir::cycle::turning::Towards;
+use crate::geo::cross;
 use crate::text::Loc;
 
 use super::chain::Solved;
 use super::forms;
-use super::outline::{Flaw, Outline, Section};
-use super::{Outcome, Reported, Run};
 
 /// What the side of a form is told by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum FormKind {
     Recess,
     Undercut,
 }
@@ -23,11 +19,11 @@ enum Kind {
 /// A recess or undercut in a contour.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Form {
-    kind: Kind,
+    pub kind: FormKind,
     /// It is cut with the tool left of the contour, seen in its direction.
-    left: bool,
+    pub left: bool,
     /// Its block.
-    loc: Loc,
+    pub loc: Loc,
 }
 
 impl Form {
@@ -35,14 +31,14 @@ impl Form {
     pub fn undercut(before: &Solved, after: Option<&Solved>, loc: Loc) -> Option<Form> {
         let way = |line: &Solved| line.to - line.from;
         let turn = cross(way(before), way(after?));
-        Some(Form { kind: Kind::Undercut, left: turn > 0.0, loc })
+        Some(Form { kind: FormKind::Undercut, left: turn > 0.0, loc })
     }
 
     /// The recess in an element: its floor lies away from the tool.
     pub fn recess(line: &Solved, made: &forms::Made, loc: Loc) -> Option<Form> {
         let (wall, _) = made.elements.first()?;
         let aside = cross(line.to - line.from, wall.to() - wall.from());
-        Some(Form { kind: Kind::Recess, left: aside < 0.0, loc })
+        Some(Form { kind: FormKind::Recess, left: aside < 0.0, loc })
     }
 
     /// The same in a contour that is run through backwards.
@@ -50,62 +46,10 @@ impl Form {
         Form { left: !self.left, ..self }
     }
 
-    fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self.kind {
-            Kind::Recess => "recess",
-            Kind::Undercut => "undercut",
+            FormKind::Recess => "recess",
+            FormKind::Undercut => "undercut",
         }
-    }
-}
-
-impl Outline {
-    /// All forms of a contour are cut from the same side.
-    pub(super) fn one_sided(&self) -> Result<(), Flaw> {
-        let mut forms = self.edges.iter().filter_map(|edge| edge.form);
-        let Some(first) = forms.next() else { return Ok(()) };
-        match forms.find(|form| form.left != first.left) {
-            None => Ok(()),
-            Some(other) => {
-                let message = format!(
-                    "this {} and the {} in line {} lie on different sides of the contour: one of them stands in the air",
-                    other.name(),
-                    first.name(),
-                    first.loc.line
-                );
-                Err(Flaw::new(codes::T3050, other.loc, message))
-            }
-        }
-    }
-}
-
-/// Is the tool left of the contour, where it comes from the side opposite to `into`? `None` where the contour does
-/// not lead across.
-pub(super) fn tool_is_left(contour: &[Element], into: Towards) -> Option<bool> {
-    let (first, last) = (contour.first()?, contour.last()?);
-    let out: Vec2 = -into.unit();
-    let side = cross(last.to() - first.from(), out);
-    (side != 0.0).then_some(side > 0.0)
-}
-
-impl Run<'_> {
-    /// The recesses and undercuts of the contour lie on the side of the tool.
-    pub(super) fn check_forms(&self, section: &Section, tool_left: bool) -> Outcome {
-        let wrong = section.edges.iter().filter_map(|edge| edge.form).find(|form| form.left != tool_left);
-        let Some(form) = wrong else { return Ok(()) };
-        let message = match form.kind {
-            Kind::Recess => {
-                "the recess rises out of the material: on the side of the tool it would be a ring left standing"
-            }
-            Kind::Undercut => {
-                "the undercut stands at a convex edge: on the side of the tool it would be a bead left standing"
-            }
-        };
-        let help = match form.kind {
-            Kind::Recess => "check the sign of I or K, and the floor, of this recess",
-            Kind::Undercut => "an undercut belongs into an inner corner: move it there, or remove it",
-        };
-        let found = Diagnostic::new(codes::T3050, form.loc, message);
-        self.report(found.also(self.here.origin.loc, "the cycle that cuts it").help(help));
-        Err(Reported)
     }
 }

@@ -10,8 +10,8 @@ use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, Recess
 use crate::ir::cycle::turning::Towards;
 use crate::machine::RecessSide;
 
+use super::program_parts::Family;
 use super::readings::Question;
-use super::sections::Family;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
 

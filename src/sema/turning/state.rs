@@ -12,35 +12,7 @@ use crate::sema::common::start::Start;
 use crate::text::Loc;
 
 use super::chain::Solved;
-use super::technology::SpindleState;
-
-/// What S means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum SpeedMode {
-    /// G96: cutting speed.
-    Cutting,
-    /// G97: revolutions per minute.
-    Revolutions,
-}
-
-/// Oversize of the next cycle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Oversize {
-    /// G57: X as a diameter, Z, in mm.
-    Paraxial { x: f64, z: f64 },
-    /// G58: normal distance in mm.
-    Equidistant(f64),
-}
-
-impl Oversize {
-    /// The function that sets it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Oversize::Paraxial { .. } => "G57",
-            Oversize::Equidistant(_) => "G58",
-        }
-    }
-}
+use super::technology::{ActiveTool, Oversize, SpindleState};
 
 /// Everything that one block leaves to the next. Positions are millimetres, X is a radius.
 #[derive(Debug)]
@@ -65,16 +37,6 @@ pub(super) struct State {
     /// Something was cut from the blank already.
     pub cut: bool,
     pub ctx: CtxRef,
-}
-
-/// The tool in the cutting position.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct ActiveTool {
-    pub number: u32,
-    /// Its edge: 0 for the only one.
-    pub edge: u8,
-    /// Its name of the turret section.
-    pub name: Option<String>,
 }
 
 /// Shifts of the workpiece zero along Z in mm.

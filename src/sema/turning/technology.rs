@@ -7,12 +7,49 @@ use crate::machine::{Compensation, Unit};
 use crate::sema::common::feed::FeedKind;
 use crate::text::{Span, decode::readable};
 
-use super::state::{ActiveTool, Oversize, SpeedMode};
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
 
 /// Metres in a foot.
 const FOOT: f64 = 0.3048;
+
+/// What S means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SpeedMode {
+    /// G96: cutting speed.
+    Cutting,
+    /// G97: revolutions per minute.
+    Revolutions,
+}
+
+/// Oversize of the next cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Oversize {
+    /// G57: X as a diameter, Z, in mm.
+    Paraxial { x: f64, z: f64 },
+    /// G58: normal distance in mm.
+    Equidistant(f64),
+}
+
+impl Oversize {
+    /// The function that sets it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Oversize::Paraxial { .. } => "G57",
+            Oversize::Equidistant(_) => "G58",
+        }
+    }
+}
+
+/// The tool in the cutting position.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ActiveTool {
+    pub number: u32,
+    /// Its edge: 0 for the only one.
+    pub edge: u8,
+    /// Its name of the turret section.
+    pub name: Option<String>,
+}
 
 /// What the program told the spindle.
 #[derive(Debug, Clone, Copy, Default)]

@@ -10,8 +10,8 @@ use crate::ir::cycle::{Cycle, Thread};
 use crate::text::Span;
 
 use super::outline::{Outline, ThreadData};
+use super::program_parts::Family;
 use super::readings::Question;
-use super::sections::Family;
 use super::thread_line::ThreadLine;
 use super::words::{Num, Words};
 use super::{Outcome, Run};

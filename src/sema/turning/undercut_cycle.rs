@@ -13,8 +13,8 @@ use crate::standard::{din76, din509};
 use crate::text::Span;
 
 use super::chain::{AGREES, Coord, Solved};
+use super::program_parts::Family;
 use super::readings::Question;
-use super::sections::Family;
 use super::undercuts::{self, Undercut};
 use super::words::Words;
 use super::{Outcome, Run};

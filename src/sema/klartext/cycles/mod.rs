@@ -1,5 +1,6 @@
 //! The cycles of CYCL DEF: one row each, one file a family.
 
+mod defined;
 pub(super) mod drilling;
 mod named;
 pub(super) mod patterns;
@@ -8,13 +9,14 @@ pub(super) mod transformations;
 
 use core::fmt;
 
+pub(super) use defined::DefinedCycle;
+
 use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
 
-use super::defined_cycle::DefinedCycle;
 use super::{Outcome, Run};
 
 /// A cycle: what its definition gives, and what it does.

@@ -4,8 +4,8 @@ use crate::ir::cycle::drilling::{Chip, Degression, Method, TapStep};
 use crate::machine::Generation;
 use crate::sema::cycle_table::{Kind, Signature, Status};
 
-use super::super::defined_cycle::DefinedCycle;
 use super::super::{Outcome, Run};
+use super::DefinedCycle;
 use super::drilling::{ANGLE, BREAK_DEPTH, BREAK_WAY, Q201, Q239};
 use super::{AT_SURFACE, Cut, Drilling, Nature, Q, REMOVE, Row, SECOND, SET_UP, q};
 

@@ -9,12 +9,14 @@ use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, CapturedKind};
 use crate::parser::sinumerik::ast::Search;
 use crate::sema::cycle_table::{Kind, Parameter, Rule};
+use crate::text::Loc;
 use crate::text::Span;
+use crate::text::blocks::Place;
 
-use super::super::capture::ContourCall;
 use super::super::value::{Val, to_text, whole};
 use super::super::{Core, Outcome, Reported, Run};
 use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
+use super::call::CycleCall;
 use super::table::{Source, Unpublished, Variant};
 
 /// Most contours of one machining cycle.
@@ -30,10 +32,26 @@ pub(in super::super) struct Contours {
     taken: bool,
 }
 
+/// Most elements of a contour, roundings and chamfers counted.
+pub(in super::super) const MOST_ELEMENTS: usize = 1000;
+
+/// Where the blocks of a contour are.
+#[derive(Debug, Clone)]
+pub(in super::super) struct ContourCall {
+    /// The program that holds it.
+    pub unit: usize,
+    /// From this block up to this offset; `None` for the whole program.
+    pub part: Option<(Place, u32)>,
+    /// What the call names, for findings.
+    pub name: String,
+    /// The call.
+    pub loc: Loc,
+}
+
 impl Run<'_> {
     /// `CYCLE62(name, type, label, label)`
     pub(super) fn contour_call(&mut self, args: &Arguments) -> Outcome {
-        self.check_parameters(args)?;
+        self.cycle(args).check_parameters()?;
         let text = |key: Key| args.text(key).filter(|text| !text.is_empty());
         let (name, first, last) = (text(KNAME), text(LAB1), text(LAB2));
         let kind = args.number(TYPE).and_then(whole).unwrap_or(0);
@@ -57,8 +75,7 @@ impl Run<'_> {
             _ => {
                 let help = "CYCLE62(\"PROGRAM\",0), CYCLE62(\"CONTOUR\",1), CYCLE62(,2,\"LABEL1\",\"LABEL2\") or \
                     CYCLE62(\"PROGRAM\",3,\"LABEL1\",\"LABEL2\")";
-                return self.cycle_fault(
-                    args,
+                return self.cycle(args).cycle_fault(
                     args.span_of(TYPE),
                     61701,
                     "type, name and labels do not go together",
@@ -71,7 +88,7 @@ impl Run<'_> {
         }
         if self.contours.list.len() >= MOST_CONTOURS {
             let help = "a machining cycle takes the contours in front of it";
-            return self.cycle_fault(args, args.span, 61704, "there are too many contours", help);
+            return self.cycle(args).cycle_fault(args.span, 61704, "there are too many contours", help);
         }
         // What is wrong with it shows here, also where no cycle follows that is built.
         self.contours.list.push(call.clone());
@@ -128,12 +145,12 @@ impl Run<'_> {
 
     /// A cycle whose tracks the control keeps to itself.
     pub(super) fn unpublished_cycle(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome {
-        self.check_parameters(args)?;
+        self.cycle(args).check_parameters()?;
         if let Some(variant) = &cycle.variant {
-            self.check_variant(args, variant)?;
+            self.cycle(args).check_variant(variant)?;
         }
         if cycle.turned {
-            self.in_turning_plane(args)?;
+            self.cycle(args).in_turning_plane()?;
         }
         let what = args.cycle.signature.what;
         let contours = self.contours_of(args, cycle)?;
@@ -164,11 +181,11 @@ impl Run<'_> {
         if calls.is_empty() {
             let alarm = if cycle.contour == Source::Turned { 61701 } else { 61930 };
             let help = "call it by CYCLE62 in front of the cycle";
-            return self.cycle_fault(args, args.span, alarm, "no contour is called", help);
+            return self.cycle(args).cycle_fault(args.span, alarm, "no contour is called", help);
         }
         if cycle.contour == Source::Turned && calls.len() > 2 {
             let help = "one contour is the finished part, two are blank and finished part";
-            return self.cycle_fault(args, args.span, 61704, "more than two contours are called", help);
+            return self.cycle(args).cycle_fault(args.span, 61704, "more than two contours are called", help);
         }
         let mut made = Vec::with_capacity(calls.len());
         let mut failed = false;
@@ -180,7 +197,7 @@ impl Run<'_> {
                 _ => None,
             };
             let result = self.capture(&call).and_then(|contour| {
-                self.check_contour(args, cycle, &call, &contour, closed)?;
+                self.cycle(args).check_contour(cycle, &call, &contour, closed)?;
                 Ok(contour)
             });
             match result {
@@ -198,7 +215,7 @@ impl Run<'_> {
         let key = if args.place(NPP) > 0 { NPP } else { KNAME };
         let Some(name) = args.text(key).filter(|name| !name.is_empty()) else {
             let help = "name a subprogram, or two labels: \"START:END\"";
-            return self.cycle_fault(args, args.span_of(key), 61027, "no contour is named", help);
+            return self.cycle(args).cycle_fault(args.span_of(key), 61027, "no contour is named", help);
         };
         match name.split_once(':') {
             None => self.contour_program(args, key, &name),
@@ -210,15 +227,15 @@ impl Run<'_> {
     }
 }
 
-impl Core<'_> {
+impl CycleCall<'_, '_> {
     fn check_contour(
         &mut self,
-        args: &Arguments,
         cycle: &Unpublished,
         call: &ContourCall,
         contour: &Captured,
         closed: Option<u32>,
     ) -> Outcome {
+        let args = self.args;
         let turned = cycle.turned && cycle.contour != Source::None;
         if turned && contour.plane != Plane::Zx {
             return self.contour_fault(call, args.span, None, "it does not lie in the plane of Z and X (G18)");
@@ -239,6 +256,81 @@ impl Core<'_> {
         }
     }
 
+    /// Every argument against its rule.
+    fn check_parameters(&mut self) -> Outcome {
+        let args = self.args;
+        for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
+            let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
+            let Some((value, span)) = given else {
+                if parameter.rule == Rule::Needed {
+                    return self.parameter_fault((place, args.span), parameter, None, "is missing");
+                }
+                continue;
+            };
+            if matches!(parameter.kind, Kind::Text) {
+                if !matches!(value, Val::Text(_)) {
+                    return self.parameter_fault(
+                        (place, *span),
+                        parameter,
+                        None,
+                        "has to be a text in quotation marks",
+                    );
+                }
+                continue;
+            }
+            let Some(number) = value.number() else {
+                return self.parameter_fault((place, *span), parameter, None, "has to be a number");
+            };
+            let wrong = match parameter.rule {
+                Rule::Any | Rule::Needed => None,
+                Rule::Unsigned => (number < 0.0).then_some((61019, "must not be negative")),
+                // 0 is what an empty field becomes.
+                Rule::Above(alarm) => (number < 0.0).then_some((alarm, "must be above 0")),
+                Rule::Below90 => {
+                    (!(0.0..90.0).contains(&number)).then_some((61019, "has to be from 0 to below 90 degrees"))
+                }
+                Rule::OneOf(low, high) => {
+                    let fits = whole(number).is_some_and(|n| (low..=high).contains(&n)) && number.fract() == 0.0;
+                    (!fits).then_some((61002, "has no such value"))
+                }
+            };
+            if let Some((alarm, what)) = wrong {
+                return self.parameter_fault((place, *span), parameter, alarm, what);
+            }
+        }
+        Ok(())
+    }
+
+    fn parameter_fault(
+        &self,
+        (place, span): (usize, Span),
+        parameter: &Parameter,
+        alarm: impl Into<Option<u32>>,
+        what: &str,
+    ) -> Outcome {
+        let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };
+        let message = format!("`{}` (argument {place}{meaning}) {what}", parameter.name);
+        self.cycle_fault(span, alarm, &message, "arguments are counted by their commas")
+    }
+
+    /// The kind of machining, where its numbers are known.
+    fn check_variant(&self, variant: &Variant) -> Outcome {
+        let args = self.args;
+        if !(variant.fits)(args) {
+            let what = "there is no such kind of machining";
+            return self.cycle_fault(args.span_of(VARI), 61002, what, variant.help);
+        }
+        match (variant.infeed)(args).filter(|key| args.or_zero(*key) == 0.0) {
+            Some(key) => {
+                let help = "roughing needs the greatest depth of a cut";
+                self.cycle_fault(args.span_of(key), 61610, "no infeed is given", help)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+impl Core<'_> {
     /// Lines and arcs at feed that do not cross.
     fn check_elements(&mut self, call: &ContourCall, contour: &Captured) -> Outcome {
         let turned = contour.plane == Plane::Zx;
@@ -266,79 +358,6 @@ impl Core<'_> {
             return Err(Reported);
         }
         Ok(())
-    }
-
-    /// Every argument against its rule.
-    fn check_parameters(&mut self, args: &Arguments) -> Outcome {
-        for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
-            let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
-            let Some((value, span)) = given else {
-                if parameter.rule == Rule::Needed {
-                    return self.parameter_fault(args, (place, args.span), parameter, None, "is missing");
-                }
-                continue;
-            };
-            if matches!(parameter.kind, Kind::Text) {
-                if !matches!(value, Val::Text(_)) {
-                    return self.parameter_fault(
-                        args,
-                        (place, *span),
-                        parameter,
-                        None,
-                        "has to be a text in quotation marks",
-                    );
-                }
-                continue;
-            }
-            let Some(number) = value.number() else {
-                return self.parameter_fault(args, (place, *span), parameter, None, "has to be a number");
-            };
-            let wrong = match parameter.rule {
-                Rule::Any | Rule::Needed => None,
-                Rule::Unsigned => (number < 0.0).then_some((61019, "must not be negative")),
-                // 0 is what an empty field becomes.
-                Rule::Above(alarm) => (number < 0.0).then_some((alarm, "must be above 0")),
-                Rule::Below90 => {
-                    (!(0.0..90.0).contains(&number)).then_some((61019, "has to be from 0 to below 90 degrees"))
-                }
-                Rule::OneOf(low, high) => {
-                    let fits = whole(number).is_some_and(|n| (low..=high).contains(&n)) && number.fract() == 0.0;
-                    (!fits).then_some((61002, "has no such value"))
-                }
-            };
-            if let Some((alarm, what)) = wrong {
-                return self.parameter_fault(args, (place, *span), parameter, alarm, what);
-            }
-        }
-        Ok(())
-    }
-
-    fn parameter_fault(
-        &self,
-        args: &Arguments,
-        (place, span): (usize, Span),
-        parameter: &Parameter,
-        alarm: impl Into<Option<u32>>,
-        what: &str,
-    ) -> Outcome {
-        let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };
-        let message = format!("`{}` (argument {place}{meaning}) {what}", parameter.name);
-        self.cycle_fault(args, span, alarm, &message, "arguments are counted by their commas")
-    }
-
-    /// The kind of machining, where its numbers are known.
-    fn check_variant(&self, args: &Arguments, variant: &Variant) -> Outcome {
-        if !(variant.fits)(args) {
-            let what = "there is no such kind of machining";
-            return self.cycle_fault(args, args.span_of(VARI), 61002, what, variant.help);
-        }
-        match (variant.infeed)(args).filter(|key| args.or_zero(*key) == 0.0) {
-            Some(key) => {
-                let help = "roughing needs the greatest depth of a cut";
-                self.cycle_fault(args, args.span_of(key), 61610, "no infeed is given", help)
-            }
-            None => Ok(()),
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod alarms;
 mod arguments;
+mod call;
 mod called_contours;
 mod drilling;
 mod modes;
@@ -23,21 +24,21 @@ use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::sema::cycle_table::Kind;
 use crate::text::Span;
 
+use super::diameter::Diameter;
 use super::g_groups::Group;
 use super::offsets::Outer;
-use super::state::{Diameter, State};
 use super::value::Val;
-use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::CallWord;
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Outcome, Reported, Run};
 use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
-pub(super) use called_contours::Contours;
+pub(super) use called_contours::{ContourCall, Contours, MOST_ELEMENTS};
 pub use table::signatures;
 pub(super) use table::{find, rows};
 
 use arguments::{Arguments, DMODE, Key};
+use call::CycleCall;
 use table::{Cycle as Row, Work};
 
 /// A drilling cycle that runs behind every positioning block.
@@ -65,30 +66,6 @@ impl ModalCycle {
     /// Why it cannot be drilled was reported.
     pub fn refuse(&mut self) {
         self.refused = true;
-    }
-}
-
-impl State {
-    fn spindle_state(&self) -> SpindleState {
-        let State { spindles, tool, .. } = self;
-        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
-        (speed, turn, cutting, self.codes.per_revolution(), tool.active(), tool.edge())
-    }
-
-    /// Does `_DMODE` name another plane than the active one?
-    fn names_other_plane(&self, args: &Arguments) -> bool {
-        let plane = args.digit(DMODE, 0);
-        plane != 0 && plane != i32::from(self.codes.of(Group::Plane).index)
-    }
-
-    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
-        args.number(key).map(|value| value * self.length_unit())
-    }
-
-    fn moved_in_plane(&mut self, point: Point2) -> Pos {
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.plane(), point);
-        end
     }
 }
 
@@ -138,7 +115,7 @@ impl Run<'_> {
             return self.fail(codes::S2021.alarm(12340), at, format!("{name} takes {most} arguments"));
         }
         let args = Arguments { cycle, span, list };
-        self.check_values(&args)?;
+        self.cycle(&args).check_values()?;
         Ok(args)
     }
 
@@ -146,8 +123,7 @@ impl Run<'_> {
         self.begins_executing();
         self.pending_must_be_done(args.span)?;
         if self.st.side() != Side::None {
-            return self.cycle_fault(
-                args,
+            return self.cycle(args).cycle_fault(
                 args.span,
                 61815,
                 "radius compensation is on",
@@ -170,10 +146,11 @@ impl Run<'_> {
         }
         match &args.cycle.work {
             Work::Hole(cycle) => {
-                let hole = self.hole(args, cycle)?;
+                let hole = self.cycle(args).hole(cycle)?;
                 self.drill(&hole)
             }
-            Work::Moves(run) | Work::Contour(run) => run(self, args),
+            Work::Moves(run) => run(&mut self.cycle(args)),
+            Work::Contour(run) => run(self, args),
             Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
             Work::Nothing => Ok(()),
         }
@@ -192,10 +169,10 @@ impl Run<'_> {
         {
             let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
                 self.st.modal_call.end();
-                let hole = self.hole(&args, drilling)?;
+                let hole = self.cycle(&args).hole(drilling)?;
                 let feed_of_block = drilling.modal_feed;
                 let under = (self.st.plane(), self.st.length_unit());
-                let (here, spindle) = (self.here, self.st.spindle_state());
+                let (here, spindle) = (self.here, self.spindle_state());
                 let refused = false;
                 let made = ModalCycle { hole, args, here, spindle, feed_of_block, under, refused };
                 self.st.modal_call.set_cycle(Box::new(made));
@@ -203,17 +180,35 @@ impl Run<'_> {
             });
             return Some(result);
         }
-        match self.vocabulary.get(name) {
-            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(self.fail_help(
-                codes::S9005,
-                block.span,
-                format!("{name} ({what}) is not supported as a modal call"),
-                "replace it by plain moves, or compile the program without it",
-            )),
-            _ => None,
-        }
+        None
+    }
+}
+
+impl Channel<'_> {
+    fn spindle_state(&self) -> SpindleState {
+        let (spindles, tool) = (&self.st.spindles, &self.st.tool);
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
     }
 
+    /// Does `_DMODE` name another plane than the active one?
+    fn names_other_plane(&self, args: &Arguments) -> bool {
+        let plane = args.digit(DMODE, 0);
+        plane != 0 && plane != i32::from(self.st.codes.of(Group::Plane).index)
+    }
+
+    fn length_of(&self, args: &Arguments, key: Key) -> Option<f64> {
+        args.number(key).map(|value| value * self.st.length_unit())
+    }
+
+    fn moved_in_plane(&mut self, point: Point2) -> Pos {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.st.plane(), point);
+        end
+    }
+}
+
+impl Channel<'_> {
     /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
     /// the other places of a pattern are worth no other finding.
     pub(super) fn drill_modal(&mut self) -> Outcome {
@@ -241,7 +236,7 @@ impl Run<'_> {
         }
         let feed_of_block = modal.feed_of_block;
         self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
-        let mut hole = if modal.spindle == self.st.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
         }
@@ -252,13 +247,13 @@ impl Run<'_> {
     fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
         let here = std::mem::replace(&mut self.here, modal.here);
         let made = match &modal.args.cycle.work {
-            Work::Hole(drilling) => self.hole(&modal.args, drilling),
+            Work::Hole(drilling) => self.cycle(&modal.args).hole(drilling),
             Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
         };
         self.here = here;
         let hole = made?;
         modal.hole = hole.clone();
-        modal.spindle = self.st.spindle_state();
+        modal.spindle = self.spindle_state();
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }
@@ -292,8 +287,37 @@ impl Channel<'_> {
         }
     }
 
+    /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
+    /// and radii in others.
+    fn no_diameters(&self, name: &str, axis: Axis, place: impl Into<Where>) -> Outcome {
+        if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::S9015,
+            place,
+            format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
+            "program DIAMOF before the cycle, and radii in it",
+        )
+    }
+
+    /// Where the tool stands in the turning plane: Z and the radius.
+    fn turning_position(&mut self, span: Span) -> Outcome<Point2> {
+        let plane = crate::geo::Plane::Zx;
+        match self.st.position.in_plane(plane) {
+            Some(at) => Ok(at),
+            None => {
+                let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
+                self.unknown_axis(axis, span)
+            }
+        }
+    }
+}
+
+impl CycleCall<'_, '_> {
     /// The feed in force, for a cycle.
-    fn cycle_feed(&mut self, args: &Arguments) -> Outcome<Feed> {
+    fn cycle_feed(&mut self) -> Outcome<Feed> {
+        let args = self.args;
         self.speed_is_known()?;
         if self.st.feed.is_lost() {
             return Err(Reported);
@@ -315,40 +339,27 @@ impl Channel<'_> {
         }
     }
 
-    /// The cycles program their axes as any block does, so that lengths along X are diameters under DIAMON in some versions
-    /// and radii in others.
-    fn no_diameters(&self, name: &str, axis: Axis, place: impl Into<Where>) -> Outcome {
-        if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
-            return Ok(());
-        }
-        self.fail_help(
-            codes::S9015,
-            place,
-            format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
-            "program DIAMOF before the cycle, and radii in it",
-        )
-    }
-
     /// A length in mm that has to be there.
-    fn needed_length(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
-        Ok(self.needed(args, key, name)? * self.st.length_unit())
+    fn needed_length(&self, key: Key, name: &str) -> Outcome<f64> {
+        Ok(self.needed(key, name)? * self.st.length_unit())
     }
 
     /// Seconds from a dwell that is negative for turns of the spindle.
-    fn dwell_of(&self, args: &Arguments, key: Key) -> Outcome<f64> {
+    fn dwell_of(&self, key: Key) -> Outcome<f64> {
+        let args = self.args;
         let value = args.or_zero(key);
-        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(args, key, -value) }
+        if value >= 0.0 { Ok(value) } else { self.spindle_turns_of(key, -value) }
     }
 
     /// Seconds that so many turns of the spindle take.
-    fn spindle_turns_of(&self, args: &Arguments, key: Key, turns: f64) -> Outcome<f64> {
+    fn spindle_turns_of(&self, key: Key, turns: f64) -> Outcome<f64> {
+        let args = self.args;
         if turns == 0.0 {
             return Ok(0.0);
         }
         match self.st.spindles.speed().filter(|speed| *speed > 0.0 && !self.st.spindles.is_cutting()) {
             Some(speed) => Ok(turns * 60.0 / speed),
             None => self.cycle_fault(
-                args,
                 args.span_of(key),
                 None,
                 "a dwell in turns needs a fixed spindle speed",
@@ -357,29 +368,17 @@ impl Channel<'_> {
         }
     }
 
-    /// Where the tool stands in the turning plane: Z and the radius.
-    fn turning_position(&mut self, span: Span) -> Outcome<Point2> {
-        let plane = crate::geo::Plane::Zx;
-        match self.st.position.in_plane(plane) {
-            Some(at) => Ok(at),
-            None => {
-                let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
-                self.unknown_axis(axis, span)
-            }
-        }
-    }
-
     /// Turning cycles work in G18.
-    fn in_turning_plane(&self, args: &Arguments) -> Outcome {
+    fn in_turning_plane(&self) -> Outcome {
+        let args = self.args;
         if self.st.plane() == crate::geo::Plane::Zx {
             return Ok(());
         }
-        self.cycle_fault(args, args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
+        self.cycle_fault(args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
     }
-}
 
-impl Core<'_> {
-    fn check_values(&self, args: &Arguments) -> Outcome {
+    fn check_values(&self) -> Outcome {
+        let args = self.args;
         let name = args.name();
         // What a contour cycle takes is checked by the rules of its parameters.
         let kinds = !args.cycle.work.is_read_only();
@@ -414,27 +413,22 @@ impl Core<'_> {
             {
                 let message = format!("argument {place} is a code of digits, which {coded} is not");
                 let help = "give a whole number from 0 on, or leave it out";
-                return self.cycle_fault(args, *at, None, &message, help);
+                return self.cycle_fault(*at, None, &message, help);
             }
         }
         Ok(())
     }
 
     /// Refuses the arguments of a cycle.
-    fn cycle_fault<T>(
-        &self,
-        args: &Arguments,
-        span: Span,
-        alarm: impl Into<Option<u32>>,
-        what: &str,
-        help: &str,
-    ) -> Outcome<T> {
+    fn cycle_fault<T>(&self, span: Span, alarm: impl Into<Option<u32>>, what: &str, help: &str) -> Outcome<T> {
+        let args = self.args;
         let code: &'static Code = codes::S2090;
         self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)
     }
 
     /// A variant that is known, but not built.
-    fn not_built<T>(&self, args: &Arguments, key: Key, what: &str) -> Outcome<T> {
+    fn not_built<T>(&self, key: Key, what: &str) -> Outcome<T> {
+        let args = self.args;
         self.fail_help(
             codes::S9015,
             args.span_of(key),
@@ -444,31 +438,32 @@ impl Core<'_> {
     }
 
     /// An argument that the call gives and the cycle does not use.
-    fn unused(&self, args: &Arguments, key: Key, name: &str, why: &str) {
+    fn unused(&self, key: Key, name: &str, why: &str) {
+        let args = self.args;
         let message = format!("{}: `{name}` is not used {why}", args.name());
         self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
     }
 
     /// A reading of an argument that is not confirmed.
-    fn reading(&self, args: &Arguments, key: Key, what: &str) {
+    fn reading(&self, key: Key, what: &str) {
+        let args = self.args;
         let message = format!("{}: {what}; this is not confirmed", args.name());
         let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(key)), message);
         self.report(found.help("compare with what the machine does"));
     }
 
     /// A number that has to be there.
-    fn needed(&self, args: &Arguments, key: Key, name: &str) -> Outcome<f64> {
+    fn needed(&self, key: Key, name: &str) -> Outcome<f64> {
+        let args = self.args;
         match args.number(key) {
             Some(value) => Ok(value),
             None if args.value(key).is_some() => self.cycle_fault(
-                args,
                 args.span_of(key),
                 None,
                 &format!("{name} (argument {}) has to be a number", args.place(key)),
                 "a number in quotation marks is a text",
             ),
             None => self.cycle_fault(
-                args,
                 args.span,
                 None,
                 &format!("{name} (argument {}) is missing", args.place(key)),

@@ -8,8 +8,9 @@ use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
 use crate::sema::cycle_table::Kind;
 
-use super::super::{Channel, Core, Outcome};
-use super::arguments::{AMODE, AXN, Arguments, DMODE, DP, DPR, GMODE, Key, RFP, RPA, RPAP, RPO, RTP, SDIS};
+use super::super::Outcome;
+use super::arguments::{AMODE, AXN, DMODE, DP, DPR, GMODE, Key, RFP, RPA, RPAP, RPO, RTP, SDIS};
+use super::call::CycleCall;
 
 /// Which numbers give the depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +21,9 @@ enum Depth {
     Absolute,
 }
 
-impl Channel<'_> {
-    pub(super) fn hole_axis(&self, args: &Arguments) -> Outcome<Axis> {
+impl CycleCall<'_, '_> {
+    pub(super) fn hole_axis(&self) -> Outcome<Axis> {
+        let args = self.args;
         let [_, _, third] = self.st.roles();
         let mut axis = third;
         let place = match args.or_zero(AXN) {
@@ -31,7 +33,7 @@ impl Channel<'_> {
             3.0 => Some(2),
             _ => {
                 let help = "0 is the tool axis";
-                return self.cycle_fault(args, args.span_of(AXN), 61803, "`_AXN` is 0 to 3", help);
+                return self.cycle_fault(args.span_of(AXN), 61803, "`_AXN` is 0 to 3", help);
             }
         };
         if let Some(place) = place {
@@ -39,33 +41,33 @@ impl Channel<'_> {
             let counted: [Axis; 2] = [self.st.roles()[place], self.st.machine.geometry_axes[place]];
             if counted[0] != counted[1] {
                 return self.not_built(
-                    args,
                     AXN,
                     "an axis by `_AXN` outside G17, which may count the axes of the plane or of the machine,",
                 );
             }
             axis = counted[0];
         }
-        if self.st.names_other_plane(args) {
-            axis = self.axis_of_named_plane(args)?;
+        if self.names_other_plane(args) {
+            axis = self.axis_of_named_plane()?;
         }
-        self.digits_are_known(args)?;
+        self.digits_are_known()?;
         if axis == Axis::Y && self.st.machine.lathe && self.st.position.get(axis).is_none() {
             let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
             let help =
                 "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
-            return self.cycle_fault(args, args.span, 61005, message, help);
+            return self.cycle_fault(args.span, 61005, message, help);
         }
         Ok(axis)
     }
 
     /// The heights of the hole. A depth by the tens of `_GMODE` is that of a `centring`, or of the shank.
-    pub(super) fn levels(&mut self, args: &Arguments, centring: bool) -> Outcome<Levels> {
-        let retract = self.needed_length(args, RTP, "the retraction plane RTP")?;
-        let reference = self.needed_length(args, RFP, "the reference plane RFP")?;
-        let clearance = self.st.length_of(args, SDIS).unwrap_or(0.0);
+    pub(super) fn levels(&mut self, centring: bool) -> Outcome<Levels> {
+        let args = self.args;
+        let retract = self.needed_length(RTP, "the retraction plane RTP")?;
+        let reference = self.needed_length(RFP, "the reference plane RFP")?;
+        let clearance = self.length_of(args, SDIS).unwrap_or(0.0);
         if clearance < 0.0 {
-            self.reading(args, SDIS, "SDIS has no sign, and its minus is left out");
+            self.reading(SDIS, "SDIS has no sign, and its minus is left out");
         }
         let by = match args.digit(AMODE, 0) {
             1 => Depth::Incremental,
@@ -73,12 +75,12 @@ impl Channel<'_> {
             _ => Depth::Classic,
         };
         let by_tens = args.digit(GMODE, 1) == 1;
-        let (mut absolute, mut relative) = (self.st.length_of(args, DP), self.st.length_of(args, DPR));
+        let (mut absolute, mut relative) = (self.length_of(args, DP), self.length_of(args, DPR));
         if by_tens && centring {
-            let depth = self.centring_depth(args, retract, reference)?;
+            let depth = self.centring_depth(retract, reference)?;
             (absolute, relative) = (Some(depth), None);
         } else {
-            self.one_depth(args, by, &mut absolute, &mut relative)?;
+            self.one_depth(by, &mut absolute, &mut relative)?;
         }
         match Levels::resolve(retract, reference, clearance, absolute, relative) {
             Ok(made) => {
@@ -89,12 +91,11 @@ impl Channel<'_> {
                 }
                 let mut levels = made.levels;
                 if by_tens && !centring {
-                    levels.depth -= levels.outward() * self.tip_of_drill(args)?;
+                    levels.depth -= levels.outward() * self.tip_of_drill()?;
                 }
                 Ok(levels)
             }
             Err(fault) => self.cycle_fault(
-                args,
                 args.span_of(DP),
                 61101,
                 &fault.to_string(),
@@ -104,99 +105,91 @@ impl Channel<'_> {
     }
 
     /// The depth at which the cone of a centre drill has the diameter DP.
-    fn centring_depth(&self, args: &Arguments, retract: f64, reference: f64) -> Outcome<f64> {
-        let diameter = self.needed_length(args, DP, "the diameter of the centring DP")?;
+    fn centring_depth(&self, retract: f64, reference: f64) -> Outcome<f64> {
+        let args = self.args;
+        let diameter = self.needed_length(DP, "the diameter of the centring DP")?;
         if diameter <= 0.0 {
             let help = "give the diameter of the cone at the surface, above 0";
-            return self.cycle_fault(
-                args,
-                args.span_of(DP),
-                61019,
-                "the diameter of the centring is not above 0",
-                help,
-            );
+            return self.cycle_fault(args.span_of(DP), 61019, "the diameter of the centring is not above 0", help);
         }
         if args.or_zero(DPR) != 0.0 {
             let help = "leave DPR out, or take 0 in the tens of `_GMODE` for a depth";
             let message = "DPR stands beside a centring by diameter";
-            return self.cycle_fault(args, args.span_of(DPR), 61805, message, help);
+            return self.cycle_fault(args.span_of(DPR), 61805, message, help);
         }
         let way = retract - reference;
         if way == 0.0 {
             let help = "RTP lies above RFP, so that the cycle knows where the depth is";
-            return self.cycle_fault(args, args.span_of(RTP), 61101, "RTP and RFP are the same", help);
+            return self.cycle_fault(args.span_of(RTP), 61101, "RTP and RFP are the same", help);
         }
         if let Some(radius) = self.active_tool().and_then(|tool| tool.radius).filter(|radius| diameter > 2.0 * radius) {
             let message = format!("the tool has a diameter of {} mm, and the centring {diameter} mm", 2.0 * radius);
-            return self.cycle_fault(
-                args,
-                args.span_of(DP),
-                None,
-                &message,
-                "take a larger tool, or a smaller centring",
-            );
+            return self.cycle_fault(args.span_of(DP), None, &message, "take a larger tool, or a smaller centring");
         }
-        let tip = self.tip_angle(args, "a centring by its diameter")?;
+        let tip = self.tip_angle("a centring by its diameter")?;
         Ok(reference - way.signum() * diameter / 2.0 / tangent(tip))
     }
 
     /// How far the tip of the drill lies in front of its full diameter.
-    fn tip_of_drill(&self, args: &Arguments) -> Outcome<f64> {
+    fn tip_of_drill(&self) -> Outcome<f64> {
+        let args = self.args;
         const WHAT: &str = "a depth by the shank";
-        let tip = self.tip_angle(args, WHAT)?;
+        let tip = self.tip_angle(WHAT)?;
         match self.active_tool().and_then(|tool| tool.radius).filter(|radius| *radius > 0.0) {
             Some(radius) => Ok(radius / tangent(tip)),
             None => {
                 let message = format!("{WHAT} needs the radius of the tool");
-                self.cycle_fault(args, args.span_of(GMODE), None, &message, "give `[tools.N] radius`")
+                self.cycle_fault(args.span_of(GMODE), None, &message, "give `[tools.N] radius`")
             }
         }
     }
 
-    fn tip_angle(&self, args: &Arguments, what: &str) -> Outcome<f64> {
+    fn tip_angle(&self, what: &str) -> Outcome<f64> {
+        let args = self.args;
         match self.active_tool().and_then(|tool| tool.tip_angle) {
             Some(angle) => Ok(angle),
             None => {
                 let message = format!("{what} needs the angle at the tip of the tool");
                 let help = "give `[tools.N] tip_angle`: 118 for a common drill, 90 for a common centre drill";
-                self.cycle_fault(args, args.span_of(GMODE), None, &message, help)
+                self.cycle_fault(args.span_of(GMODE), None, &message, help)
             }
         }
     }
 
     /// Seconds at the bottom, counted as the tens of `_AMODE` say.
-    pub(super) fn dwell_at_depth(&self, args: &Arguments, key: Key) -> Outcome<f64> {
+    pub(super) fn dwell_at_depth(&self, key: Key) -> Outcome<f64> {
+        let args = self.args;
         let value = args.or_zero(key);
         match args.digit(AMODE, 1) {
             1 if value < 0.0 => {
                 let help = "give it without a sign; 2 in the tens of `_AMODE` counts turns";
-                self.cycle_fault(args, args.span_of(key), None, "a dwell in seconds is below 0", help)
+                self.cycle_fault(args.span_of(key), None, "a dwell in seconds is below 0", help)
             }
-            2 => self.spindle_turns_of(args, key, value.abs()),
-            _ => self.dwell_of(args, key),
+            2 => self.spindle_turns_of(key, value.abs()),
+            _ => self.dwell_of(key),
         }
     }
-}
 
-impl Core<'_> {
     /// The tool axis of the plane that `_DMODE` names, where it is not the active one: the hole has no other axis.
-    fn axis_of_named_plane(&self, args: &Arguments) -> Outcome<Axis> {
+    fn axis_of_named_plane(&self) -> Outcome<Axis> {
+        let args = self.args;
         let plane = match args.digit(DMODE, 0) {
             1 => Plane::Xy,
             2 => Plane::Zx,
             3 => Plane::Yz,
-            _ => return self.not_built(args, DMODE, "this plane (`_DMODE`)"),
+            _ => return self.not_built(DMODE, "this plane (`_DMODE`)"),
         };
         let axis = Axis::ALL[plane.axes().2];
         let lifts = [RPA, RPO, RPAP].into_iter().any(|key| args.or_zero(key) != 0.0);
         if lifts || args.or_zero(AXN) != 0.0 || self.is_diameter_axis(axis) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(axis)
     }
 
     /// Digits whose meaning is not known.
-    fn digits_are_known(&self, args: &Arguments) -> Outcome {
+    fn digits_are_known(&self) -> Outcome {
+        let args = self.args;
         for key in [GMODE, AMODE] {
             let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
                 continue;
@@ -204,7 +197,7 @@ impl Core<'_> {
             if let Some((places, way)) = digits.doubt
                 && places.iter().any(|place| args.digit(key, *place) == 1)
             {
-                self.reading(args, key, way);
+                self.reading(key, way);
             }
             let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
             let most = |place: u32| known(place).map_or(0, |digit| digit.most);
@@ -213,25 +206,20 @@ impl Core<'_> {
                 "" => format!("the digit {} at place {} from the right of `_AMODE`", args.digit(key, place), place + 1),
                 what => what.to_owned(),
             };
-            return self.not_built(args, key, &what);
+            return self.not_built(key, &what);
         }
         Ok(())
     }
 
     /// Leaves the depth that the units of `_AMODE` choose.
-    fn one_depth(
-        &self,
-        args: &Arguments,
-        by: Depth,
-        absolute: &mut Option<f64>,
-        relative: &mut Option<f64>,
-    ) -> Outcome {
+    fn one_depth(&self, by: Depth, absolute: &mut Option<f64>, relative: &mut Option<f64>) -> Outcome {
+        let args = self.args;
         // DPR 0 is none; DP 0 is a depth.
         let given = relative.filter(|way| *way != 0.0);
         let (chosen, other, missing) = match by {
             Depth::Classic if absolute.is_none() && relative.is_none() => {
                 let help = "give DP (argument 4) or DPR (argument 5)";
-                return self.cycle_fault(args, args.span, 61808, "the depth is missing", help);
+                return self.cycle_fault(args.span, 61808, "the depth is missing", help);
             }
             Depth::Classic => return Ok(()),
             Depth::Incremental => (
@@ -244,7 +232,7 @@ impl Core<'_> {
         if !chosen {
             let message = format!("the depth is missing: {missing}");
             let help = "0 in the units of `_AMODE` takes what is given";
-            return self.cycle_fault(args, args.span_of(AMODE), 61808, &message, help);
+            return self.cycle_fault(args.span_of(AMODE), 61808, &message, help);
         }
         if other {
             let (used, left) = if by == Depth::Incremental { ("DPR", DP) } else { ("DP", DPR) };
@@ -263,7 +251,8 @@ impl Core<'_> {
     }
 
     /// The hand of a thread by the thousands of `_AMODE`, beside the sign of its pitch.
-    pub(super) fn hand(&self, args: &Arguments, lead: f64) -> Outcome<f64> {
+    pub(super) fn hand(&self, lead: f64) -> Outcome<f64> {
+        let args = self.args;
         match args.digit(AMODE, 3) {
             0 => Ok(lead),
             hand if lead > 0.0 => Ok(if hand == 2 { -lead } else { lead }),
@@ -271,7 +260,7 @@ impl Core<'_> {
                 let which = if hand == 2 { "left" } else { "right" };
                 let message = format!("the pitch is below 0, and the thousands of `_AMODE` say a {which}-hand thread");
                 let help = "give the pitch without a sign, or 0 there";
-                self.cycle_fault(args, args.span_of(AMODE), 61001, &message, help)
+                self.cycle_fault(args.span_of(AMODE), 61001, &message, help)
             }
         }
     }

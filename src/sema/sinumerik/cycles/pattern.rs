@@ -9,11 +9,12 @@ use crate::ir::contour::Path;
 use crate::sema::cycle_table::{Name, Rule};
 
 use super::super::value::whole;
-use super::super::{Channel, Core, Outcome, Reported, Run};
+use super::super::{Outcome, Reported};
 use super::arguments::{
-    ANG1, ANG2, Arguments, CPA, CPO, DBH, DIS1, DIS2, DMODE, FDIS, HIDE, INDA, Key, NSP, NUM, NUM1, NUM2, RAD, SPCA,
-    SPCO, STA, STA1, VARI, XA, YA,
+    ANG1, ANG2, CPA, CPO, DBH, DIS1, DIS2, DMODE, FDIS, HIDE, INDA, Key, NSP, NUM, NUM1, NUM2, RAD, SPCA, SPCO, STA,
+    STA1, VARI, XA, YA,
 };
+use super::call::CycleCall;
 
 /// The positions of CYCLE802.
 const POSITIONS: [(Key, Key); 9] = [
@@ -34,74 +35,72 @@ const NO_HOLE: (u32, &str) = (61103, "the pattern has no hole");
 /// Begin of the names of arguments that CYCLE802 has besides.
 const FURTHER: &str = "S_AB";
 
-impl Run<'_> {
+impl CycleCall<'_, '_> {
     /// HOLES1
-    pub(super) fn row(&mut self, args: &Arguments) -> Outcome {
-        self.begin_pattern(args)?;
-        self.plain_variant(args)?;
-        self.all_positions_in_order(args)?;
-        self.no_signs(args)?;
+    pub(super) fn row(&mut self) -> Outcome {
+        let args = self.args;
+        self.begin_pattern()?;
+        self.plain_variant()?;
+        self.all_positions_in_order()?;
+        self.no_signs()?;
         let made = Row {
-            reference: self.point_in_plane(args, SPCA, SPCO),
+            reference: self.point_in_plane(SPCA, SPCO),
             direction: Deg(args.or_zero(STA1)),
-            first: self.length_or_zero(args, FDIS),
-            spacing: self.length_or_zero(args, DBH),
-            count: self.holes(args, NUM),
+            first: self.length_or_zero(FDIS),
+            spacing: self.length_or_zero(DBH),
+            count: self.holes(NUM),
         };
         let positions = made.positions().map(Iterator::collect);
-        self.drill_pattern(args, SPCA, positions, NO_HOLE)
+        self.drill_pattern(SPCA, positions, NO_HOLE)
     }
 
     /// HOLES2
-    pub(super) fn circle_of_holes(&mut self, args: &Arguments) -> Outcome {
-        self.begin_pattern(args)?;
-        self.plain_variant(args)?;
-        self.all_positions_in_order(args)?;
-        self.no_signs(args)?;
+    pub(super) fn circle_of_holes(&mut self) -> Outcome {
+        let args = self.args;
+        self.begin_pattern()?;
+        self.plain_variant()?;
+        self.all_positions_in_order()?;
+        self.no_signs()?;
         let made = Circle {
-            center: self.point_in_plane(args, CPA, CPO),
-            radius: self.length_or_zero(args, RAD),
+            center: self.point_in_plane(CPA, CPO),
+            radius: self.length_or_zero(RAD),
             start: Deg(args.or_zero(STA1)),
             step: Deg(args.or_zero(INDA)),
-            count: self.holes(args, NUM),
+            count: self.holes(NUM),
         };
         let positions = made.positions().map(Iterator::collect);
-        self.drill_pattern(args, CPA, positions, NO_HOLE)
+        self.drill_pattern(CPA, positions, NO_HOLE)
     }
 
     /// CYCLE801
-    pub(super) fn grid(&mut self, args: &Arguments) -> Outcome {
-        self.begin_pattern(args)?;
-        self.all_positions_in_order(args)?;
-        self.no_signs(args)?;
+    pub(super) fn grid(&mut self) -> Outcome {
+        let args = self.args;
+        self.begin_pattern()?;
+        self.all_positions_in_order()?;
+        self.no_signs()?;
         if !matches!(args.or_zero(VARI), 0.0 | 1.0) {
-            return self.not_built(args, VARI, "this variant of the pattern (`_VARI`)");
+            return self.not_built(VARI, "this variant of the pattern (`_VARI`)");
         }
         if args.or_zero(ANG1) != 0.0 || args.or_zero(ANG2) != 0.0 {
-            return self.not_built(args, ANG1, "an oblique grid");
+            return self.not_built(ANG1, "an oblique grid");
         }
         let made = Grid {
-            reference: self.point_in_plane(args, SPCA, SPCO),
+            reference: self.point_in_plane(SPCA, SPCO),
             turn: Deg(args.or_zero(STA)),
-            column_spacing: self.length_or_zero(args, DIS1),
-            row_spacing: self.length_or_zero(args, DIS2),
-            columns: self.holes(args, NUM1),
-            rows: self.holes(args, NUM2),
+            column_spacing: self.length_or_zero(DIS1),
+            row_spacing: self.length_or_zero(DIS2),
+            columns: self.holes(NUM1),
+            rows: self.holes(NUM2),
             shear: Shear { rows: Deg(0.0), columns: Deg(0.0) },
             frame: args.or_zero(VARI) != 0.0,
         };
         let positions = made.positions().map(Iterator::collect);
-        self.drill_pattern(args, SPCA, positions, (62105, "the pattern has no column or no row"))
+        self.drill_pattern(SPCA, positions, (62105, "the pattern has no column or no row"))
     }
 
     /// Goes to each position and runs the modal cycle there.
-    fn drill_pattern(
-        &mut self,
-        args: &Arguments,
-        first: Key,
-        made: Result<Vec<Point2>, Fault>,
-        empty: (u32, &str),
-    ) -> Outcome {
+    fn drill_pattern(&mut self, first: Key, made: Result<Vec<Point2>, Fault>, empty: (u32, &str)) -> Outcome {
+        let args = self.args;
         let positions = match made {
             Ok(positions) => positions,
             Err(fault) => {
@@ -111,17 +110,17 @@ impl Run<'_> {
                     Fault::TooMany => (None, "the pattern has more than 100000 holes"),
                     Fault::Value => (None, "the data of the pattern make no positions"),
                 };
-                return self.cycle_fault(args, args.span, alarm, what, "check number and spacing of the holes");
+                return self.cycle_fault(args.span, alarm, what, "check number and spacing of the holes");
             }
         };
         if self.st.modal_call.cycle().is_none() {
-            return self.not_built(args, first, "a pattern with a modal program of one's own");
+            return self.not_built(first, "a pattern with a modal program of one's own");
         }
         // Computing them is work, too.
         self.budget.take(positions.len() as u64 / 16);
         for position in positions {
             self.goes_on()?;
-            let end = self.st.moved_in_plane(position);
+            let end = self.moved_in_plane(position);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
         }
@@ -129,50 +128,49 @@ impl Run<'_> {
     }
 
     /// CYCLE802: up to nine positions, absolute as the masks say.
-    pub(super) fn free_positions(&mut self, args: &Arguments) -> Outcome {
-        self.begin_pattern(args)?;
-        self.plain_variant(args)?;
-        self.all_positions_in_order(args)?;
+    pub(super) fn free_positions(&mut self) -> Outcome {
+        let args = self.args;
+        self.begin_pattern()?;
+        self.plain_variant()?;
+        self.all_positions_in_order()?;
         for parameter in args.cycle.signature.parameters {
             if let Name::Word(name) = parameter.name
                 && name.starts_with(FURTHER)
                 && args.or_zero(Key(name)) != 0.0
             {
-                return self.not_built(args, Key(name), "further arguments of CYCLE802");
+                return self.not_built(Key(name), "further arguments of CYCLE802");
             }
         }
-        self.no_signs(args)?;
+        self.no_signs()?;
         let unit = self.st.length_unit();
         let mut positions = Vec::new();
         for (x, y) in POSITIONS {
             let (x, y) = (args.number(x), args.number(y));
             let (Some(x), Some(y)) = (x, y) else {
                 if x.is_some() || y.is_some() {
-                    return self.cycle_fault(args, args.span, None, "a position has one coordinate only", "give both");
+                    return self.cycle_fault(args.span, None, "a position has one coordinate only", "give both");
                 }
                 continue;
             };
             // One digit for each position, 1 absolute; the digit of an incremental one is not confirmed.
             for mask in [XA, YA] {
                 if args.or_zero(mask) != 111_111_111.0 {
-                    return self.not_built(args, mask, "a mask that is not 111111111, all absolute (`_XA`, `_YA`)");
+                    return self.not_built(mask, "a mask that is not 111111111, all absolute (`_XA`, `_YA`)");
                 }
             }
             positions.push(Point2::new(x * unit, y * unit));
         }
-        self.drill_pattern(args, XA, Ok(positions), NO_HOLE)
+        self.drill_pattern(XA, Ok(positions), NO_HOLE)
     }
-}
 
-impl Channel<'_> {
     /// A pattern needs a cycle that it runs.
-    fn begin_pattern(&self, args: &Arguments) -> Outcome {
+    fn begin_pattern(&self) -> Outcome {
+        let args = self.args;
         if self.st.modal_call.is_lost() {
             return Err(Reported);
         }
         if !self.st.modal_call.is_on() {
             return self.cycle_fault(
-                args,
                 args.span,
                 62100,
                 "no drilling cycle is active",
@@ -183,36 +181,39 @@ impl Channel<'_> {
     }
 
     /// Arguments that leave positions out or change their order.
-    fn all_positions_in_order(&self, args: &Arguments) -> Outcome {
+    fn all_positions_in_order(&self) -> Outcome {
+        let args = self.args;
         if args.text(HIDE).is_some_and(|text| !text.is_empty() && text != "0") {
-            return self.not_built(args, HIDE, "hidden positions (`_HIDE`)");
+            return self.not_built(HIDE, "hidden positions (`_HIDE`)");
         }
         if args.or_zero(NSP) != 0.0 {
-            return self.not_built(args, NSP, "another first position (`_NSP`)");
+            return self.not_built(NSP, "another first position (`_NSP`)");
         }
-        if self.st.names_other_plane(args) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+        if self.names_other_plane(args) {
+            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(())
     }
 
     /// Distances and numbers stand without a sign; standard cycles V06.02.09 take the magnitude of one, others are not
     /// known.
-    fn no_signs(&self, args: &Arguments) -> Outcome {
+    fn no_signs(&self) -> Outcome {
+        let args = self.args;
         let below =
             (1..).zip(args.cycle.signature.parameters).zip(&args.list).find_map(|((place, known), (value, span))| {
                 let given = value.number().filter(|given| known.rule == Rule::Unsigned && *given < 0.0)?;
                 Some((place, given, *span))
             });
-        let Some((place, given, span)) = below else { return self.lengths_are_plain(args) };
+        let Some((place, given, span)) = below else { return self.lengths_are_plain() };
         let place: usize = place;
         let message = format!("argument {place} is {given}, and has no sign in the manuals");
         let help =
             "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
-        self.cycle_fault(args, span, 61019, &message, help)
+        self.cycle_fault(span, 61019, &message, help)
     }
 
-    fn lengths_are_plain(&self, args: &Arguments) -> Outcome {
+    fn lengths_are_plain(&self) -> Outcome {
+        let args = self.args;
         let [first, second, _] = self.st.roles();
         for axis in [first, second] {
             self.no_diameters(args.name(), axis, args.span)?;
@@ -220,25 +221,26 @@ impl Channel<'_> {
         Ok(())
     }
 
-    fn length_or_zero(&self, args: &Arguments, key: Key) -> f64 {
+    fn length_or_zero(&self, key: Key) -> f64 {
+        let args = self.args;
         args.or_zero(key) * self.st.length_unit()
     }
 
-    fn point_in_plane(&self, args: &Arguments, first: Key, second: Key) -> Point2 {
-        Point2::new(self.length_or_zero(args, first), self.length_or_zero(args, second))
+    fn point_in_plane(&self, first: Key, second: Key) -> Point2 {
+        Point2::new(self.length_or_zero(first), self.length_or_zero(second))
     }
-}
 
-impl Core<'_> {
-    fn plain_variant(&self, args: &Arguments) -> Outcome {
+    fn plain_variant(&self) -> Outcome {
+        let args = self.args;
         if args.or_zero(VARI) != 0.0 {
-            return self.not_built(args, VARI, "a variant of the pattern (`_VARI`)");
+            return self.not_built(VARI, "a variant of the pattern (`_VARI`)");
         }
         Ok(())
     }
 
     /// A number of holes: an INT of the cycle, so a REAL is rounded.
-    fn holes(&self, args: &Arguments, key: Key) -> u32 {
+    fn holes(&self, key: Key) -> u32 {
+        let args = self.args;
         let given = args.or_zero(key);
         // No pattern has so many; it is refused there.
         let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);

@@ -9,13 +9,13 @@ use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Family};
 use crate::machine::options::sinumerik::FlankReference;
 
+use super::super::Outcome;
 use super::super::value::whole;
-use super::super::{Channel, Core, Outcome};
 use super::arguments::{
-    AMODE, APP, Arguments, DM1, DM2, DM3, DM4, DMODE, FAL, FDEP, FPD, FPL, GDEP, GST, GUD, IANG, IFLANK, Key, MID,
-    MPIT, NID, NRC, NSP, NUMT, NUMTH, PIT, PIT1, PITA, PO1, PO2, PO3, PO4, PP1, PP2, PP3, ROP, S_XRS, SDIS, SPD, SPL,
-    TDEP, VARI, VRT,
+    AMODE, APP, DM1, DM2, DM3, DM4, DMODE, FAL, FDEP, FPD, FPL, GDEP, GST, GUD, IANG, IFLANK, Key, MID, MPIT, NID, NRC,
+    NSP, NUMT, NUMTH, PIT, PIT1, PITA, PO1, PO2, PO3, PO4, PP1, PP2, PP3, ROP, S_XRS, SDIS, SPD, SPL, TDEP, VARI, VRT,
 };
+use super::call::CycleCall;
 
 /// The lift-off plane lies this far outside the thread, in mm.
 const LIFT: f64 = 1.0;
@@ -42,28 +42,29 @@ struct Course {
     coded: bool,
 }
 
-impl Channel<'_> {
+impl CycleCall<'_, '_> {
     /// CYCLE97
-    pub(super) fn single_thread(&mut self, args: &Arguments) -> Outcome {
-        self.in_turning_plane(args)?;
-        self.no_sign(args, &[PIT, MPIT])?;
-        let lead = self.pitch(args, LARGEST, 0)?;
-        self.needed(args, DM2, "the diameter at the end DM2")?;
-        let points = self.line(args, [SPL, DM1], [FPL, DM2])?;
-        self.thread(args, &Course { points, leads: vec![lead], starts: NUMT, lift: VRT, coded: false })
+    pub(super) fn single_thread(&mut self) -> Outcome {
+        self.in_turning_plane()?;
+        self.no_sign(&[PIT, MPIT])?;
+        let lead = self.pitch(LARGEST, 0)?;
+        self.needed(DM2, "the diameter at the end DM2")?;
+        let points = self.line([SPL, DM1], [FPL, DM2])?;
+        self.thread(&Course { points, leads: vec![lead], starts: NUMT, lift: VRT, coded: false })
     }
 
     /// CYCLE98
-    pub(super) fn chain_of_threads(&mut self, args: &Arguments) -> Outcome {
-        self.in_turning_plane(args)?;
+    pub(super) fn chain_of_threads(&mut self) -> Outcome {
+        let args = self.args;
+        self.in_turning_plane()?;
         let mut points = Vec::new();
         for (z, diameter) in [(PO1, DM1), (PO2, DM2), (PO3, DM3), (PO4, DM4)] {
-            points.push(self.point(args, z, diameter)?);
+            points.push(self.point(z, diameter)?);
         }
-        self.no_sign(args, &[PP1, PP2, PP3])?;
+        self.no_sign(&[PP1, PP2, PP3])?;
         let mut leads = Vec::new();
         for key in [PP1, PP2, PP3] {
-            leads.push(self.needed_length(args, key, "the pitch")?);
+            leads.push(self.needed_length(key, "the pitch")?);
         }
         for (key, what) in [
             (MID, "the first infeed `_MID`"),
@@ -73,64 +74,67 @@ impl Channel<'_> {
         ] {
             let plain = key == PITA && args.or_zero(PITA) == 1.0;
             if args.or_zero(key) != 0.0 && !plain {
-                return self.not_built(args, key, what);
+                return self.not_built(key, what);
             }
         }
-        self.flank_agrees(args)?;
-        if self.st.names_other_plane(args) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+        self.flank_agrees()?;
+        if self.names_other_plane(args) {
+            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
-        self.thread(args, &Course { points, leads, starts: NUMT, lift: VRT, coded: false })
+        self.thread(&Course { points, leads, starts: NUMT, lift: VRT, coded: false })
     }
 
     /// CYCLE99
-    pub(super) fn thread_of_editor(&mut self, args: &Arguments) -> Outcome {
-        self.in_turning_plane(args)?;
-        self.check_new_thread(args)?;
-        let lead = self.new_pitch(args)?;
-        let points = self.line(args, [SPL, SPD], [FPL, FPD])?;
-        self.thread(args, &Course { points, leads: vec![lead], starts: NUMTH, lift: SDIS, coded: true })
+    pub(super) fn thread_of_editor(&mut self) -> Outcome {
+        self.in_turning_plane()?;
+        self.check_new_thread()?;
+        let lead = self.new_pitch()?;
+        let points = self.line([SPL, SPD], [FPL, FPD])?;
+        self.thread(&Course { points, leads: vec![lead], starts: NUMTH, lift: SDIS, coded: true })
     }
 
-    fn point(&self, args: &Arguments, z: Key, diameter: Key) -> Outcome<Point2> {
-        let z = self.needed_length(args, z, "a point of the thread along Z")?;
-        let diameter = self.needed_length(args, diameter, "a diameter of the thread")?;
+    fn point(&self, z: Key, diameter: Key) -> Outcome<Point2> {
+        let z = self.needed_length(z, "a point of the thread along Z")?;
+        let diameter = self.needed_length(diameter, "a diameter of the thread")?;
         Ok(Point2::new(z, diameter / 2.0))
     }
 
     /// Start and end; a missing end diameter is that of the start.
-    fn line(&self, args: &Arguments, start: [Key; 2], end: [Key; 2]) -> Outcome<Vec<Point2>> {
-        let from = self.point(args, start[0], start[1])?;
-        let z = self.needed_length(args, end[0], "the end of the thread along Z")?;
-        let radius = self.st.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
+    fn line(&self, start: [Key; 2], end: [Key; 2]) -> Outcome<Vec<Point2>> {
+        let args = self.args;
+        let from = self.point(start[0], start[1])?;
+        let z = self.needed_length(end[0], "the end of the thread along Z")?;
+        let radius = self.length_of(args, end[1]).map_or(from.y, |diameter| diameter / 2.0);
         Ok(vec![from, Point2::new(z, radius)])
     }
 
     /// A thread waits for ever for a spindle that stands.
-    fn spindle_turns(&self, args: &Arguments) -> Outcome {
+    fn spindle_turns(&self) -> Outcome {
+        let args = self.args;
         if self.st.spindles.turn().is_some() {
             return Ok(());
         }
         let help = "program M3 or M4 with a speed in front of the cycle";
-        self.cycle_fault(args, args.span, 61102, "the spindle does not turn", help)
+        self.cycle_fault(args.span, 61102, "the spindle does not turn", help)
     }
 
-    fn thread(&mut self, args: &Arguments, course: &Course) -> Outcome {
+    fn thread(&mut self, course: &Course) -> Outcome {
+        let args = self.args;
         let points = &course.points;
-        self.no_face_thread(args, points)?;
+        self.no_face_thread(points)?;
         self.master_is_main(args.span, "the lead of a thread")?;
-        let (internal, area) = self.variant(args, course)?;
-        self.spindle_turns(args)?;
+        let (internal, area) = self.variant(course)?;
+        self.spindle_turns()?;
         if !course.coded {
-            self.without_signs(args)?;
+            self.without_signs()?;
         }
-        let depth = self.needed_length(args, TDEP, "the thread depth TDEP")?.abs();
-        let finish = self.st.length_of(args, FAL).unwrap_or(0.0).abs();
-        let passes = self.roughing_passes(args, depth - finish, area)?;
-        let idle = self.whole_of(args, NID, 0)?;
-        let starts = self.whole_of(args, course.starts, 0)?.max(1);
+        let depth = self.needed_length(TDEP, "the thread depth TDEP")?.abs();
+        let finish = self.length_of(args, FAL).unwrap_or(0.0).abs();
+        let passes = self.roughing_passes(depth - finish, area)?;
+        let idle = self.whole_of(NID, 0)?;
+        let starts = self.whole_of(course.starts, 0)?.max(1);
         if !course.coded && args.number(course.starts) == Some(0.0) {
-            self.reading(args, course.starts, "NUMT 0 is taken as one start");
+            self.reading(course.starts, "NUMT 0 is taken as one start");
         }
         if course.coded && starts > 1 {
             let found = Diagnostic::new(
@@ -146,18 +150,18 @@ impl Channel<'_> {
         if !(0.0..360.0).contains(&start_angle) {
             let message = format!("the start angle NSP is {start_angle}");
             let help = "give 0 to below 360 degrees";
-            return self.cycle_fault(args, args.span_of(NSP), None, &message, help);
+            return self.cycle_fault(args.span_of(NSP), None, &message, help);
         }
         let angle = args.or_zero(IANG);
         if args.or_zero(MPIT) != 0.0 && angle.abs() > METRIC_FLANK {
             let message = format!("the infeed angle IANG is {angle}, over half of the 60 degrees of a metric thread");
             let help = "give at most 30, below 0 for alternating flanks";
-            return self.cycle_fault(args, args.span_of(IANG), None, &message, help);
+            return self.cycle_fault(args.span_of(IANG), None, &message, help);
         }
         let flank = if angle == 0.0 {
             Flank::Radial
         } else if angle > 0.0 {
-            self.flank_reference(args, IANG, angle)
+            self.flank_reference(IANG, angle)
         } else {
             Flank::Alternating { angle: Deg(-angle) }
         };
@@ -175,15 +179,15 @@ impl Channel<'_> {
             flank,
             finish,
             air_cuts: idle,
-            run_in: self.st.length_of(args, APP).unwrap_or(0.0).abs(),
-            run_out: self.st.length_of(args, ROP).unwrap_or(0.0).abs(),
+            run_in: self.length_of(args, APP).unwrap_or(0.0).abs(),
+            run_out: self.length_of(args, ROP).unwrap_or(0.0).abs(),
             fixed_end: true,
             starts,
             start_angle: Deg(start_angle),
             retract: 0.0,
             park,
         };
-        thread.retract = self.lift_off(args, course.lift, &thread, internal);
+        thread.retract = self.lift_off(course.lift, &thread, internal);
         let smallest = points.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
         let beyond = if internal { thread.retract <= 0.0 } else { depth >= smallest };
         if beyond {
@@ -193,7 +197,6 @@ impl Channel<'_> {
                 "the thread is deeper than the part"
             };
             return self.cycle_fault(
-                args,
                 args.span_of(TDEP),
                 61001,
                 what,
@@ -201,25 +204,26 @@ impl Channel<'_> {
             );
         }
         if let Err(fault) = thread.check() {
-            return self.cycle_fault(args, args.span, None, &fault.to_string(), "check the arguments of the cycle");
+            return self.cycle_fault(args.span, None, &fault.to_string(), "check the arguments of the cycle");
         }
-        self.says_shifted_starts(args, course.starts, &thread);
+        self.says_shifted_starts(course.starts, &thread);
         self.send_cycle(Cycle::Thread(thread));
         Ok(())
     }
 
     /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.
-    fn roughing_passes(&self, args: &Arguments, way: f64, area: bool) -> Outcome<u32> {
-        let infeed = match self.st.length_of(args, MID) {
+    fn roughing_passes(&self, way: f64, area: bool) -> Outcome<u32> {
+        let args = self.args;
+        let infeed = match self.length_of(args, MID) {
             Some(infeed) if infeed != 0.0 => infeed,
             _ => {
-                self.needed(args, NRC, "the number of roughing passes NRC")?;
-                return self.whole_of(args, NRC, 1);
+                self.needed(NRC, "the number of roughing passes NRC")?;
+                return self.whole_of(NRC, 1);
             }
         };
         if infeed < 0.0 {
             let help = "give the infeed without a sign, or the number of passes `_NRC` alone";
-            return self.cycle_fault(args, args.span_of(MID), 61001, "the infeed `_MID` is below 0", help);
+            return self.cycle_fault(args.span_of(MID), 61001, "the infeed `_MID` is below 0", help);
         }
         // The first cut of equal cross-sections is the depth by the root of their number.
         let cuts = if area { (way / infeed) * (way / infeed) } else { way / infeed };
@@ -228,7 +232,7 @@ impl Channel<'_> {
         if given == 0.0 {
             if cuts > MOST_PASSES {
                 let message = format!("the infeed `_MID` of {infeed} mm makes {cuts:.0} passes");
-                return self.cycle_fault(args, args.span_of(MID), 61001, &message, "give a larger infeed");
+                return self.cycle_fault(args.span_of(MID), 61001, &message, "give a larger infeed");
             }
             return Ok(cuts as u32);
         }
@@ -239,12 +243,13 @@ impl Channel<'_> {
             let help = "leave one of them 0";
             return self.fail_help(codes::S9015, args.span_of(MID), format!("{}: {message}", args.name()), help);
         }
-        self.whole_of(args, NRC, 1)
+        self.whole_of(NRC, 1)
     }
 
     /// The lift-off plane: clear of the thread and of its extensions.
-    fn lift_off(&self, args: &Arguments, key: Key, thread: &Thread, internal: bool) -> f64 {
-        let lift = self.st.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
+    fn lift_off(&self, key: Key, thread: &Thread, internal: bool) -> f64 {
+        let args = self.args;
+        let lift = self.length_of(args, key).filter(|way| *way != 0.0).map_or(LIFT, f64::abs);
         let (Some(first), Some(last)) = (thread.parts.first(), thread.parts.last()) else { return thread.start.y };
         let before_last = thread.parts.iter().rev().nth(1).map_or(thread.start, |part| part.end);
         let ends = [
@@ -256,7 +261,8 @@ impl Channel<'_> {
     }
 
     /// CYCLE99 codes much in digits; what is not known is refused.
-    fn check_new_thread(&mut self, args: &Arguments) -> Outcome {
+    fn check_new_thread(&mut self) -> Outcome {
+        let args = self.args;
         for (key, what) in [
             (PIT1, "a changing pitch (`_PIT1`)"),
             (FDEP, "`_FDEP`"),
@@ -265,21 +271,21 @@ impl Channel<'_> {
             (S_XRS, "a crowned thread (`_S_XRS`)"),
         ] {
             if args.or_zero(key) != 0.0 {
-                return self.not_built(args, key, what);
+                return self.not_built(key, what);
             }
         }
         if let Some(place) = (0..10).find(|place| args.digit(AMODE, *place) != 0) {
             let digit = args.digit(AMODE, place);
             let what =
                 format!("the digit {digit} at place {} from the right of `_AMODE`, which was never seen,", place + 1);
-            return self.not_built(args, AMODE, &what);
+            return self.not_built(AMODE, &what);
         }
         if args.or_zero(GDEP) != 0.0 {
-            self.reading(args, GDEP, "`_GDEP` is taken for a return distance of the editor, which changes no pass");
+            self.reading(GDEP, "`_GDEP` is taken for a return distance of the editor, which changes no pass");
         }
-        self.flank_agrees(args)?;
-        if self.st.names_other_plane(args) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+        self.flank_agrees()?;
+        if self.names_other_plane(args) {
+            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         self.note_once(
             codes::S8020,
@@ -290,22 +296,22 @@ impl Channel<'_> {
     }
 
     /// The pitch in the unit of `_PITA`.
-    fn new_pitch(&self, args: &Arguments) -> Outcome<f64> {
-        let pitch = self.needed(args, PIT, "the pitch `_PIT`")?;
+    fn new_pitch(&self) -> Outcome<f64> {
+        let args = self.args;
+        let pitch = self.needed(PIT, "the pitch `_PIT`")?;
         if pitch <= 0.0 {
-            return self.cycle_fault(args, args.span_of(PIT), 61001, "the pitch is not above 0", "give the pitch");
+            return self.cycle_fault(args.span_of(PIT), 61001, "the pitch is not above 0", "give the pitch");
         }
         match args.or_zero(PITA) {
             0.0 => Ok(pitch * self.st.length_unit()),
             1.0 => Ok(pitch),
-            _ => self.not_built(args, PITA, "a pitch in inches, turns or modules (`_PITA`)"),
+            _ => self.not_built(PITA, "a pitch in inches, turns or modules (`_PITA`)"),
         }
     }
-}
 
-impl Core<'_> {
     /// Over 45 degrees the control cuts a face thread: its pitch counts along X.
-    fn no_face_thread(&self, args: &Arguments, points: &[Point2]) -> Outcome {
+    fn no_face_thread(&self, points: &[Point2]) -> Outcome {
+        let args = self.args;
         let steep = |pair: &[Point2]| match pair {
             [from, to] => Some(*to - *from).filter(|way| way.y.abs() > way.x.abs() + 1e-3),
             _ => None,
@@ -326,30 +332,33 @@ impl Core<'_> {
     }
 
     /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
-    fn no_sign(&self, args: &Arguments, keys: &[Key]) -> Outcome {
+    fn no_sign(&self, keys: &[Key]) -> Outcome {
+        let args = self.args;
         match args.below_zero(keys) {
             Some(key) => {
                 let help = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
-                self.cycle_fault(args, args.span_of(key), 61001, "the pitch is below 0", help)
+                self.cycle_fault(args.span_of(key), 61001, "the pitch is below 0", help)
             }
             None => Ok(()),
         }
     }
 
     /// Lengths and depths that the classic cycles take without a sign.
-    fn without_signs(&self, args: &Arguments) -> Outcome {
+    fn without_signs(&self) -> Outcome {
+        let args = self.args;
         match args.below_zero(&[APP, ROP, TDEP, FAL]) {
             Some(key) => {
                 let help = "give the depth, the allowance, run-in and run-out without a sign";
-                self.cycle_fault(args, args.span_of(key), 61001, "a length of the thread is below 0", help)
+                self.cycle_fault(args.span_of(key), 61001, "a length of the thread is below 0", help)
             }
             None => Ok(()),
         }
     }
 
-    fn variant(&self, args: &Arguments, course: &Course) -> Outcome<Variant> {
+    fn variant(&self, course: &Course) -> Outcome<Variant> {
+        let args = self.args;
         let variant = if course.coded {
-            self.variant_digits(args)?;
+            self.variant_digits()?;
             f64::from(args.digit(VARI, 0))
         } else {
             args.or_zero(VARI)
@@ -361,13 +370,14 @@ impl Core<'_> {
             4.0 => (true, true),
             _ => {
                 let help = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
-                return self.cycle_fault(args, args.span_of(VARI), 61002, "VARI is 1 to 4", help);
+                return self.cycle_fault(args.span_of(VARI), 61002, "VARI is 1 to 4", help);
             }
         })
     }
 
     /// The target starts each thread at one angle: other angles are starts that lie farther back.
-    fn says_shifted_starts(&self, args: &Arguments, counted: Key, thread: &Thread) {
+    fn says_shifted_starts(&self, counted: Key, thread: &Thread) {
+        let args = self.args;
         let angle = thread.start_angle.0;
         let (what, key) = match (angle != 0.0, thread.starts) {
             (false, 0 | 1) => return,
@@ -388,7 +398,8 @@ impl Core<'_> {
     }
 
     /// One flank: which pass stands at the programmed start is not documented. Alternating ones close in on the last pass.
-    fn flank_reference(&self, args: &Arguments, key: Key, angle: f64) -> Flank {
+    fn flank_reference(&self, key: Key, angle: f64) -> Flank {
+        let args = self.args;
         let chosen = self.job.settings.control.sinumerik.thread_flank;
         if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
             let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
@@ -403,7 +414,8 @@ impl Core<'_> {
 
     /// Digits of `_VARI` in CYCLE99: 1310101 was seen in stored calls, and plain units are those of CYCLE97. Other
     /// digits choose alternating flanks, finishing alone or an order of the starts, and which is which is not confirmed.
-    fn variant_digits(&self, args: &Arguments) -> Outcome {
+    fn variant_digits(&self) -> Outcome {
+        let args = self.args;
         const SEEN: [i32; 9] = [0, 1, 0, 1, 3, 1, 0, 0, 0];
         let strange = (1..10).find(|place| {
             let digit = args.digit(VARI, *place);
@@ -415,35 +427,36 @@ impl Core<'_> {
                 args.digit(VARI, place),
                 place + 1
             );
-            return self.not_built(args, VARI, &what);
+            return self.not_built(VARI, &what);
         }
         if args.digit(VARI, 2) == 1 && args.or_zero(IANG) < 0.0 {
             let what = "an infeed along one flank (`_VARI`) with the negative angle of an alternating one";
-            return self.not_built(args, IANG, what);
+            return self.not_built(IANG, what);
         }
         Ok(())
     }
 
-    fn whole_of(&self, args: &Arguments, key: Key, least: i32) -> Outcome<u32> {
+    fn whole_of(&self, key: Key, least: i32) -> Outcome<u32> {
+        let args = self.args;
         let value = args.number(key).unwrap_or(f64::from(least));
         match whole(value).filter(|n| *n >= least && f64::from(*n) <= MOST_PASSES && f64::from(*n) == value) {
             Some(n) => Ok(n as u32),
             None => {
                 let message = format!("{value} is no number of passes or starts");
-                self.cycle_fault(args, args.span_of(key), None, &message, "give a whole number")
+                self.cycle_fault(args.span_of(key), None, &message, "give a whole number")
             }
         }
     }
 
     /// The editor writes the flank infeed twice: as an angle, which counts, and as a length.
-    fn flank_agrees(&self, args: &Arguments) -> Outcome {
+    fn flank_agrees(&self) -> Outcome {
+        let args = self.args;
         let tangent = libm::tan(args.or_zero(IANG).abs().to_radians());
         let given = args.or_zero(IFLANK);
         if given == 0.0 || (given.abs() - args.or_zero(TDEP).abs() * tangent).abs() <= 0.01 {
             return Ok(());
         }
         self.cycle_fault(
-            args,
             args.span_of(IFLANK),
             None,
             "the flank infeed `_IFLANK` contradicts the angle `_IANG`",

@@ -9,11 +9,12 @@ use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
 use crate::standard::din13::proposed_pitch;
 
-use super::super::{Channel, Core, Outcome};
+use super::super::Outcome;
 use super::arguments::{
     AMODE, Arguments, DIATH, DMODE, EPD, EPL, FAL, FALX, FALZ, FFP, FORM, Key, LAGE, MID, PITI, PTABA, R1, R2, SDIS,
     SPD, SPL, STA, VARI, VRT,
 };
+use super::call::CycleCall;
 use super::undercut_call::{
     CallFault, Classic, Cycle940, Rests, cycle94, cycle96, cycle940, proposed_index, proposed_size,
 };
@@ -41,53 +42,53 @@ fn one_letter(args: &Arguments) -> Option<u8> {
     Some(if form.len() == 1 { form.as_bytes()[0] } else { b'?' })
 }
 
-impl Channel<'_> {
+impl CycleCall<'_, '_> {
     /// CYCLE940
-    pub(super) fn undercut_940(&mut self, args: &Arguments) -> Outcome {
-        self.undercut_conditions(args)?;
-        self.undercut_arguments(args)?;
-        let made = cycle940(&self.call_940(args), &self.job.settings.undercut);
-        self.cut_undercut(args, made)
+    pub(super) fn undercut_940(&mut self) -> Outcome {
+        self.undercut_conditions()?;
+        self.undercut_arguments()?;
+        let made = cycle940(&self.call_940(), &self.job.settings.undercut);
+        self.cut_undercut(made)
     }
 
     /// CYCLE94
-    pub(super) fn undercut_by_diameter(&mut self, args: &Arguments) -> Outcome {
-        self.undercut_conditions(args)?;
-        let call = self.classic_call(args, SPD)?;
+    pub(super) fn undercut_by_diameter(&mut self) -> Outcome {
+        self.undercut_conditions()?;
+        let call = self.classic_call(SPD)?;
         let made = cycle94(&call, &self.job.settings.undercut);
-        self.cut_undercut(args, made)
+        self.cut_undercut(made)
     }
 
     /// CYCLE96
-    pub(super) fn undercut_of_thread(&mut self, args: &Arguments) -> Outcome {
-        self.undercut_conditions(args)?;
-        let call = self.classic_call(args, DIATH)?;
+    pub(super) fn undercut_of_thread(&mut self) -> Outcome {
+        self.undercut_conditions()?;
+        let call = self.classic_call(DIATH)?;
         let made = cycle96(&call, &self.job.settings.undercut);
-        self.cut_undercut(args, made)
+        self.cut_undercut(made)
     }
 
-    fn cut_undercut(&mut self, args: &Arguments, made: Result<(UndercutCycle, Rests), CallFault>) -> Outcome {
+    fn cut_undercut(&mut self, made: Result<(UndercutCycle, Rests), CallFault>) -> Outcome {
         match made {
             Ok((cycle, rests)) => {
-                self.undercut_notes(args, &rests);
-                self.send_undercut(args, cycle)
+                self.undercut_notes(&rests);
+                self.send_undercut(cycle)
             }
-            Err(fault) => self.undercut_fault(args, fault),
+            Err(fault) => self.undercut_fault(fault),
         }
     }
 
     /// Undercuts belong to turning, in the plane of the diameter axis.
-    fn undercut_conditions(&self, args: &Arguments) -> Outcome {
+    fn undercut_conditions(&self) -> Outcome {
+        let args = self.args;
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
             let help = "set `[machine] kind = \"lathe\"`";
-            return self.cycle_fault(args, args.span, None, "undercuts need turning technology", help);
+            return self.cycle_fault(args.span, None, "undercuts need turning technology", help);
         }
-        self.in_turning_plane(args)?;
+        self.in_turning_plane()?;
         let [first, second, _] = self.st.roles();
         if machine.diameter_axis != Some(second) && machine.diameter_axis != Some(first) {
             return self.cycle_fault(
-                args,
                 args.span,
                 16510,
                 "machine datum 20100 names no axis of G18, so there are no undercuts",
@@ -98,22 +99,23 @@ impl Channel<'_> {
     }
 
     /// Arguments that change the cut and are not known.
-    fn undercut_arguments(&self, args: &Arguments) -> Outcome {
+    fn undercut_arguments(&self) -> Outcome {
+        let args = self.args;
         if args.text(FORM).is_none() {
-            return self.undercut_fault(args, CallFault::Missing("_FORM"));
+            return self.undercut_fault(CallFault::Missing("_FORM"));
         }
         if args.text(PTABA).is_some_and(|text| !text.is_empty()) {
-            return self.not_built(args, PTABA, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
+            return self.not_built(PTABA, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
         }
-        if self.st.names_other_plane(args) {
-            return self.not_built(args, DMODE, "a plane other than the active one (`_DMODE`)");
+        if self.names_other_plane(args) {
+            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
         if (0..10).any(|place| args.digit(AMODE, place) > i32::from(place < 4)) {
-            return self.not_built(args, AMODE, "another reading of an argument (`_AMODE`)");
+            return self.not_built(AMODE, "another reading of an argument (`_AMODE`)");
         }
         if (1..10).any(|place| args.digit(VARI, place) > i32::from(place < 2)) {
-            return self.not_built(args, VARI, "this kind of machining (`_VARI`)");
+            return self.not_built(VARI, "this kind of machining (`_VARI`)");
         }
         let form = args.text(FORM).unwrap_or_default();
         let known = OF_FORMS.iter().any(|(_, forms)| forms.contains(form.as_str()));
@@ -126,24 +128,18 @@ impl Channel<'_> {
         let internal = args.or_zero(LAGE) >= 2.0;
         if matches!(form.as_str(), "A" | "B") && internal || matches!(form.as_str(), "C" | "D") && !internal {
             let help = "forms A and B are external, C and D internal";
-            return self.cycle_fault(args, args.span_of(LAGE), 61613, "the position contradicts the form", help);
+            return self.cycle_fault(args.span_of(LAGE), 61613, "the position contradicts the form", help);
         }
         if !matches!(form.as_str(), "E" | "F") && !(1..=3).contains(&args.digit(VARI, 0)) {
             let help = "1 roughs, 2 finishes, 3 does both";
-            return self.cycle_fault(args, args.span_of(VARI), 61002, "`_VARI` is 1, 2 or 3", help);
+            return self.cycle_fault(args.span_of(VARI), 61002, "`_VARI` is 1, 2 or 3", help);
         }
         if args.number(STA) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
-            return self.cycle_fault(
-                args,
-                args.span_of(STA),
-                None,
-                "the entry angle `_STA` is 0",
-                "give 30 to 90 degrees",
-            );
+            return self.cycle_fault(args.span_of(STA), None, "the entry angle `_STA` is 0", "give 30 to 90 degrees");
         }
         if args.digit(VARI, 0) == 2 && "ABCDT".contains(form.as_str()) {
             for key in [MID, FAL, FALX, FALZ].into_iter().filter(|key| args.or_zero(*key) != 0.0) {
-                self.unused(args, key, &args.written(key), "while finishing alone (`_VARI` 2)");
+                self.unused(key, &args.written(key), "while finishing alone (`_VARI` 2)");
             }
         }
         let form_e = form == "E" || form == "F";
@@ -151,7 +147,7 @@ impl Channel<'_> {
             let negative = args.digit(AMODE, digit) == 1 && args.or_zero(key) < 0.0;
             if form_e && negative {
                 let message = format!("the allowance `{}` is negative", args.written(key));
-                return self.cycle_fault(args, args.span_of(key), None, &message, "give an allowance above 0, or none");
+                return self.cycle_fault(args.span_of(key), None, &message, "give an allowance above 0, or none");
             }
         }
         if form_e && args.digit(AMODE, 0) != 1 && args.or_zero(EPD) != 0.0 {
@@ -160,7 +156,6 @@ impl Channel<'_> {
             if inwards {
                 let help = "an allowance lies outside the finished part";
                 return self.cycle_fault(
-                    args,
                     args.span_of(EPD),
                     None,
                     "the diameter with allowance `_EPD` lies inside the part",
@@ -170,7 +165,6 @@ impl Channel<'_> {
         }
         if form == "E" && args.or_zero(EPL) != 0.0 {
             return self.cycle_fault(
-                args,
                 args.span_of(EPL),
                 None,
                 "form E has no allowance along Z (`_EPL`)",
@@ -180,8 +174,9 @@ impl Channel<'_> {
         Ok(())
     }
 
-    fn call_940(&self, args: &Arguments) -> Cycle940 {
-        let mm = |key: Key| self.st.length_of(args, key);
+    fn call_940(&self) -> Cycle940 {
+        let args = self.args;
+        let mm = |key: Key| self.length_of(args, key);
         Cycle940 {
             spd: mm(SPD),
             spl: mm(SPL),
@@ -205,7 +200,8 @@ impl Channel<'_> {
         }
     }
 
-    fn classic_call(&mut self, args: &Arguments, diameter: Key) -> Outcome<Classic> {
+    fn classic_call(&mut self, diameter: Key) -> Outcome<Classic> {
+        let args = self.args;
         let position = match args.or_zero(VARI) {
             0.0 => self.active_tool().and_then(|tool| tool.orientation),
             given if (1.0..=4.0).contains(&given) && given.fract() == 0.0 => Some(given as u8),
@@ -219,11 +215,10 @@ impl Channel<'_> {
             let message =
                 format!("the position `_VARI` {given} contradicts the edge of the tool, which lies at {edge}");
             let help = "give the position of the tool that cuts the undercut, or leave the argument out";
-            return self.cycle_fault(args, args.span_of(VARI), 61608, &message, help);
+            return self.cycle_fault(args.span_of(VARI), 61608, &message, help);
         }
         let Some(position) = position.filter(|position| !by_tool || (1..=4).contains(position)) else {
             return self.cycle_fault(
-                args,
                 args.span,
                 61608,
                 "the edge of the tool does not lie in a corner, so the position of the undercut is not known",
@@ -231,16 +226,17 @@ impl Channel<'_> {
             );
         };
         Ok(Classic {
-            diameter: self.needed_length(args, diameter, "the diameter")?,
-            spl: self.needed_length(args, SPL, "the corner along Z")?,
+            diameter: self.needed_length(diameter, "the diameter")?,
+            spl: self.needed_length(SPL, "the corner along Z")?,
             form: one_letter(args).unwrap_or(b'?'),
             position,
-            feed: self.cycle_feed(args)?,
+            feed: self.cycle_feed()?,
             clearance: CLEARANCE,
         })
     }
 
-    fn undercut_fault<T>(&self, args: &Arguments, fault: CallFault) -> Outcome<T> {
+    fn undercut_fault<T>(&self, fault: CallFault) -> Outcome<T> {
+        let args = self.args;
         let new = args.place(LAGE) > 0;
         let corner = if args.place(DIATH) > 0 { DIATH } else { SPD };
         match fault {
@@ -254,7 +250,7 @@ impl Channel<'_> {
                     "_FORM" => "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free",
                     _ => "arguments are counted by their commas",
                 };
-                self.cycle_fault(args, args.span, None, &message, help)
+                self.cycle_fault(args.span, None, &message, help)
             }
             CallFault::Range(name) => {
                 let message = format!("`{name}` is out of range");
@@ -265,16 +261,15 @@ impl Channel<'_> {
                     "_EPL" => "an absolute Z lies in front of the face; `_AMODE` 10 reads an increment",
                     _ => "`_STA` is 30 to 90 degrees; clearance, feed and infeed are above 0",
                 };
-                self.cycle_fault(args, args.span_of(Key(name.trim_start_matches('_'))), 61019, &message, help)
+                self.cycle_fault(args.span_of(Key(name.trim_start_matches('_'))), 61019, &message, help)
             }
             CallFault::Form => {
                 let help = "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free (CYCLE940)";
-                self.cycle_fault(args, args.span_of(FORM), 61609, "there is no such form", help)
+                self.cycle_fault(args.span_of(FORM), 61609, "there is no such form", help)
             }
             CallFault::Position => {
                 let help = "forms A and B are external, C and D internal";
                 self.cycle_fault(
-                    args,
                     args.span_of(if new { LAGE } else { VARI }),
                     61613,
                     "the position does not exist or contradicts the form",
@@ -289,7 +284,6 @@ impl Channel<'_> {
                     None => "give a diameter from 3 mm, for CYCLE96 a metric size from M3 to M68".to_owned(),
                 };
                 self.cycle_fault(
-                    args,
                     args.span_of(corner),
                     61601,
                     &format!("the diameter {diameter} has no undercut"),
@@ -303,7 +297,7 @@ impl Channel<'_> {
                 } else {
                     "add it under [undercut]"
                 };
-                self.cycle_fault(args, at, 61001, "the table has no such size or pitch", help)
+                self.cycle_fault(at, 61001, "the table has no such size or pitch", help)
             }
             CallFault::Pitch => {
                 let inside = matches!(one_letter(args), Some(b'C' | b'D'));
@@ -316,7 +310,7 @@ impl Channel<'_> {
                     Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
                     None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
                 };
-                self.cycle_fault(args, args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
+                self.cycle_fault(args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
             }
             CallFault::SizeMissing => {
                 let help =
@@ -324,17 +318,18 @@ impl Channel<'_> {
                         Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
                         None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
                     };
-                self.cycle_fault(args, args.span, 61001, "the size `_PITI` (argument 18) is missing", &help)
+                self.cycle_fault(args.span, 61001, "the size `_PITI` (argument 18) is missing", &help)
             }
             CallFault::BothAllowances => {
                 let help = "the control takes either `_FAL` or `_FALX` and `_FALZ`: give one of them";
                 let message = "an allowance on all sides stands beside one along an axis";
-                self.cycle_fault(args, args.span_of(FAL), None, message, help)
+                self.cycle_fault(args.span_of(FAL), None, message, help)
             }
         }
     }
 
-    fn send_undercut(&mut self, args: &Arguments, mut cycle: UndercutCycle) -> Outcome {
+    fn send_undercut(&mut self, mut cycle: UndercutCycle) -> Outcome {
+        let args = self.args;
         self.turning_position(args.span)?;
         cycle.compensated = self.job.settings.output.compensation == crate::machine::Compensation::Control;
         if cycle.compensated {
@@ -351,19 +346,18 @@ impl Channel<'_> {
         let face = cycle.face_end.unwrap_or(cycle.corner.y);
         if cycle.corner.y <= 0.0 || face < 0.0 || (internal && inside <= 0.0) {
             let help = "check the diameter, the end of the face and the clearance";
-            return self.cycle_fault(args, args.span, None, "the cycle would go beyond the turning centre", help);
+            return self.cycle_fault(args.span, None, "the cycle would go beyond the turning centre", help);
         }
         if let Err(fault) = cycle.check() {
-            return self.cycle_fault(args, args.span, None, &fault.to_string(), "check the arguments of the cycle");
+            return self.cycle_fault(args.span, None, &fault.to_string(), "check the arguments of the cycle");
         }
         self.send_cycle(Cycle::Undercut(cycle));
         Ok(())
     }
-}
 
-impl Core<'_> {
     /// What is not confirmed, and what the control would choose.
-    fn undercut_notes(&self, args: &Arguments, rests: &Rests) {
+    fn undercut_notes(&self, rests: &Rests) {
+        let args = self.args;
         if rests.thread.any() {
             let message = format!("the undercut rests on facts that are not confirmed: {}", rests.thread);
             self.note_once(codes::S8022, args.span, message);
@@ -381,12 +375,11 @@ impl Core<'_> {
             self.note_once(codes::S8022, args.span, message);
         }
         if rests.allowance_along_x {
-            self.reading(args, FALX, "`_FALX` counts on the radius");
+            self.reading(FALX, "`_FALX` counts on the radius");
         }
         if rests.other_allowance {
             let key = if args.or_zero(FAL) != 0.0 { FAL } else { FALZ };
             self.reading(
-                args,
                 key,
                 "the thousands of `_AMODE` (1 for `_FAL`, else `_FALX` and `_FALZ`) choose the other allowance, and roughing leaves this one",
             );

@@ -21,8 +21,7 @@ use crate::text::Loc;
 
 use crate::sema::run::Where;
 
-use super::state::Diameter;
-use super::state::State;
+use super::diameter::Diameter;
 use super::tangent::Heading;
 use super::{Channel, Core, Outcome, Reported, Run};
 use compare::compare;
@@ -57,27 +56,23 @@ pub(super) struct Stored {
 }
 
 impl Stored {
-    fn has_elements(&self) -> bool {
-        self.records.iter().any(|record| matches!(record, Record::Line(..) | Record::Arc { .. } | Record::Unknown(_)))
-    }
-}
-
-impl State {
     /// Notes the centre of an arc that follows.
-    pub(super) fn note_stored_centre(&mut self, center: crate::geo::Point2) {
-        if let Some(stored) = self.stored.as_mut() {
-            stored.centre = Some(center);
-        }
+    pub(super) fn note_centre(&mut self, center: crate::geo::Point2) {
+        self.centre = Some(center);
     }
 
     /// Notes the corner at the end of the last block.
-    pub(super) fn note_stored_corner(&mut self, corner: &Corner) {
-        let Some(last) = self.stored.as_mut().and_then(|stored| stored.blocks.last_mut()) else { return };
+    pub(super) fn note_corner(&mut self, corner: &Corner) {
+        let Some(last) = self.blocks.last_mut() else { return };
         last.corner = match corner.shape {
             CornerShape::Rounding { radius } => Some(CornerWord::Radius(radius)),
             CornerShape::Chamfer { side } => Some(CornerWord::Chamfer(side)),
             _ => None,
         };
+    }
+
+    fn has_elements(&self) -> bool {
+        self.records.iter().any(|record| matches!(record, Record::Line(..) | Record::Arc { .. } | Record::Unknown(_)))
     }
 }
 
@@ -262,7 +257,7 @@ impl Channel<'_> {
         // Blocks stand in front of the records.
         let _ = self.stored_must_be_done();
         let (arc, radius) = match path {
-            Path::Arc(arc, _) => match (self.st.heading_of(arc, &all), arc.shape) {
+            Path::Arc(arc, _) => match (Heading::behind(arc, &self.st.position, &all), arc.shape) {
                 (_, ArcShape::Center { center, ccw, .. }) => (Some((center, ccw)), None),
                 (Heading::Arc { center, ccw, .. }, ArcShape::Radius { radius, .. }) => {
                     (Some((center, ccw)), Some(radius))

@@ -8,8 +8,8 @@ use crate::machine::Axis;
 use crate::parser::sinumerik::records::Record;
 use crate::sema::run::Where;
 
+use super::super::diameter::Diameter;
 use super::super::g_groups::GCode;
-use super::super::state::Diameter;
 use super::super::words::Words;
 use super::super::{Channel, Core, Outcome, Run};
 use super::made::{Block, Contour, CornerWord};

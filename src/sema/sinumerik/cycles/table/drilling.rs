@@ -118,8 +118,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, _, _| Ok(Method::Drill { dwell: run.dwell_at_depth(args, DTB)? }),
+            feed: |call| call.cycle_feed(),
+            method: |call, _, _| Ok(Method::Drill { dwell: call.dwell_at_depth(DTB)? }),
             centring: true,
             modal_feed: true,
         }),
@@ -148,8 +148,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, _, _| run.counterbore(args),
+            feed: |call| call.cycle_feed(),
+            method: |call, _, _| call.counterbore(),
             centring: false,
             modal_feed: true,
         }),
@@ -191,8 +191,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, levels, _| run.peck(args, levels),
+            feed: |call| call.cycle_feed(),
+            method: |call, levels, _| call.peck(levels),
             centring: false,
             modal_feed: true,
         }),
@@ -235,8 +235,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, _| Ok(run.st.feed.word().unwrap_or(Feed::PerMinute(1.0))),
-            method: |run, args, levels, _| run.rigid_tap(args, levels),
+            feed: |call| Ok(call.st.feed.word().unwrap_or(Feed::PerMinute(1.0))),
+            method: |call, levels, _| call.rigid_tap(levels),
             centring: false,
             modal_feed: true,
         }),
@@ -271,8 +271,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.feed_of_chuck(args),
-            method: |run, args, _, _| run.tap_with_chuck(args),
+            feed: |call| call.feed_of_chuck(),
+            method: |call, _, _| call.tap_with_chuck(),
             centring: false,
             modal_feed: true,
         }),
@@ -298,10 +298,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.own_feed(args, FFR),
-            method: |run, args, _, _| {
-                Ok(Method::Ream { dwell: run.dwell_at_depth(args, DTB)?, back: run.own_feed(args, RFF)? })
-            },
+            feed: |call| call.own_feed(FFR),
+            method: |call, _, _| Ok(Method::Ream { dwell: call.dwell_at_depth(DTB)?, back: call.own_feed(RFF)? }),
             centring: false,
             modal_feed: false,
         }),
@@ -330,8 +328,8 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, _, _| run.bore(args),
+            feed: |call| call.cycle_feed(),
+            method: |call, _, _| call.bore(),
             centring: false,
             modal_feed: true,
         }),
@@ -345,8 +343,8 @@ pub(super) const ROWS: &[Cycle] = &[
             parameters: &[RTP, RFP, SDIS, DP, DPR, DIRECTION],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, _, _| Ok(Method::BoreWithStop { dwell: 0.0, turn: run.spindle_turn(args, SDIR)? }),
+            feed: |call| call.cycle_feed(),
+            method: |call, _, _| Ok(Method::BoreWithStop { dwell: 0.0, turn: call.spindle_turn(SDIR)? }),
             centring: false,
             modal_feed: true,
         }),
@@ -360,9 +358,9 @@ pub(super) const ROWS: &[Cycle] = &[
             parameters: &[RTP, RFP, SDIS, DP, DPR, DWELL, DIRECTION],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, _, _| {
-                Ok(Method::BoreWithStop { dwell: run.dwell_of(args, DTB)?, turn: run.spindle_turn(args, SDIR)? })
+            feed: |call| call.cycle_feed(),
+            method: |call, _, _| {
+                Ok(Method::BoreWithStop { dwell: call.dwell_of(DTB)?, turn: call.spindle_turn(SDIR)? })
             },
             centring: false,
             modal_feed: true,
@@ -377,8 +375,8 @@ pub(super) const ROWS: &[Cycle] = &[
             parameters: &[RTP, RFP, SDIS, DP, DPR, DWELL, PLAIN_GMODE, DMODE, AMODE],
         },
         work: Work::Hole(Hole {
-            feed: |run, args| run.cycle_feed(args),
-            method: |run, args, _, feed| Ok(Method::Ream { dwell: run.dwell_at_depth(args, DTB)?, back: feed }),
+            feed: |call| call.cycle_feed(),
+            method: |call, _, feed| Ok(Method::Ream { dwell: call.dwell_at_depth(DTB)?, back: feed }),
             centring: false,
             modal_feed: true,
         }),

@@ -13,6 +13,7 @@ use crate::sema::cycle_table::{Signature, Status};
 
 use super::super::{Outcome, Run};
 use super::arguments::{Arguments, Key};
+use super::call::CycleCall;
 
 /// A cycle: what a call gives, and what is done with it.
 #[derive(Debug)]
@@ -27,7 +28,7 @@ pub(in super::super) enum Work {
     /// Drills a hole, also behind MCALL.
     Hole(Hole),
     /// Makes moves.
-    Moves(fn(&mut Run<'_>, &Arguments) -> Outcome),
+    Moves(fn(&mut CycleCall<'_, '_>) -> Outcome),
     /// Takes or names contours, all of which are read; a cycle of this name that is a program of the user goes before it.
     Contour(fn(&mut Run<'_>, &Arguments) -> Outcome),
     /// Takes contours, and is refused with what was read, because its tracks are not published.
@@ -39,8 +40,8 @@ pub(in super::super) enum Work {
 /// A drilling cycle.
 #[derive(Debug)]
 pub(in super::super) struct Hole {
-    pub feed: fn(&mut Run<'_>, &Arguments) -> Outcome<Feed>,
-    pub method: fn(&mut Run<'_>, &Arguments, &Levels, Feed) -> Outcome<Method>,
+    pub feed: fn(&mut CycleCall<'_, '_>) -> Outcome<Feed>,
+    pub method: fn(&mut CycleCall<'_, '_>, &Levels, Feed) -> Outcome<Method>,
     /// A depth by the tens of `_GMODE` is that of the diameter of a centring, not that of the shank.
     pub centring: bool,
     /// Behind MCALL it drills at the feed that is modal there.

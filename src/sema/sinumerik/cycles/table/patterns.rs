@@ -34,7 +34,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 DMODE,
             ],
         },
-        work: Work::Moves(|run, args| run.row(args)),
+        work: Work::Moves(|call| call.row()),
     },
     Cycle {
         signature: Signature {
@@ -56,7 +56,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 DMODE,
             ],
         },
-        work: Work::Moves(|run, args| run.circle_of_holes(args)),
+        work: Work::Moves(|call| call.circle_of_holes()),
     },
     Cycle {
         signature: Signature {
@@ -81,7 +81,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 DMODE,
             ],
         },
-        work: Work::Moves(|run, args| run.grid(args)),
+        work: Work::Moves(|call| call.grid()),
     },
     Cycle {
         signature: Signature {
@@ -125,7 +125,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 further("S_AB8"),
             ],
         },
-        work: Work::Moves(|run, args| run.free_positions(args)),
+        work: Work::Moves(|call| call.free_positions()),
     },
 ];
 

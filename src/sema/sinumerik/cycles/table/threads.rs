@@ -47,7 +47,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_VRT", VRT).default("1 mm"),
             ],
         },
-        work: Work::Moves(|run, args| run.single_thread(args)),
+        work: Work::Moves(|call| call.single_thread()),
     },
     Cycle {
         signature: Signature {
@@ -89,7 +89,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &ANY_DIGITS, "coded reading of positions; 0"),
             ],
         },
-        work: Work::Moves(|run, args| run.chain_of_threads(args)),
+        work: Work::Moves(|call| call.chain_of_threads()),
     },
     Cycle {
         signature: Signature {
@@ -130,7 +130,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("_S_XRS", "crowned thread; refused where it is not 0").default("0"),
             ],
         },
-        work: Work::Moves(|run, args| run.thread_of_editor(args)),
+        work: Work::Moves(|call| call.thread_of_editor()),
     },
 ];
 

@@ -24,7 +24,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 POSITION,
             ],
         },
-        work: Work::Moves(|run, args| run.undercut_by_diameter(args)),
+        work: Work::Moves(|call| call.undercut_by_diameter()),
     },
     Cycle {
         signature: Signature {
@@ -39,7 +39,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 POSITION,
             ],
         },
-        work: Work::Moves(|run, args| run.undercut_of_thread(args)),
+        work: Work::Moves(|call| call.undercut_of_thread()),
     },
     Cycle {
         signature: Signature {
@@ -76,6 +76,6 @@ pub(super) const ROWS: &[Cycle] = &[
                 ),
             ],
         },
-        work: Work::Moves(|run, args| run.undercut_940(args)),
+        work: Work::Moves(|call| call.undercut_940()),
     },
 ];

@@ -3,12 +3,12 @@
 use crate::sema::cycle_table::Name;
 use crate::text::Loc;
 
-use super::cycle_definition::{DottedValue, Open, What};
-use super::cycles::{self, Q, Row};
+use super::super::cycle_definition::{DottedValue, Open, What};
+use super::{Q, Row};
 
 /// A machining cycle as it was defined.
 #[derive(Debug)]
-pub(super) struct DefinedCycle {
+pub(in super::super) struct DefinedCycle {
     pub number: u32,
     /// Where.
     pub loc: Loc,
@@ -42,7 +42,7 @@ impl DefinedCycle {
     }
 
     pub fn row(&self) -> &'static Row {
-        cycles::find(self.number)
+        super::find(self.number)
     }
 
     /// Does the definition give this parameter?

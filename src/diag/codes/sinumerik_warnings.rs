@@ -1,0 +1,274 @@
+//! `S8`: what SINUMERIK programs leave open, or what the output leaves out.
+
+super::codes! { SINUMERIK_WARNINGS:
+
+S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
+"Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \
+Put each comparison in brackets. The program is compiled as the control reads it."
+
+S8002 Note "siemens-dynamics" "words for speed and accuracy are left out"
+"G64 and its kin, SOFT, FFWON, COMP…, CYCLE832, ADIS, ACC and others shape how a control follows the path, not the path itself. The \
+programmed path is printed exactly; set the path mode of the target there."
+
+S8003 Warning "siemens-several-programs" "file holds several main programs"
+"An archive can hold several main programs; the first one is compiled, the others are not looked at. Put each into a file of its own."
+
+S8004 Note "siemens-gear" "gear steps are left out"
+"M40 to M45 select the gear of a spindle. The target chooses its own, so they are not printed; list them under `[output] pass_m` to print them."
+
+S8005 Note "siemens-h" "H functions are left out"
+"H functions are messages to the machine's own control. What they do is not known, and the target has no word for them."
+
+S8006 Note "siemens-outputs" "outputs and counters are left out"
+"Writing outputs, timers and counters of the control has no effect on the path and is not printed. Values that the program reads back are kept."
+
+S8007 Warning "siemens-increment-frame" "increment behind a change of the frame"
+"Whether an increment travels the change of the frame, too, depends on setting datum 42440: with 1 it counts from the programmed value of \
+before in the new frame, with 0 from where the tool stands. Set `[control] sd42440`, or program absolutely."
+
+S8008 Warning "siemens-rnd-and-chr" "rounding and chamfer in one block"
+"With RND and CHR or CHF in one block the control makes the rounding only. Delete one of them."
+
+S8009 Warning "siemens-tool-not-listed" "tool is not in the tool table"
+"A tool table was given, and this tool is not in it. Check the number, or add the tool."
+
+S8010 Note "siemens-edges" "tool data of the control are not printed"
+"A tool of the target has one set of offsets, in a table of its own. Edges D2 and higher, and lengths that the program writes ($TC_DP3), are \
+not printed; the target has to be told them. Under G41 and G42 the radius of the edge counts: where it is not known the block is refused."
+
+S8011 Note "siemens-g500" "how positions under G500 are printed"
+"G500 switches the work offset off, so that positions count from the basic system: the machine zero, shifted by the basic frame. Where the program uses no offset \
+of the machine they are printed as they stand; the offset that is active on the target has to be zero or to lie there. Beside offsets of the machine they are \
+printed with G53 through `[datums] basic`, or through the values of the offset in `[datums]`. If G500 stands for a work offset, name it: `[datums] G500 = \"G54\"`."
+
+S8012 Note "siemens-written-offset" "work offset of the program is in the coordinates"
+"The program writes the work offset itself ($P_UIFR). It is put into the printed coordinates, which count from the basic system; no G54 is \
+printed for it. So the work offset that is active on the target has to be zero, or to lie at the basic zero point."
+
+S8101 Warning "siemens-feed-words" "word that changes feeds or speeds"
+"CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, FGROUP lets \
+it count along some of the axes, GWPSON makes S a speed of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
+
+S8102 Warning "siemens-rapid-by-axis" "rapid traverse of each axis by itself"
+"Under RTLIOF each axis goes to its end at its own rapid traverse, so that the path between the points is no straight line. The target moves straight: \
+check that the way is free, or program RTLION."
+
+S8103 Note "siemens-control-words" "words that steer the control only are left out"
+"STOPRE, SBLOF, DISPLOF, WAITP and others act on the buffer, the display and the single block of the control; LFON and RMI on what happens behind an \
+interruption; CP, TRAFOOF, TOROTOF, CUTCONOF and others switch off what no block can switch on here. None of them moves an axis."
+
+S8104 Note "siemens-orientation-words" "words for tool orientation are left out"
+"ORIWKS, ORIMKS, ORIAXES, ORIC and others say how a control turns the tool. The output has no tool orientation: rotary axes are printed as they are \
+programmed, and tool directions (A3=, LEAD=) are refused."
+
+S8105 Note "siemens-length-added" "tool length is in a machine coordinate"
+"G53, G153 and SUPA place the tip of the tool on a SINUMERIK control (MD 10760 = 0), and the nose of the spindle on the target. The length of the \
+tool is added to the printed coordinate, so that the spindle stands where the control has it."
+
+S8106 Warning "siemens-tip-in-machine" "machine coordinate counts for the tip of the tool"
+"G53, G153 and SUPA suppress frames, not the length of the tool, unless MD 10760 says so: the tip goes to the machine coordinate, and the \
+spindle stands a tool length higher. The target places its spindle there. Write D0 in the block as most programs do, set `[control] md10760 = \
+true` if the machine suppresses the length, or print tool lengths (`tool_length = \"G43\"`) and give them."
+
+S8107 Warning "siemens-negative-half" "half of a negative number is rounded"
+"A negative number that ends in .5 becomes an INT here by rounding up (-2.5 is -2), and ROUND takes it away from zero (-3). The manuals say what \
+becomes of positive halves only. Keep the value off the half, or round it in the program."
+
+S8108 Note "siemens-file-error" "error variable of a file access is 0"
+"WRITE and DELETE report in a variable whether they worked. They are left out, so the variable gets 0: no error."
+
+S8013 Note "siemens-limits" "working-area limits are left out"
+"G25 and G26 set limits for axes or spindle speeds in the control. They are no moves and have no word on the target."
+
+S8014 Note "siemens-master" "another spindle is the master"
+"SETMS makes another spindle the master: S, M3, M4, M5 and SPOS without a number are its words from here on and are printed with its number. \
+Feed per revolution, threads and G96 would follow it, too, and are refused: the target follows its first spindle."
+
+S8015 Note "siemens-channels" "channel words are left out"
+"INIT, START, WAITM and others synchronize programs in several channels. The output is for one channel; what the others do is not in it."
+
+S8016 Note "siemens-interrupts" "interrupt programs are left out"
+"SETINT and others name programs that run when a signal comes. They are not part of the path."
+
+S8017 Note "siemens-files" "file access is left out"
+"WRITE, DELETE and others work on files of the control. They have no effect on the path."
+
+S8018 Warning "siemens-two-depths" "two depths for one hole"
+"DP and DPR, or FDEP and FDPR, give different depths. The cycle takes the relative one. Leave one of them out."
+
+S8019 Warning "siemens-starts" "thread with several starts"
+"The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it."
+
+S8020 Note "siemens-thread-variant" "digits of a thread cycle"
+"What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
+those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
+
+S8021 Warning "siemens-flank" "reference of the flank infeed"
+"With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
+the crest on. The finished thread is the same up to a shift along its axis, which matters where a thread is cut anew. `[control] thread_flank` says it."
+
+S8022 Note "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
+"Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing."
+
+S8023 Note "siemens-undercut-roughing" "roughing of an undercut"
+"How a control roughs an undercut is not published. partc cuts in equal steps, then along the undercut; the finished form is the same."
+
+S8024 Note "siemens-nose" "nose radius is not compensated"
+"The cycle of the control selects radius compensation itself. With `compensation = \"control\"` the output does so, too; otherwise the \
+programmed point of the tool follows the undercut."
+
+S8025 Warning "siemens-tap" "tapping with a tension-compression chuck"
+"CYCLE84, CYCLE840, G331 and G332: the target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
+target has rigid tapping of its own, replace the two moves by it."
+
+S8026 Warning "siemens-contour-differs" "blocks and records of a stored contour differ"
+"The contour editor stores a contour twice: as NC blocks, which run, and as hidden records of what was typed. They make different points here, so one \
+of the two was changed by hand. The blocks are compiled, as the control does."
+
+S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be checked"
+"The hidden records of this contour use elements that cannot be solved here. The NC blocks are compiled; nothing is lost but the check."
+
+S8029 Note "siemens-swivel-zero" "swivelling by nothing is left out"
+"CYCLE800 with angles, offsets and retraction of 0 leaves the plane where it is. Rotary axes stay where they are: the output has a machine in \
+mind whose plane is not swivelled."
+
+S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
+"The NC blocks of a contour of the contour editor are missing. Its hidden records determine it, so the blocks are made from them, at the feed that \
+is modal. Compare the result with the drawing."
+
+S8030 Warning "siemens-contour-choice" "stored contour has two solutions"
+"A contour is made from its hidden records, and the values of one leave two solutions. Which one was chosen in the editor is stored in a way that is \
+not confirmed; the shorter arc or the farther point is taken. Compare it with the drawing."
+
+S8031 Note "siemens-spindle-sense" "sense of a spindle stop is not printed"
+"SPOS=ACP(…) and SPOS=ACN(…) say in which sense the spindle turns to its angle. The angle is printed; the target chooses the sense."
+
+S8032 Warning "siemens-speed-limited" "spindle speed is above its limit"
+"G26 S limits the speed of a spindle, LIMS= that of the master under G96 and G97. The control turns the spindle at the limit, so the limit is printed."
+
+S8033 Warning "siemens-mcall-trigger" "block without a move under a modal drilling cycle"
+"Under MCALL of a drilling cycle some controls drill behind a bare G0, G1, F or S as well, at the place where the tool stands. It is read here \
+as a block that drills nothing. Put such blocks in front of MCALL."
+
+S8034 Warning "siemens-thread-spindle" "thread without a turning spindle"
+"G33 follows the turning of the spindle. No block before starts it, so that the machine would wait for a spindle that stands. \
+A subprogram may have its spindle started by its caller; then all is well."
+
+S8035 Note "siemens-argument-unused" "argument that this form of the cycle does not use"
+"The cycle has forms that use different arguments. The one named has a value and no meaning for the form of the call, so it changes \
+nothing. Check whether the form or the place of the argument is meant otherwise."
+
+S8036 Warning "siemens-label-twice" "label that stands twice"
+"A jump goes to the nearest label in the direction of its search, so that a label that stands twice leads to different places from \
+different blocks, and a block inserted later changes the way. Some controls refuse such a program when it is translated. Rename one of them."
+
+S8037 Note "siemens-callpath" "search path of the control is not used"
+"CALLPATH adds a folder of the control in which called programs are looked for. partc looks beside the program that calls and in the \
+folders of `[include] roots`. If a program lies in the folder that CALLPATH names, list the folder there."
+
+S8038 Warning "siemens-mcall-open" "modal call that is never ended"
+"MCALL with a program or a cycle calls it behind each block that moves, up to an MCALL without a name. The program ends before: \
+every move behind the last hole, the retraction to the tool change included, has drilled again."
+
+S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
+"`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
+jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \
+with the code that the text names says why."
+
+S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
+"G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
+any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
+
+S8042 Note "siemens-tangent-frame" "direction of CT is turned with the frame"
+"CT goes on in the direction of the last block that travelled. A frame that turns, mirrors or scales between the two is applied to that \
+direction, too, so that the path has a corner there. Program CT in front of the change of the frame if it shall go on smoothly."
+
+S8043 Note "siemens-compensation-shape" "shape of the compensated path is the target's"
+"KONT, KONTT, KONTC, G451, G461 and G462 say how the control leads the tool to a compensated contour, away from it and round its corners. \
+With `[output] compensation = \"control\"` the target computes that path by its own rules: watch the entry, the exit and sharp outside \
+corners in its simulation."
+
+S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
+"C=DC(30) takes the shortest way to 30 degrees, and C30 of an axis that counts modulo 360 degrees stays inside its turn. No block before says where \
+the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
+
+S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
+"What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
+An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`."
+
+S8046 Warning "siemens-speed-frozen" "constant cutting speed ends without a speed"
+"G97, G94 and G95 behind G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
+printed; on the machine it depends on where the control last adapted it. Program S with the word."
+
+S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spindle"
+"G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \
+A subprogram may have its spindle started by its caller; then all is well."
+
+S8048 Warning "siemens-via-diameter" "intermediate point of CIP in diameters"
+"Under DIAMON the intermediate point of a circle is read as the end point is: I1= along the diameter axis is a diameter. The manuals do not \
+list this word among the diameters. Where it is a radius on your control, program DIAMOF and radii for this circle."
+
+S8049 Note "siemens-goto-start" "jump to the start of the program is left out"
+"GOTOS goes back to the start of the program where the machine (its PLC) asks for another run. The output is one run; start it again on the target."
+
+S8050 Warning "siemens-count-rounded" "number of holes is rounded"
+"The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
+look at the formula that makes it."
+
+S8130 Note "siemens-axis-left-out" "axis that is left out"
+"`[machine] axes` says that the target has no such axis. Its words are left out of every block; other words of the blocks are printed. See to it that \
+the axis stands where the program needs it."
+
+S8131 Warning "siemens-moves-before-offset" "moves in front of the first work offset"
+"In front of the first G54 a control counts from its basic system (G500), unless a machine datum (MD 20150) says otherwise. On the target these moves run under \
+the offset that is active there at the start. Select the work offset in front of the first move; a retraction in machine coordinates is SUPA or G53."
+
+S8133 Warning "siemens-thread-shifted" "start of a thread is shifted"
+"SF=, the start angle and further starts of a thread cycle begin a thread at an angle of the spindle, which the target cannot. It begins farther back by lead · angle / 360 instead and is the same thread from the \
+programmed start on. The tool goes to that place at rapid traverse: see that no shoulder and no tailstock stands there."
+
+S8134 Warning "siemens-g40-waits" "G40 without a move in the plane"
+"The manuals want G40 in a block that moves in the working plane (alarm 10754); programs that ran have it in front of a retraction along the tool. The offset stays \
+through such moves and is taken off in the next G0 or G1 with an axis of the plane, an arc there is refused. `[control] g40_without_motion = \"error\"` refuses it at once."
+
+S8135 Note "siemens-stand-in" "program that `[programs]` stands for"
+"The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; whatever else the program does on \
+the machine is not in the output. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
+
+S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
+"Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \
+count from the machine zero. The way between the two is the basic frame of the machine: give it by `[datums] basic`, or see that the offset on the target lies where the \
+basic system of the control lies."
+
+S8191 Warning "siemens-g96-shifted" "constant cutting speed under a shift of the diameter axis"
+"G96 makes the speed of the spindle from the diameter at which the tool stands. The target takes the printed coordinate, in which a TRANS of the diameter axis is contained; \
+which of the two the control takes is not confirmed. Look at the speed on the machine, end the shift in front of the cut, or program G97 with a speed."
+
+S8192 Warning "siemens-point-without-axis" "G74 or G75 without an axis"
+"G74 and G75 move the axes that their block names to points of the machine. This block names none, so nothing is printed for it; a retraction that it may stand for is \
+not made. Name the axes: `G75 X1=0 Z1=0`."
+
+S8193 Warning "siemens-disc" "DISC is read as a circle"
+"DISC=1 to DISC=100 stretch the arc about an outside corner towards the intersection; the curve is not published. With `[control] disc = \"circle\"` the tool goes around \
+the corner on a circle, as under DISC=0: it touches the same contour, on a shorter way."
+
+S8194 Warning "siemens-edge-position" "centre of the nose by the position of the edge"
+"The path of a turning tool is that of its theoretical tip. From there the centre of the nose lies as the position of the cutting edge says (`$TC_DP2`, or `orientation` in partc.toml): \
+3 is an outside tool that cuts towards the chuck, 2 a boring bar, 9 the centre itself. The table was not confirmed by a manual at hand: compare it with the tool data of the control once."
+
+S8195 Warning "siemens-corner-code" "G450 or G451 in a block of the contour"
+"G450 and G451 change inside a compensated contour, in a block that moves. The manuals do not say whether the corner in front of the block or the one behind it is meant: the one behind \
+it is taken. Write the code into a block without a move."
+
+S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
+"The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
+blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."
+
+S8161 Warning "siemens-contour-start-undercut" "contour starts with an undercut"
+"The NC blocks of a contour of the contour editor are missing, and its records put an undercut at its start. The contour is begun where the undercut \
+leaves the line in front of it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen."
+
+S8162 Warning "siemens-cycle-reading" "reading of a cycle argument that is not confirmed"
+"The argument has a meaning that follows from a few stored programs or from similar cycles, and no manual at hand says it. partc takes it as the \
+message says; compare with what the machine does."
+}

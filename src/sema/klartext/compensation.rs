@@ -1,0 +1,391 @@
+//! Radius compensation: RL, RR and R0, what M functions change about the computed path, and what a departure has to know
+//! of the contour.
+//!
+//! Source: K 2.12, 2.14 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{self, Deg, Plane, Point2, SAME_POINT, Vec2, arc};
+use crate::ir::compensation::{Inside, Outside, Search};
+use crate::ir::contour::{Arc, ArcShape, Path};
+use crate::ir::{Pos, Side};
+use crate::machine::Compensation;
+use crate::text::Span;
+
+use super::m_table::Args;
+use super::state::State;
+use super::words::{Comp, MWord, Words};
+use super::{Outcome, Reported, Run};
+use crate::sema::common::plane::plane_axes;
+
+/// Most blocks that M120 LA looks ahead.
+const MOST_AHEAD: f64 = 99.0;
+/// The largest turn of a contour: M97 prolongs the elements at every outside corner.
+const EVERY_TURN: Deg = Deg(180.0);
+
+/// The last move in the working plane, for its direction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LastMove {
+    from: Point2,
+    pub to: Point2,
+    plane: Plane,
+    path: Path,
+    /// Where a tangential arc begins: the direction of the element before.
+    entering: Option<Vec2>,
+}
+
+/// The contour under way, or the one that the tool still stands beside.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Contour {
+    /// [`Side::None`] behind an approach with R0.
+    pub side: Side,
+    /// More than the way to it was programmed.
+    pub begun: bool,
+    pub last: Option<LastMove>,
+}
+
+/// Does the block change what is made of the corner at its end?
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum OwnCorner {
+    #[default]
+    No,
+    /// Yes, and no element was sent yet.
+    Waits,
+    Sent,
+}
+
+impl LastMove {
+    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path) -> LastMove {
+        LastMove { from, to, plane, path, entering: None }
+    }
+
+    /// Direction of travel at the start or the end.
+    pub fn direction(&self, at_start: bool) -> Option<Vec2> {
+        let at = if at_start { self.from } else { self.to };
+        match self.path {
+            Path::Line(_) | Path::Rapid => geo::direction(self.to - self.from, SAME_POINT),
+            Path::Arc(Arc { plane, .. }, _) if plane != self.plane => None,
+            Path::Arc(Arc { shape, .. }, _) => match shape {
+                ArcShape::Center { center, ccw, .. } => arc::tangent_at(at, center, ccw),
+                ArcShape::Sweep { center, sweep } => arc::tangent_at(at, center, sweep.0 > 0.0),
+                ArcShape::Radius { radius, ccw, tol } => {
+                    let center = arc::center_by_radius(self.from, self.to, radius, ccw, SAME_POINT, tol)?;
+                    arc::tangent_at(at, center, ccw)
+                }
+                ArcShape::Tangent if at_start => self.entering,
+                // The chord halves the turn of an arc.
+                ArcShape::Tangent => {
+                    let (along, t) = (self.to - self.from, self.entering?);
+                    let half = libm::atan2(geo::cross(t, along), t.dot(&along));
+                    Some(geo::turned(t, 2.0 * half))
+                }
+                ArcShape::Opening { .. } | ArcShape::Via { .. } => None,
+            },
+            Path::Thread(_) => None,
+        }
+    }
+}
+
+impl Contour {
+    pub fn new(side: Side) -> Contour {
+        Contour { side, begun: false, last: None }
+    }
+}
+
+impl State {
+    /// Does a move to `after` change the place in the working plane?
+    pub fn moves_in_plane(&self, after: &Pos, path: &Path) -> bool {
+        let plane = self.plane();
+        let mut end = *self.position.at();
+        end.update(after);
+        match (self.position.in_plane(plane), end.in_plane(plane)) {
+            (Some(from), Some(to)) => from != to || matches!(path, Path::Arc(arc, _) if arc.plane == plane),
+            _ => !after.known().common(plane_axes(plane)).is_empty(),
+        }
+    }
+
+    /// Notes a move of a contour, or the move that leads away from it. Called before the position is taken over.
+    fn follow_contour(&mut self, after: &Pos, path: Path) {
+        let side = self.compensation.side();
+        if side == Side::None && self.contour.is_some_and(|contour| contour.side != Side::None) {
+            // A block that names the plane leads to its end, even from beside it.
+            if !after.known().common(plane_axes(self.plane())).is_empty() {
+                self.contour = None;
+            }
+            return;
+        }
+        if !self.moves_in_plane(after, &path) {
+            return;
+        }
+        if self.own_corner == OwnCorner::Waits {
+            self.own_corner = OwnCorner::Sent;
+        }
+        let plane = self.plane();
+        let mut end = *self.position.at();
+        end.update(after);
+        let begun = self.contour.is_some();
+        let mut contour = self.contour.unwrap_or(Contour::new(side));
+        let before = contour.last.take();
+        if let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) {
+            let mut last = LastMove::new(from, to, plane, path);
+            if matches!(path, Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _)) {
+                last.entering = before.and_then(|before| before.direction(false));
+            }
+            contour.last = Some(last);
+        }
+        self.contour = Some(Contour { begun, ..contour });
+    }
+
+    /// The compensation ends, and what M120 says with it.
+    pub fn end_compensation(&mut self) {
+        self.compensation.end();
+        self.look_ahead = 0;
+    }
+
+    /// What holds from block to block.
+    fn modal_rules(&mut self) {
+        if let Some(rules) = self.ctx.compensation.as_deref().copied() {
+            let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
+            let (outside, inside) = (Outside::default(), Inside::default());
+            self.compensate(crate::ir::Compensation { search, outside, inside, ..rules });
+        }
+    }
+}
+
+impl Run<'_> {
+    /// Does the compiler compensate?
+    pub(super) fn computes_path(&self) -> bool {
+        self.job.settings.output.compensation == Compensation::Resolve
+    }
+
+    /// Takes note of a move that is about to be sent.
+    #[inline]
+    pub(super) fn note_contour(&mut self, end: &Pos, path: Path) {
+        if self.st.compensation.is_on() || self.st.contour.is_some() {
+            self.st.follow_contour(end, path);
+        }
+    }
+
+    pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {
+        let Some(Comp::Side(side)) = w.comp else { return Ok(()) };
+        if side == self.st.compensation.side() {
+            if side == Side::None {
+                self.st.compensation.found();
+            }
+            return Ok(());
+        }
+        let switched = self.switch_side_to(w, side, arc);
+        match switched {
+            Ok(()) => self.st.compensation.found(),
+            Err(Reported) => self.st.compensation.lose(),
+        }
+        switched
+    }
+
+    fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
+        if arc {
+            return self.fail_help(
+                codes::K2601,
+                w.comp_span,
+                "radius compensation cannot start or end in an arc",
+                "program a straight block with RL, RR or R0 before or after the arc",
+            );
+        }
+        if side == Side::None {
+            self.st.look_ahead = 0;
+        } else {
+            let other = |contour: Contour| contour.side != side && contour.side != Side::None;
+            let stays = self.computes_path() && self.st.contour.is_some_and(other);
+            if self.st.compensation.is_on() || stays {
+                let what = if stays {
+                    "RL and RR follow each other, and R0 between them moved nothing in the working plane"
+                } else {
+                    "RL and RR follow each other without R0"
+                };
+                return self.fail_help(
+                    codes::K2602,
+                    w.comp_span,
+                    what,
+                    "program a straight block with R0 between them",
+                );
+            }
+            self.compute_compensation(w.comp_span)?;
+            self.check_cutter(w.comp_span)?;
+            self.st.contour = None;
+        }
+        self.st.compensation.select(side);
+        Ok(())
+    }
+
+    /// The compiler itself computes the path of the tool centre, unless the target shall.
+    pub(super) fn compute_compensation(&mut self, span: Span) -> Outcome {
+        if !self.computes_path() {
+            return Ok(());
+        }
+        let radius = self.tool_radius(span)?;
+        if radius < 0.0 {
+            return self.fail_help(
+                codes::K9007,
+                span,
+                format!("the radius of the tool with its oversizes is {radius} mm: what a control does below zero is not known"),
+                "make the oversize DR smaller, or swap RL and RR and give the radius without its sign",
+            );
+        }
+        if self.st.rotary.follows_tip {
+            return self.fail_help(
+                codes::K9007,
+                span,
+                "under M128 the radius compensation is one in space",
+                "program M129 in front of the contour",
+            );
+        }
+        self.st.compensate(crate::ir::Compensation { radius, ..Default::default() });
+        self.st.modal_rules();
+        Ok(())
+    }
+
+    /// M97, M98, M120 and M197 of a block in a contour that the compiler compensates.
+    pub(super) fn shape_corners(&mut self, w: &Words) -> Outcome {
+        if w.m().is_empty() || !self.computes_path() || !self.st.compensation.is_on() {
+            return Ok(());
+        }
+        for &m in w.m() {
+            match m.number {
+                97 => self.own_corner(Outside { prolonged: EVERY_TURN, ..Outside::default() }, None),
+                98 => self.open_corner(&m)?,
+                120 => self.look_ahead(&m)?,
+                197 => self.shortened_corner(&m)?,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The corner at the end of this block is made in another way.
+    fn own_corner(&mut self, outside: Outside, inside: Option<Inside>) {
+        let Some(rules) = self.st.ctx.compensation.as_deref().copied() else { return };
+        let outside = if inside.is_some() { rules.outside } else { outside };
+        let inside = inside.unwrap_or(rules.inside);
+        self.st.compensate(crate::ir::Compensation { outside, inside, ..rules });
+        self.st.own_corner = OwnCorner::Waits;
+    }
+
+    fn open_corner(&mut self, m: &MWord) -> Outcome {
+        if self.job.settings.control.klartext_choices.open_corners_refused {
+            return self.fail_help(
+                codes::K9008,
+                m.span,
+                "M98 opens the corner at the end of this block, and the way from one side to the other is not confirmed",
+                "program the corner as two contours, or set `[control] m98 = \"line\"`",
+            );
+        }
+        self.report(
+            Diagnostic::new(
+                codes::K2893,
+                self.loc(m.span),
+                "M98 opens the corner at the end of this block: a straight line leads from one side to the other",
+            )
+            .help("`[control] m98 = \"refuse\"` refuses such corners"),
+        );
+        self.own_corner(Outside::default(), Some(Inside::Open));
+        Ok(())
+    }
+
+    fn look_ahead(&mut self, m: &MWord) -> Outcome {
+        let blocks = m.args.value.unwrap_or(0.0);
+        if blocks.fract() != 0.0 || !(0.0..=MOST_AHEAD).contains(&blocks) {
+            return self.fail_help(
+                codes::K2707,
+                m.span,
+                format!("M120 looks ahead {blocks} blocks"),
+                "write a whole number up to 99: `M120 LA5`",
+            );
+        }
+        self.st.look_ahead = blocks as u32;
+        if let Some(rules) = self.st.ctx.compensation.as_deref().copied() {
+            let search = Search { elements: self.st.look_ahead, bottlenecks: self.st.look_ahead > 0 };
+            self.st.compensate(crate::ir::Compensation { search, ..rules });
+        }
+        Ok(())
+    }
+
+    fn shortened_corner(&mut self, m: &MWord) -> Outcome {
+        let Args { value: Some(by), .. } = m.args else {
+            return self.fail_help(codes::K2707, m.span, "M197 lacks its length", "write `M197 DL0.5`");
+        };
+        if by < 0.0 {
+            return self.fail_help(
+                codes::K2707,
+                m.span,
+                format!("M197 prolongs the elements by {by}"),
+                "write a length that is not below zero",
+            );
+        }
+        let by = by * self.level().frame.unit.mm();
+        self.own_corner(Outside { by: Some(by), ..Outside::default() }, None);
+        Ok(())
+    }
+
+    /// The block of M97, M98 or M197 is over.
+    #[cold]
+    pub(super) fn end_own_corner(&mut self, w: &Words) -> Outcome {
+        let own = std::mem::take(&mut self.st.own_corner);
+        self.st.modal_rules();
+        match w.any_m(&[97, 98, 197]) {
+            Some(m) if own == OwnCorner::Waits => self.fail_help(
+                codes::K2607,
+                m.span,
+                format!(
+                    "M{} acts on the corner at the end of its block, and this block moves nothing in the working plane",
+                    m.number
+                ),
+                "write it into the block that ends in the corner",
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses what may not stand in a compensated contour, where the compiler computes it.
+    pub(super) fn refuse_compensated(&mut self, what: &str) {
+        if !self.st.compensation.is_on() || !self.computes_path() {
+            return;
+        }
+        self.report(
+            Diagnostic::new(codes::K2606, self.here.origin.loc, format!("{what} while radius compensation is on"))
+                .help("end the compensation in front of this block, by R0 in a straight block or DEP"),
+        );
+        self.st.end_compensation();
+        self.st.contour = None;
+        self.lose_all();
+    }
+
+    /// RND as way to a contour, or from it.
+    pub(super) fn round_border(&mut self, leaves: bool) -> Outcome {
+        if !self.computes_path() {
+            return Ok(());
+        }
+        let (what, help) = if leaves {
+            (
+                "RND stands in front of the block with R0, so the contour ends on its arc",
+                "program the departure with DEP CT",
+            )
+        } else {
+            (
+                "RND stands behind the block with RL or RR, so the contour begins on its arc",
+                "program the approach with APPR CT",
+            )
+        };
+        if !self.job.settings.control.klartext_choices.rounded_approach {
+            return self.fail_help(
+                codes::K9007,
+                self.block_span(),
+                format!("{what}: how the control leads the tool there is not confirmed"),
+                format!("{help}, or set `[control] rounded_approach = \"round\"`"),
+            );
+        }
+        self.report(
+            Diagnostic::new(codes::K2894, self.here.origin.loc, format!("{what}: the programmed corner is rounded"))
+                .help(format!("{help} to be sure")),
+        );
+        Ok(())
+    }
+}

@@ -1,0 +1,92 @@
+//! All words of the language in one place: G codes, addresses, procedures, cycles, and those that are not compiled.
+
+use super::g_groups::named_codes;
+use super::known_words::KNOWN;
+use super::vocabulary::{
+    ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, Procedure, REFUSED, Refusal,
+    TRANSFORMATIONS,
+};
+use crate::diag::codes;
+use rustc_hash::FxHashMap;
+
+/// Every word of the language by name.
+pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
+    let mut map = FxHashMap::default();
+    for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::S9005)] {
+        for (what, names) in list {
+            for name in names.split(' ') {
+                map.insert(name, Meaning::Procedure(Procedure::Refused(Refusal { what, code })));
+            }
+        }
+    }
+    for cycle in super::cycles::rows() {
+        map.insert(
+            cycle.signature.name,
+            Meaning::Procedure(Procedure::Refused(Refusal { what: "machining cycle", code: codes::S9005 })),
+        );
+    }
+    let simple = [
+        (NO_EFFECT, Procedure::NoEffect),
+        (CHANNEL, Procedure::Channel),
+        (INTERRUPT, Procedure::Interrupt),
+        (FILES, Procedure::FileAccess),
+        (DYNAMICS, Procedure::Dynamics),
+        ("GWPSON", Procedure::WheelSpeed),
+        ("MSG", Procedure::Message),
+        ("SETAL", Procedure::SetAlarm),
+        ("SETMS", Procedure::SetMaster),
+        ("CALLPATH", Procedure::CallPath),
+        ("EXECSTRING", Procedure::ExecString),
+        ("RET", Procedure::Return),
+        ("TRAFOOF", Procedure::TransformationOff),
+        ("CYCLE800", Procedure::Swivel),
+        ("GEOAX", Procedure::GeoAxes),
+        ("ENDLABEL", Procedure::EndLabel),
+        ("DIAMCHAN", Procedure::DiameterChannel),
+    ];
+    for (names, procedure) in simple {
+        for name in names.split_ascii_whitespace() {
+            map.insert(name, Meaning::Procedure(procedure));
+        }
+    }
+    for (name, address) in ADDRESS_NAMES {
+        map.insert(*name, Meaning::Address(*address));
+    }
+    for (name, indexed) in INDEXED_NAMES {
+        map.insert(*name, Meaning::Indexed(*indexed));
+    }
+    for (name, code) in named_codes() {
+        map.insert(name, Meaning::Code(code));
+    }
+    for row in KNOWN {
+        for name in row.names.split(' ') {
+            map.entry(name).or_insert(Meaning::Known(row));
+        }
+    }
+    map
+}
+
+/// Every word that the compiler knows, with its G group if it is a code of one; in order.
+pub fn all_words() -> Vec<(String, Option<u8>)> {
+    let mut list: Vec<(String, Option<u8>)> = words()
+        .into_iter()
+        .filter(|(name, _)| *name != "-")
+        .map(|(name, meaning)| match meaning {
+            Meaning::Code(code) => (name.to_owned(), Some(code.group.number())),
+            _ => (name.to_owned(), None),
+        })
+        .collect();
+    list.sort();
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::g_groups::GCode;
+    use super::*;
+
+    #[test]
+    fn codes_are_words() {
+        assert_eq!(words().get("DIAMON"), Some(&Meaning::Code(GCode::DIAMON)));
+    }
+}

@@ -1,0 +1,29 @@
+//! System variables that the program wrote.
+
+use std::collections::BTreeMap;
+
+use super::value::Val;
+
+/// The values by their names with indices: `$TC_DP6[1,1]`.
+#[derive(Debug, Clone, Default)]
+pub(super) struct SystemVariables {
+    written: BTreeMap<String, Val>,
+}
+
+impl SystemVariables {
+    pub fn get(&self, key: &str) -> Option<&Val> {
+        self.written.get(key)
+    }
+
+    pub fn number(&self, key: &str) -> Option<f64> {
+        self.get(key).and_then(Val::number)
+    }
+
+    pub fn set(&mut self, key: String, value: Val) {
+        self.written.insert(key, value);
+    }
+
+    pub fn is_written(&self, key: &str) -> bool {
+        self.written.contains_key(key)
+    }
+}
