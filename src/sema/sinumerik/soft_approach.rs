@@ -293,7 +293,7 @@ impl Channel<'_> {
         let plane = self.st.plane();
         let at = self.st.position.in_plane(plane)?;
         match path {
-            Path::Arc(arc, _) => match self.st.heading_of(arc, end) {
+            Path::Arc(arc, _) => match Heading::behind(arc, &self.st.position, end) {
                 Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
                 _ => None,
             },

@@ -127,19 +127,6 @@ impl CompensationState {
     }
 }
 
-impl super::state::State {
-    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
-    #[inline]
-    pub(super) fn side_of_move(&self) -> Side {
-        // The computed path stays beside the contour by itself.
-        if self.path.is_computed() {
-            self.printed_side(self.side())
-        } else {
-            self.compensation.side_of_move(self.side())
-        }
-    }
-}
-
 impl Channel<'_> {
     pub(super) fn tool_word_given(&mut self, t: Given, w: &mut Words) -> Outcome {
         let number = match w.tool_name.take() {
