@@ -22,7 +22,7 @@ const DAMAGE: f64 = 2e-3;
 
 /// Units of the last place that printed lines and arcs may lose.
 const LINE: f64 = 1.0;
-const ARC: f64 = 1.5;
+const ARC: f64 = 2.0;
 
 #[derive(Debug, Default)]
 struct Tally {
@@ -123,9 +123,10 @@ fn judge(
     };
     ends(path[0].from, curves[0].beside(0.0, d), "start")?;
     ends(path[path.len() - 1].to, curves[curves.len() - 1].beside(1.0, d), "end")?;
-    let steps: u32 = if damaged { 400 } else { 12 };
     let mut lost = [0.0_f64; 2];
     for piece in path {
+        let fine = (piece.length() / (0.02 * r)).clamp(400.0, 40_000.0) as u32;
+        let steps = if damaged { fine } else { 12 };
         for k in 0..=steps {
             let share = f64::from(k) / f64::from(steps);
             let short = r - nearest(&curves, piece.at(share));
@@ -151,13 +152,24 @@ fn judge(
         }
     }
     touches(&curves, path, d, 3.0 * unit + 1e-4)?;
-    let wanted = contour.heights();
-    let same = wanted.len() == heights.len() && wanted.iter().zip(heights).all(|(a, b)| (a - b).abs() <= unit);
-    if !same {
-        return Err(format!("the tool axis goes {heights:?} instead of {wanted:?}"));
-    }
+    climbs(&contour.heights(), heights, unit)?;
     let share = |kind: usize| if wide { lost[kind] / unit } else { 0.0 };
     Ok(([share(0), share(1)], wide))
+}
+
+/// The tool axis goes to each height in turn, and nowhere else but in between: a small helix is printed in parts.
+fn climbs(wanted: &[f64], heights: &[f64], unit: f64) -> Result<(), String> {
+    let near = |a: f64, b: f64| (a - b).abs() <= unit;
+    let mut next = 0;
+    for height in heights {
+        let between = |low: f64, high: f64| (low.min(high)..=low.max(high)).contains(height);
+        if wanted.get(next).is_some_and(|z| near(*z, *height)) {
+            next += 1;
+        } else if !(next > 0 && wanted.get(next).is_some_and(|z| between(wanted[next - 1], *z))) {
+            return Err(format!("the tool axis goes {heights:?} instead of {wanted:?}"));
+        }
+    }
+    if next == wanted.len() { Ok(()) } else { Err(format!("the tool axis ends {heights:?} instead of {wanted:?}")) }
 }
 
 /// Everything that a tool can reach from beside an element is reached.

@@ -32,8 +32,8 @@ books! {
         G O S0 S1 S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S21 S3 S4 S800 S801 S802 S803 S804 S805
         S81 S900 S901 S902 S91;
     heidenhain_turning = "heidenhain-turning":
-        angles arcs calls contours corners drilling finishing flow modal moves program recess recess_turning
-        roughing shifts threads tools undercut variables;
+        angles arcs calls compensation contours corners drilling finishing flow modal moves program recess
+        recess_turning roughing shifts threads tools undercut variables;
     heidenhain_turning_finishing = "heidenhain-turning/finishing":
         ends;
     heidenhain_turning_recess_turning = "heidenhain-turning/recess_turning":
@@ -66,7 +66,7 @@ books! {
     klartext_tools = "klartext/tools":
         compensation m6 oversizes;
     mtc200 = "mtc200":
-        arcs corners flow functions manual offsets path text tools units variables;
+        arcs compensation corners flow functions manual offsets path text tools units variables;
     same_part = "same_part":
         lathe mill;
     sinumerik = "sinumerik":

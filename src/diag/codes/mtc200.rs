@@ -244,8 +244,9 @@ M9003 Error "mtc-flow-unsupported" "jump or process command cannot be resolved"
 leave the command out of the copy that is compiled."
 
 M9004 Error "mtc-compensation-unsupported" "path compensation cannot be computed"
-"The tool-centre path of G41 and G42 is not computed yet. With `[output] compensation = \"control\"` the contour is printed with G41 and G42, and the target \
-goes around outside corners on arcs, as after G43; chamfers (G44) it does not know."
+"The path beside a contour under G41 and G42 needs the radius of the tool, on a lathe its cutting-edge position too, and no correction D; after more than two blocks without a \
+move in the plane the control takes the contour as finished. Outside corners get arcs, as after G43: how long the chamfers of G44 are no manual at hand says. With \
+`[output] compensation = \"control\"` the contour is printed with G41 and G42, and the target compensates."
 
 M9005 Error "mtc-machine-position" "machine position is needed"
 "G53 and G74 refer to positions that only the machine knows. For G74 give the home position in machine coordinates: `[control] home = { X = 0.0, Z = 0.0 }`. \

@@ -278,6 +278,10 @@ T8018 Warning "turning-finishing-side" "side of G41 and G42 behind G89 is partc'
 "The page of G89 prints G41 as right and G42 as left of the contour, the general page of the same manual the other way round. partc compensates the \
 nose on the side on which the tool works: told by its edge position, else by where it stands."
 
+T8019 Warning "turning-nose-path" "path beside a contour is partc's reading"
+"The manuals at hand say when G41 and G42 begin to act, and not where the tool stands then. partc leads it straight to the point at a right angle beside the start of \
+the contour, around outside corners on an arc of the nose radius, and from the point beside its end straight on, as other controls do."
+
 T9001 Error "turning-function" "G function is not supported"
 "The function is known by its name but not compiled, or it is not a function of these controls. Nothing is left out in silence: the program is refused."
 
@@ -290,9 +294,9 @@ T9003 Error "turning-formula-function" "function of a formula is not supported"
 T9004 Error "turning-axis" "axis is not supported"
 "Only X and Z of the first slide are compiled. C and Y axis machining, a second slide and a counter spindle need other moves."
 
-T9005 Error "turning-compensation-resolve" "nose radius compensation cannot be computed yet"
-"partc does not compute the path of the nose centre yet. Set `[output] compensation = \"control\"` to print the contour with G41 and G42 and let \
-the target compensate."
+T9005 Error "turning-compensation-resolve" "nose radius or edge position of the tool is not known"
+"The path of G41 and G42 depends on the nose radius of the tool and on where its edge points to: the programmed point is the tip that touches both axes. \
+Give `radius` and `orientation` of the tool in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42 and let the target compensate."
 
 T9006 Error "turning-cycle" "cycle is not supported"
 "The cycle is known, its parameters are checked, but partc does not make its moves. Nothing is written."

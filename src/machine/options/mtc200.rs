@@ -199,10 +199,11 @@ pub enum Reading {
     G50,
     ThreadTaper,
     MFunctions,
+    Transition,
 }
 
 impl Reading {
-    pub const ALL: [Reading; 10] = [
+    pub const ALL: [Reading; 11] = [
         Reading::AtStart,
         Reading::Degrees,
         Reading::Flow,
@@ -213,6 +214,7 @@ impl Reading {
         Reading::G50,
         Reading::ThreadTaper,
         Reading::MFunctions,
+        Reading::Transition,
     ];
 
     /// Name in the configuration.
@@ -228,6 +230,7 @@ impl Reading {
             Reading::G50 => "g50",
             Reading::ThreadTaper => "thread-taper",
             Reading::MFunctions => "m-functions",
+            Reading::Transition => "transition",
         }
     }
 }

@@ -1,6 +1,25 @@
 //! The side on which the radius of the tool is compensated.
 
+use crate::geo::Vec2;
 use crate::ir::Side;
+
+/// Where the edge in this cutting-edge position points to, as (Z, X); nowhere in position 9, whose programmed point is the
+/// centre of the nose.
+pub fn edge_direction(position: u8) -> Option<Vec2> {
+    let (z, x) = match position {
+        1 => (1.0, 1.0),
+        2 => (-1.0, 1.0),
+        3 => (-1.0, -1.0),
+        4 => (1.0, -1.0),
+        5 => (1.0, 0.0),
+        6 => (0.0, 1.0),
+        7 => (-1.0, 0.0),
+        8 => (0.0, -1.0),
+        9 => (0.0, 0.0),
+        _ => return None,
+    };
+    Some(Vec2::new(z, x))
+}
 
 /// The side that is programmed, and the one that the moves so far were sent with.
 #[derive(Debug, Clone, Copy, Default)]

@@ -4,13 +4,14 @@
 //! Source: K 2.12, 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{self, Deg, Plane, Point2, SAME_POINT, Vec2, arc};
+use crate::geo::Deg;
 use crate::ir::compensation::{Inside, Outside, Search};
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::Compensation;
 use crate::text::Span;
 
+use super::contour::{Contour, LastMove, OwnCorner};
 use super::m_table::Args;
 use super::state::State;
 use super::words::{Comp, MWord, Words};
@@ -21,75 +22,6 @@ use crate::sema::common::plane::plane_axes;
 const MOST_AHEAD: f64 = 99.0;
 /// The largest turn of a contour: M97 prolongs the elements at every outside corner.
 const EVERY_TURN: Deg = Deg(180.0);
-
-/// The last move in the working plane, for its direction.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LastMove {
-    from: Point2,
-    pub to: Point2,
-    plane: Plane,
-    path: Path,
-    /// Where a tangential arc begins: the direction of the element before.
-    entering: Option<Vec2>,
-}
-
-/// The contour under way, or the one that the tool still stands beside.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Contour {
-    /// [`Side::None`] behind an approach with R0.
-    pub side: Side,
-    /// More than the way to it was programmed.
-    pub begun: bool,
-    pub last: Option<LastMove>,
-}
-
-/// Does the block change what is made of the corner at its end?
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum OwnCorner {
-    #[default]
-    No,
-    /// Yes, and no element was sent yet.
-    Waits,
-    Sent,
-}
-
-impl LastMove {
-    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path) -> LastMove {
-        LastMove { from, to, plane, path, entering: None }
-    }
-
-    /// Direction of travel at the start or the end.
-    pub fn direction(&self, at_start: bool) -> Option<Vec2> {
-        let at = if at_start { self.from } else { self.to };
-        match self.path {
-            Path::Line(_) | Path::Rapid => geo::direction(self.to - self.from, SAME_POINT),
-            Path::Arc(Arc { plane, .. }, _) if plane != self.plane => None,
-            Path::Arc(Arc { shape, .. }, _) => match shape {
-                ArcShape::Center { center, ccw, .. } => arc::tangent_at(at, center, ccw),
-                ArcShape::Sweep { center, sweep } => arc::tangent_at(at, center, sweep.0 > 0.0),
-                ArcShape::Radius { radius, ccw, tol } => {
-                    let center = arc::center_by_radius(self.from, self.to, radius, ccw, SAME_POINT, tol)?;
-                    arc::tangent_at(at, center, ccw)
-                }
-                ArcShape::Tangent if at_start => self.entering,
-                // The chord halves the turn of an arc.
-                ArcShape::Tangent => {
-                    let (along, t) = (self.to - self.from, self.entering?);
-                    let half = libm::atan2(geo::cross(t, along), t.dot(&along));
-                    Some(geo::turned(t, 2.0 * half))
-                }
-                ArcShape::Opening { .. } | ArcShape::Via { .. } => None,
-            },
-            Path::Thread(_) => None,
-        }
-    }
-}
-
-impl Contour {
-    pub fn new(side: Side) -> Contour {
-        Contour { side, begun: false, last: None }
-    }
-}
 
 impl State {
     /// Does a move to `after` change the place in the working plane?
@@ -155,6 +87,15 @@ impl Run<'_> {
     /// Does the compiler compensate?
     pub(super) fn computes_path(&self) -> bool {
         self.job.settings.output.compensation == Compensation::Resolve
+    }
+
+    /// Does a straight block need nothing but its direction noted?
+    pub(super) fn contour_is_plain(&self) -> bool {
+        let side = self.st.compensation.side();
+        match self.st.contour {
+            None => side == Side::None,
+            Some(contour) => side != Side::None && contour.begun && self.computes_path(),
+        }
     }
 
     /// Takes note of a move that is about to be sent.

@@ -1,7 +1,8 @@
 //! The lane of straight blocks: what most blocks of a CAM program are, while nothing else is on.
 //!
 //! Whether something is on is asked once, behind each block that did not take the lane; those that take it change the
-//! position and the feed only. Each condition names what a straight block would otherwise do about it.
+//! position and the feed only. Each condition names what a straight block would otherwise do about it. A contour that the
+//! compiler compensates is no obstacle once it has begun: each block notes its direction.
 
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
@@ -25,7 +26,7 @@ impl Run<'_> {
             && !st.polar.has_last()
             && st.feed.plunge_share().is_none()
             && !st.feed.is_per_revolution()
-            && !st.compensation.is_on()
+            && self.contour_is_plain()
             && !st.compensation.is_lost()
     }
 
@@ -35,7 +36,7 @@ impl Run<'_> {
         if !self.plain {
             return false;
         }
-        let Some(line) = self.core.straight_ahead(straight::of_line).filter(|line| self.knows_feed(line)) else {
+        let Some(line) = self.core.straight_ahead(straight::of_line).filter(|line| self.admits(line)) else {
             return false;
         };
         self.core.take_straight(&line);
@@ -46,14 +47,16 @@ impl Run<'_> {
     /// The same for a block that was read; false if it is another one.
     pub(super) fn straight_block(&mut self, block: &Block) -> bool {
         let line = if self.plain { straight::of_block(block) } else { None };
-        let Some(line) = line.filter(|line| self.knows_feed(line)) else { return false };
+        let Some(line) = line.filter(|line| self.admits(line)) else { return false };
         self.go_straight(&line);
         true
     }
 
     #[inline(always)]
-    fn knows_feed(&self, line: &Straight) -> bool {
-        line.rapid || line.feed.is_some() || self.st.feed.word().is_some()
+    fn admits(&self, line: &Straight) -> bool {
+        // R0 leads away from a contour.
+        (line.rapid || line.feed.is_some() || self.st.feed.word().is_some())
+            && !(line.uncompensated && self.st.compensation.is_on())
     }
 
     #[inline(always)]
@@ -65,7 +68,11 @@ impl Run<'_> {
         let path = if line.rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
         let mm = self.level().frame.unit.mm();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
-        self.core.send_move(&Move { end, path, side: Side::None, coords: Coords::Frame }, &self.st.ctx);
+        let side = self.st.compensation.side();
+        self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);
+        if side != Side::None {
+            self.note_contour(&end, path);
+        }
         self.st.feed.last_rapid = line.rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;

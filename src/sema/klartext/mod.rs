@@ -10,6 +10,7 @@ mod arcs;
 mod blank;
 mod change;
 mod compensation;
+mod contour;
 mod cycle;
 mod cycle_definition;
 mod cycle_words;

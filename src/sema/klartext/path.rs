@@ -8,7 +8,7 @@ use crate::ir::{Feed, Pos, Side};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
 
-use super::compensation::OwnCorner;
+use super::contour::OwnCorner;
 use super::m_table::Args;
 use super::state::CornerMade;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};

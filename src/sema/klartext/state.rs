@@ -11,7 +11,7 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
-use super::compensation::{Contour, OwnCorner};
+use super::contour::{Contour, OwnCorner};
 use super::feed::FeedState;
 use super::frames::FrameState;
 use super::m_functions::SpindleState;

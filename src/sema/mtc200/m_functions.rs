@@ -4,10 +4,12 @@
 //! before the move of its block, what ends something behind it.
 
 use crate::diag::{Diagnostic, codes};
+use crate::geo::{Plane, Vec2};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
-use crate::ir::{Function, Side};
-use crate::machine::Compensation;
+use crate::ir::{self, Function, Side};
 use crate::machine::options::mtc200::{InchSpeed, Reading};
+use crate::machine::{Compensation, MachineKind};
+use crate::sema::common::compensation::edge_direction;
 use crate::text::Span;
 
 use super::g_functions::{G, Group};
@@ -16,6 +18,9 @@ use super::{Outcome, Run};
 
 /// Longest time of G04, as written.
 const MOST_DWELL: f64 = 1e6;
+
+/// Blocks of a compensated contour that need not move in the plane.
+const MOST_WITHOUT_MOVE: u32 = 2;
 
 /// Metres in a foot.
 const FOOT: f64 = 0.3048;
@@ -81,12 +86,18 @@ pub(super) struct ToolInUse {
     selected: Option<u32>,
     /// Tool of the last change.
     active: Option<u32>,
+    /// Where a correction D other than 0 was chosen.
+    correction: Option<Span>,
 }
 
 impl ToolInUse {
     /// Tool of the last change.
     pub fn active(&self) -> Option<u32> {
         self.active
+    }
+
+    pub fn correct(&mut self, by: Option<Span>) {
+        self.correction = by;
     }
 }
 
@@ -215,23 +226,79 @@ impl Run<'_> {
     }
 
     /// G40, G41, G42.
-    pub(super) fn set_side(&mut self, side: Side, span: Span) -> Outcome {
+    pub(super) fn set_side(&mut self, side: Side, span: Span, w: &Words) -> Outcome {
         if side != Side::None {
-            if self.job.settings.output.compensation == Compensation::Resolve {
-                let help = "set `[output] compensation = \"control\"` to print G41 and G42";
-                return self.fail_help(codes::M9004, span, "path compensation cannot be computed yet", help);
-            }
-            if self.st.tool.active.is_none() {
+            let Some(tool) = self.st.tool.active else {
                 let help = "program T and M6 before";
                 return self.fail_help(codes::M2012, span, "path compensation without a tool", help);
-            }
+            };
             if self.st.compensation.sent() != Side::None && self.st.compensation.sent() != side {
                 let help = "program G40 with a straight move between them";
                 return self.fail_help(codes::M1006, span, "G41 and G42 follow each other without G40", help);
             }
+            if self.job.settings.output.compensation == Compensation::Resolve {
+                self.compute_compensation(tool, span)?;
+                let says = w.g.iter().flatten().any(|(g, _)| matches!(g, G::Chamfers(_)));
+                if !(says || self.st.transition.said) {
+                    let what = "G43 is taken to be in force at the start: arcs lead around outside corners";
+                    self.reading(Reading::Transition, span, what);
+                }
+            }
         }
         self.st.compensation.select(side);
         Ok(())
+    }
+
+    /// The compiler itself computes the path of the tool centre, or of the nose centre of a turning tool.
+    fn compute_compensation(&mut self, tool: u32, span: Span) -> Outcome {
+        let known = self.job.settings.tools.by_number(tool, 0);
+        let help =
+            "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42";
+        let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
+        let Some(radius) = radius.filter(|radius| *radius >= 0.0) else {
+            let message = match radius {
+                Some(_) => format!("the radius of tool {tool} is below zero"),
+                None => format!("the radius of tool {tool} is not known"),
+            };
+            return self.fail_help(codes::M9004, span, message, help);
+        };
+        let turns = self.job.settings.machine.kind == MachineKind::Lathe && self.st.plane == Plane::Zx;
+        let edge = match known.and_then(|tool| tool.orientation).and_then(edge_direction) {
+            Some(edge) if turns => edge,
+            None if turns && radius > 0.0 => {
+                let message = format!("the cutting-edge position of tool {tool} is not known");
+                return self.fail_help(codes::M9004, span, message, help);
+            }
+            _ => Vec2::zeros(),
+        };
+        if let Some(span) = self.st.tool.correction {
+            let message = "what the correction D adds to the radius of the tool only the machine knows";
+            let help = "leave D out, or set `[output] compensation = \"control\"` to print G41 and G42";
+            return self.fail_help(codes::M9004, span, message, help);
+        }
+        self.st.transition.between = 0;
+        self.st.compensate(ir::Compensation { radius, nose: -edge * radius, ..Default::default() });
+        Ok(())
+    }
+
+    /// A block without a move in the plane; after too many of them the control takes the contour as finished.
+    #[inline]
+    pub(super) fn waits_in_contour(&mut self, moves_in_plane: bool, span: Span) -> Outcome {
+        if !self.st.compensation.is_on() {
+            return Ok(());
+        }
+        let before = self.st.transition.between;
+        self.st.transition.between = if moves_in_plane { 0 } else { before + 1 };
+        if !moves_in_plane
+            || before <= MOST_WITHOUT_MOVE
+            || self.job.settings.output.compensation == Compensation::Control
+        {
+            return Ok(());
+        }
+        let message = format!(
+            "{before} blocks in front of this one do not move in the plane: the control takes the compensated contour as finished after {MOST_WITHOUT_MOVE}"
+        );
+        self.fail_help(codes::M9004, span, message, "put them in front of G41 and G42, or behind G40")
     }
 
     // Spindle.

@@ -375,9 +375,9 @@ impl Run<'_> {
                 self.st.exact_stop = on;
                 self.without_geometry(if on { "G61" } else { "G62" }, span);
             }
-            G::Side(side) => return self.set_side(side, span),
+            G::Side(side) => return self.set_side(side, span, w),
             G::Chamfers(on) => {
-                self.st.chamfers = on;
+                (self.st.transition.chamfers, self.st.transition.said) = (on, true);
                 self.without_geometry(if on { "G44" } else { "G43" }, span);
             }
             G::Length(on) => return self.set_length(on, span),

@@ -251,7 +251,7 @@ impl Run<'_> {
         if self.st.offsets.offset() == Offset::Machine {
             return self.machine_move(w, feed);
         }
-        if self.st.compensation.is_on() && self.st.chamfers {
+        if self.st.compensation.is_on() && self.st.transition.chamfers {
             self.no_chamfers(w.axes_span)?;
         }
         let end = self.target(w)?;
@@ -260,6 +260,8 @@ impl Run<'_> {
             return self.fail_help(codes::M9008, w.axes_span, "the unit of the feed of these axes is not known", help);
         }
         self.st.corners.may_follow = feed.is_some();
+        let in_plane = plane_axes(self.st.plane).iter().any(|i| end.known().contains(Axis::ALL[*i]));
+        self.waits_in_contour(in_plane, w.axes_span)?;
         let switches = self.st.compensation.changes() && self.moves_in_plane(&end, w.axes_span)?;
         self.send(end, Path::straight(feed));
         if switches {
@@ -315,7 +317,7 @@ impl Run<'_> {
             let help = "program a straight move between G40, G41 or G42 and the arc";
             return self.fail_help(codes::M2011, span, "G41/G42 activated with circular interpolation", help);
         }
-        if self.st.compensation.is_on() && self.st.chamfers {
+        if self.st.compensation.is_on() && self.st.transition.chamfers {
             self.no_chamfers(span)?;
         }
         if !w.has_centre() && w.radius.is_none() {
@@ -346,6 +348,7 @@ impl Run<'_> {
             Some(at) => ArcShape::Radius { radius: self.arc_radius(at, w)?, ccw, tol },
             None => ArcShape::Center { center: self.centre(w, plane, start, to)?, ccw, tol },
         };
+        self.waits_in_contour(true, span)?;
         self.st.corners.may_follow = true;
         self.send(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed));
         Ok(())
@@ -377,7 +380,7 @@ impl Run<'_> {
     }
 
     fn no_chamfers(&self, span: Span) -> Outcome {
-        let help = "program G43: the target goes around outside corners on arcs";
+        let help = "program G43: an arc leads around outside corners";
         self.fail_help(codes::M9004, span, "chamfers at outside corners (G44) are not supported", help)
     }
 
@@ -490,6 +493,7 @@ impl Run<'_> {
 
     /// After a block without motion: has the corner waited too long?
     pub(super) fn count_between(&mut self) -> Outcome {
+        self.waits_in_contour(false, Span::default())?;
         self.st.corners.cannot_follow();
         let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
         let text = format!("more than {MOST_BETWEEN} blocks without motion stand behind this corner");

@@ -43,6 +43,17 @@ impl MotionCode {
     }
 }
 
+/// From one element of a compensated contour to the next.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Transition {
+    /// G44.
+    pub chamfers: bool,
+    /// G43 or G44 was programmed.
+    pub said: bool,
+    /// Blocks since the last one that moves in the plane.
+    pub between: u32,
+}
+
 /// Everything that one block leaves to the next. Positions are mm (X: radius) and degrees in the
 /// programmed system.
 #[derive(Debug)]
@@ -65,8 +76,7 @@ pub(super) struct State {
     pub exact_stop: bool,
     pub feed: ModalFeed,
     pub compensation: Compensation,
-    /// G44.
-    pub chamfers: bool,
+    pub transition: Transition,
     pub offsets: OffsetState,
     pub spindle: SpindleState,
     pub tool: ToolInUse,
@@ -97,12 +107,19 @@ impl State {
             exact_stop: false,
             feed: ModalFeed::new(settings.control.feed, Some(FeedKind::PerMinute)),
             compensation: Compensation::default(),
-            chamfers: false,
+            transition: Transition::default(),
             offsets: OffsetState::new(written),
             spindle: SpindleState::default(),
             tool: ToolInUse::default(),
             corners: Corners::default(),
             ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
+        }
+    }
+
+    /// How the compiler compensates from now on.
+    pub fn compensate(&mut self, rules: crate::ir::Compensation) {
+        if self.ctx.compensation.as_deref() != Some(&rules) {
+            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
         }
     }
 

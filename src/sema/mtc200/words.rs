@@ -176,6 +176,9 @@ impl Run<'_> {
             b'D' | b'E' => {
                 self.whole(at, if letter == b'D' { "D" } else { "E" })?;
                 self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);
+                if letter == b'D' {
+                    self.st.tool.correct((at.value != 0.0).then_some(word.span));
+                }
                 &mut w.silent[usize::from(letter - b'D')]
             }
             _ => return self.machine_word(w, word.span, text),

@@ -8,11 +8,10 @@ use std::rc::Rc;
 use nalgebra::Matrix3;
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Plane;
 use crate::ir::Frame;
 use crate::ir::contour::Ctx;
-use crate::machine::Axis;
 use crate::machine::axis::AXES;
+use crate::machine::{Axis, Compensation};
 
 use super::chain::Coord;
 use super::g_functions::Kind;
@@ -34,6 +33,14 @@ impl Run<'_> {
             Coord::Stay if kind != Kind::ShiftAbsolute => 0.0,
             _ => return self.fail(codes::T1005, self.block_span(), "the shift needs an absolute Z"),
         };
+        if self.st.compensation.is_on() && self.job.settings.output.compensation == Compensation::Resolve {
+            return self.fail_help(
+                codes::T2021,
+                self.block_span(),
+                "the workpiece zero shifts under nose radius compensation",
+                "program G40 with a straight move before the shift",
+            );
+        }
         let mut shift = self.st.shift;
         match kind {
             Kind::ShiftRelative => shift.relative = z,
@@ -86,7 +93,7 @@ impl Run<'_> {
         };
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
         self.st.last = None;
-        self.st.ctx = Rc::new(Ctx { plane: Plane::Zx, frame, ..Ctx::default() });
+        self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });
         Ok(())
     }
 }

@@ -47,8 +47,9 @@ pub use cycle_table::signatures as cycle_signatures;
 use std::ops::{Deref, DerefMut};
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
+use crate::ir::{Function, Side};
+use crate::machine::Compensation;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Block, Stmt};
@@ -265,7 +266,9 @@ impl Run<'_> {
             );
         }
         let _ = self.settle_chain();
-        if self.st.compensation.is_on() {
+        // Of a contour that is computed the path itself tells.
+        let computed = self.job.settings.output.compensation == Compensation::Resolve;
+        if self.st.compensation.is_on() && !(computed && self.st.compensation.sent() != Side::None) {
             self.report(
                 Diagnostic::new(
                     codes::T2021,

@@ -29,6 +29,7 @@ pub(super) enum Question {
     RecessOversize,
     BlankContour,
     FinishingSide,
+    NosePath,
 }
 
 impl Question {
@@ -115,6 +116,11 @@ impl Question {
                 "the blank is drawn as a contour, which is not used: cycles take the blank to reach to the tool",
                 "position the tool outside of the blank before each cycle, or describe the blank by G20 or G21",
             ),
+            Question::NosePath => (
+                codes::T8019,
+                "how G41 and G42 begin, end and go around outside corners no manual at hand says: at a right angle beside the contour, and on an arc about the corner",
+                "look at the first and the last way beside the contour",
+            ),
             Question::FinishingSide => (
                 codes::T8018,
                 "two pages of the manual give G41 and G42 behind G89 opposite sides: the side is taken from the tool",
@@ -141,7 +147,7 @@ impl Question {
             Question::RecessDepth => set.recess_depth.is_some(),
             Question::RecessWidth => set.recess_width.is_some(),
             Question::RecessOversize => set.oversize_on_floor.is_some(),
-            Question::UndercutSide | Question::BlankContour | Question::FinishingSide => false,
+            Question::UndercutSide | Question::BlankContour | Question::FinishingSide | Question::NosePath => false,
         }
     }
 }

@@ -79,6 +79,13 @@ impl State {
         }
     }
 
+    /// How the compiler compensates from now on.
+    pub fn compensate(&mut self, rules: crate::ir::Compensation) {
+        if self.ctx.compensation.as_deref() != Some(&rules) {
+            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
+        }
+    }
+
     /// Millimetres in a unit of the program.
     pub fn mm(&self) -> f64 {
         self.unit.mm()

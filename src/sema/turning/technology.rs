@@ -1,12 +1,15 @@
 //! Feeds, spindle, tools, oversizes: what holds until it is changed.
 
 use crate::diag::{Diagnostic, codes};
+use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
-use crate::ir::{Feed, Function, Side};
+use crate::ir::{self, Feed, Function, Side};
 use crate::machine::{Compensation, Unit};
+use crate::sema::common::compensation::edge_direction;
 use crate::sema::common::feed::FeedKind;
 use crate::text::{Span, decode::readable};
 
+use super::readings::Question;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
 
@@ -236,14 +239,6 @@ impl Run<'_> {
 
     pub(super) fn compensation(&mut self, side: Side, fun: Fun) -> Outcome {
         if side != Side::None {
-            if self.job.settings.output.compensation == Compensation::Resolve {
-                return self.fail_help(
-                    codes::T9005,
-                    fun.span,
-                    "nose radius compensation cannot be computed yet",
-                    "set `[output] compensation = \"control\"` to print G41/G42",
-                );
-            }
             if self.st.compensation.is_on() && self.st.compensation.side() != side {
                 return self.fail_help(
                     codes::T2021,
@@ -252,8 +247,40 @@ impl Run<'_> {
                     "program G40 with a straight move between them",
                 );
             }
+            if self.job.settings.output.compensation == Compensation::Resolve {
+                self.compute_compensation(fun)?;
+            }
         }
         self.st.compensation.select(side);
+        Ok(())
+    }
+
+    /// The compiler itself computes the path of the nose centre.
+    fn compute_compensation(&mut self, fun: Fun) -> Outcome {
+        let known = self.known_tool();
+        let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
+        let edge = known.and_then(|tool| tool.orientation).and_then(edge_direction);
+        let (radius, edge) = match (radius, edge) {
+            (Some(radius), Some(edge)) if radius >= 0.0 => (radius, edge),
+            (Some(0.0), None) => (0.0, Vec2::zeros()),
+            (radius, _) => {
+                let what = match radius {
+                    Some(radius) if radius < 0.0 => "the nose radius of the tool is below zero",
+                    Some(_) => "the cutting-edge position of the tool is not known",
+                    None => "the nose radius of the tool is not known",
+                };
+                return self.fail_help(
+                    codes::T9005,
+                    fun.span,
+                    format!("G{} compensates the nose radius: {what}", fun.number),
+                    "add `radius` and `orientation` of the tool to partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42",
+                );
+            }
+        };
+        if radius > 0.0 {
+            self.depends_on(Question::NosePath, fun.span);
+        }
+        self.st.compensate(ir::Compensation { radius, nose: -edge * radius, ..Default::default() });
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use crate::machine::{ApproachDepth, Axis, Generation};
 use crate::sema::run::Site;
 use crate::text::Span;
 
-use super::super::compensation::{Contour, LastMove};
+use super::super::contour::{Contour, LastMove};
 use super::super::words::{Comp, Words};
 use super::super::{Outcome, Reported, Run};
 use super::{Border, Circle, Shape};
