@@ -78,7 +78,7 @@ books! {
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":
-        border corners search tools;
+        border corners nose search soft tools;
     sinumerik_contour_cycles = "sinumerik/contour_cycles":
         cycle95 cycle952 other_cycles refused;
     sinumerik_contour_lines = "sinumerik/contour_lines":

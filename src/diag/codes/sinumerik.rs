@@ -207,6 +207,10 @@ S2081 Error "siemens-thread" "thread is not determined"
 S2082 Warning "siemens-compensation-open" "program ends with compensation on"
 "Radius compensation is ended by G40 with a straight move. The output ends it before M30, but the last corner is not what was meant."
 
+S2083 Error "siemens-soft-approach" "soft approach or retraction is not determined"
+"G147, G247 and G347 lead to a contour, G148, G248 and G348 from it, on a line, a quadrant or a semicircle. The way needs its size (DISR), the direction of the contour, which the element \
+next to it gives, the side, which G41, G42, G141 or G142 give, and heights in order: DISCL between the contour and the start or end. Alarms 10740 to 10748."
+
 S2090 Error "siemens-cycle-argument" "argument of a cycle is wrong"
 "The data of a machining cycle contradict each other, are missing, or do not fit what stands around the call. The number is the alarm that the \
 cycle raises itself. Arguments are counted by their commas; an empty argument is not given, which is not the same as 0."

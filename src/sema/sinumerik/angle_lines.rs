@@ -273,8 +273,14 @@ impl Channel<'_> {
         Ok(())
     }
 
-    /// Something that cannot stand between the two lines of a pair.
+    /// Something that cannot stand between the two lines of a pair, or behind an approach without its contour.
     pub(super) fn pending_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
+        self.soft_must_be_done()?;
+        self.pair_must_be_done(place)
+    }
+
+    /// The same for what cannot stand between the two lines of a pair.
+    pub(super) fn pair_must_be_done(&mut self, place: impl Into<Where>) -> Outcome {
         self.stored_must_be_done()?;
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.pair.lost = true;

@@ -12,6 +12,7 @@ use crate::sema::run::runs_on;
 use super::Core;
 use super::axis_names::AxisNames;
 use super::capture::Capture;
+use super::soft_approach::Soft;
 use super::state::State;
 
 /// Modal state, and the machine that it is carried out on.
@@ -23,6 +24,8 @@ pub(super) struct Channel<'a> {
     pub proposed: Proposed,
     /// The contour that is described now.
     pub capture: Option<Box<Capture>>,
+    /// A soft approach that waits for its contour.
+    pub soft: Option<Box<Soft>>,
     /// Blocks are of the ISO dialect, up to G290.
     pub iso: bool,
     /// A straight block may take the lane.
@@ -37,6 +40,7 @@ impl<'a> Channel<'a> {
             axis_names: AxisNames::new(job.settings),
             proposed: Proposed::default(),
             capture: None,
+            soft: None,
             iso: false,
             plain: false,
         }
@@ -57,6 +61,9 @@ impl Channel<'_> {
             return;
         }
         if self.st.compensation.is_leaving() && self.leaves_in_front_of(&function).is_err() {
+            return;
+        }
+        if self.soft.is_some() && self.held_by_approach(&function) {
             return;
         }
         if self.st.pair.is_open() && self.held_back(&function) {

@@ -158,7 +158,7 @@ impl Channel<'_> {
         {
             return self.unknown_axis(third, place);
         }
-        self.pending_must_be_done(place)?;
+        self.pair_must_be_done(place)?;
         self.send(end, Path::Arc(arc, feed));
         Ok(())
     }

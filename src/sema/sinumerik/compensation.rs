@@ -5,20 +5,16 @@
 //!
 //! Source: S 2.12 (docs/sources.md), and the reference on radius compensation.
 
-use std::rc::Rc;
-
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};
 use crate::ir;
 use crate::ir::Side;
 use crate::ir::compensation::{Alarms, Border, Ends, Inside, Outside, Search};
-use crate::ir::contour::Ctx;
 use crate::machine::Compensation;
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::state::State;
 use super::value::Val;
 use super::vocabulary::Address;
 use super::words::{Given, Words};
@@ -59,7 +55,7 @@ pub(super) struct Path {
     /// DISC
     overshoot: f64,
     /// The radius with OFFN is below zero.
-    swaps: bool,
+    pub swaps: bool,
 }
 
 impl Path {
@@ -72,25 +68,6 @@ impl Path {
     /// Radius with OFFN, not below zero.
     pub fn radius(&self) -> f64 {
         self.cutter.map_or(0.0, |cutter| (cutter.radius + self.normal).abs())
-    }
-}
-
-impl State {
-    /// The side of a move, as the sign of the radius has it.
-    #[inline]
-    pub(super) fn printed_side(&self, side: Side) -> Side {
-        match side {
-            Side::Left if self.path.swaps => Side::Right,
-            Side::Right if self.path.swaps => Side::Left,
-            side => side,
-        }
-    }
-
-    /// How the compiler compensates from now on.
-    pub(super) fn compensate(&mut self, rules: ir::Compensation) {
-        if self.ctx.compensation.as_deref() != Some(&rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
-        }
     }
 }
 

@@ -374,7 +374,8 @@ code_names! {
     G331 = Motion 11  G332 = Motion 12
     ASPLINE = Motion 6  BSPLINE = Motion 7  CSPLINE = Motion 8  POLY = Motion 9
     INVCW = Motion 18  INVCCW = Motion 19  G335 = Motion 20  G336 = Motion 21
-    G4 = Nonmodal 1  G63 = Nonmodal 2  G74 = Nonmodal 3  G75 = Nonmodal 4
+    G4 = Nonmodal 1  G63 = Nonmodal 2  G147 = Nonmodal 11  G247 = Nonmodal 12  G347 = Nonmodal 13  G148 = Nonmodal 14  G248 = Nonmodal 15  G348 = Nonmodal 16
+    G340 = SoftApproachPath 1   G74 = Nonmodal 3  G75 = Nonmodal 4
     TRANS = Frame 1  ROT = Frame 2  SCALE = Frame 3  MIRROR = Frame 4
     ATRANS = Frame 5  AROT = Frame 6  ASCALE = Frame 7  AMIRROR = Frame 8
     G25 = Frame 10  G26 = Frame 11  G110 = Frame 12  G111 = Frame 13  G112 = Frame 14  G58 = Frame 15  G59 = Frame 16

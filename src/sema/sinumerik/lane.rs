@@ -52,6 +52,7 @@ impl Channel<'_> {
         !self.iso
             && !self.language.has_macros()
             && self.capture.is_none()
+            && self.soft.is_none()
             && self.st.stored.is_none()
             && !self.st.pair.is_open()
             && !self.st.modal_call.is_on()

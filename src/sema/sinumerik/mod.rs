@@ -47,6 +47,7 @@ mod procedures;
 mod programs;
 mod report;
 mod rotary;
+mod soft_approach;
 mod spindle;
 mod spindle_state;
 mod stand_in;

@@ -23,6 +23,9 @@ impl Channel<'_> {
         if self.st.offsets.in_machine() {
             return self.send_in_machine(end, path);
         }
+        if self.soft.is_some() && self.soft_element(end, &path) {
+            return;
+        }
         self.note_outer();
         if self.st.plane() != Plane::Xy {
             self.length_acts_along_z();

@@ -53,13 +53,11 @@ impl Run<'_> {
                 w.beside.left_out.clear();
             }
             _ => {
-                let message = format!("{} is not supported", code.word());
-                return self.fail_help(
-                    codes::S9001,
-                    span,
-                    message,
-                    "program the approach and the retraction by plain moves",
-                );
+                let rapid = self.st.is(GCode::G0);
+                let before = Path::straight(self.st.feed.word().filter(|_| !rapid));
+                self.technology(w)?;
+                self.early_functions(w)?;
+                self.soft_block(code, span, w, before)?;
             }
         }
         self.nothing_left(w)?;

@@ -9,6 +9,7 @@ use super::programs::UnitKind;
 impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     pub(super) fn report_open(&mut self) {
+        let _: super::Outcome = self.soft_must_be_done();
         // Of a computed path that is an error, which is made where the path is.
         if self.st.side() != crate::ir::Side::None && !self.st.path.is_computed() {
             let found =

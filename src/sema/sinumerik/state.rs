@@ -177,6 +177,34 @@ impl State {
         }
     }
 
+    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
+    #[inline]
+    pub(super) fn side_of_move(&self) -> Side {
+        // The computed path stays beside the contour by itself.
+        if self.path.is_computed() {
+            self.printed_side(self.side())
+        } else {
+            self.compensation.side_of_move(self.side())
+        }
+    }
+
+    /// The side of a move, as the sign of the radius has it.
+    #[inline]
+    pub(super) fn printed_side(&self, side: Side) -> Side {
+        match side {
+            Side::Left if self.path.swaps => Side::Right,
+            Side::Right if self.path.swaps => Side::Left,
+            side => side,
+        }
+    }
+
+    /// How the compiler compensates from now on.
+    pub(super) fn compensate(&mut self, rules: crate::ir::Compensation) {
+        if self.ctx.compensation.as_deref() != Some(&rules) {
+            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
+        }
+    }
+
     pub fn diameter_mode(&self) -> Diameter {
         self.diameter.unwrap_or(match self.codes.of(Group::Diameter) {
             GCode::DIAMON => Diameter::On,

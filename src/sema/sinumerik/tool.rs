@@ -98,6 +98,11 @@ impl CompensationState {
         self.starts = false;
     }
 
+    /// The side that G40 ended.
+    pub fn left(&self) -> Side {
+        self.leaving
+    }
+
     /// A move in machine coordinates has ended the contour.
     pub fn is_over(&mut self) {
         (self.starts, self.leaving_open) = (false, false);
@@ -119,19 +124,6 @@ impl CompensationState {
     #[inline]
     pub fn is_leaving(&self) -> bool {
         self.leaving_open
-    }
-}
-
-impl super::state::State {
-    /// The side on which a move is printed: behind G40 the one of before, until a move in the plane takes the offset off.
-    #[inline]
-    pub(super) fn side_of_move(&self) -> Side {
-        // The computed path stays beside the contour by itself.
-        if self.path.is_computed() {
-            self.printed_side(self.side())
-        } else {
-            self.compensation.side_of_move(self.side())
-        }
     }
 }
 

@@ -1,0 +1,567 @@
+//! Soft approach and retraction: G147 to G348.
+//!
+//! Comes in: a block with G147, G247 or G347, the point where the contour begins, and the element behind it, whose
+//! direction decides where the tool comes from; or a block with G148, G248 or G348. Goes out: plain moves. A compensated
+//! contour is lengthened by a line or an arc, so that the path of its centre has the length or radius of the block.
+//!
+//! ```text
+//! P0 ── P1          plane of the start
+//!       │  infeed   P2 = DISCL above the contour
+//!       P3 ── P4    line, quadrant or semicircle in the plane of the contour, or falling onto it (G340)
+//! ```
+//!
+//! Source: S 2.13 (docs/sources.md), and the reference on radius compensation.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::arc::tangent_at;
+use crate::geo::{Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction, left};
+use crate::ir::compensation::Border;
+use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
+use crate::ir::{self, Feed, Function, Origin, Pos, Side};
+use crate::machine::Axis;
+use crate::sema::run::{Site, Where};
+use crate::text::Span;
+
+use super::g_groups::{GCode, Group};
+use super::tangent::Heading;
+use super::vocabulary::Address;
+use super::words::{Given, Mode, Words};
+use super::{Channel, Outcome, Reported};
+
+/// Functions and comments between an approach and its contour.
+const MOST_HELD: usize = 256;
+/// How far a computed end may lie beside its circle, in mm.
+const CLOSE: f64 = 1e-6;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shape {
+    Line,
+    Quadrant,
+    Semicircle,
+}
+
+/// A height along the tool axis.
+#[derive(Debug, Clone, Copy)]
+enum Height {
+    At(f64),
+    Above(f64),
+}
+
+impl Height {
+    fn over(self, contour: f64) -> f64 {
+        match self {
+            Height::At(z) => z,
+            Height::Above(way) => contour + way,
+        }
+    }
+}
+
+/// The words of a block.
+#[derive(Debug, Clone, Copy)]
+struct Sizes {
+    shape: Shape,
+    /// DISR in mm.
+    size: f64,
+    /// DISCL and DISRP.
+    safe: Option<Height>,
+    plane: Option<Height>,
+    /// FAD
+    infeed: Option<Feed>,
+}
+
+/// An approach whose contour is not known yet.
+#[derive(Debug)]
+pub(super) struct Soft {
+    sizes: Sizes,
+    name: String,
+    here: Site,
+    span: Span,
+    from: Pos,
+    /// The point of the contour stands in the block itself.
+    named: bool,
+    /// So does its height.
+    height_named: bool,
+    before: Path,
+    feed: Option<Feed>,
+    held: Vec<(Function, Origin)>,
+}
+
+/// Where a way touches the contour: its circle or line, seen from the contour and from the centre of the tool.
+struct Touch {
+    /// Ends of the way away from the contour.
+    contour: Point2,
+    centre: Point2,
+    circle: Option<Point2>,
+}
+
+fn shape_of(code: GCode) -> Option<(Shape, bool)> {
+    Some(match code {
+        GCode::G147 => (Shape::Line, true),
+        GCode::G247 => (Shape::Quadrant, true),
+        GCode::G347 => (Shape::Semicircle, true),
+        GCode::G148 => (Shape::Line, false),
+        GCode::G248 => (Shape::Quadrant, false),
+        GCode::G348 => (Shape::Semicircle, false),
+        _ => return None,
+    })
+}
+
+impl Channel<'_> {
+    /// A block with one of the codes. `before` is the way of the block before; the technology of the block was taken.
+    pub(super) fn soft_block(&mut self, code: GCode, span: Span, w: &mut Words, before: Path) -> Outcome {
+        let Some((shape, approaches)) = shape_of(code) else {
+            let message = format!("{} is not supported", code.word());
+            return self.fail_help(codes::S9001, span, message, "program the way by plain moves");
+        };
+        let ends = w.code_of(Group::Compensation).is_some_and(|(code, _)| code == GCode::G40);
+        let side = if ends && self.st.compensation.waits() { self.st.compensation.left() } else { self.st.side() };
+        let other = if !self.resolves() && side != Side::None {
+            "beside radius compensation by the target"
+        } else if self.capture.is_some() {
+            "inside a contour"
+        } else if self.st.modal_call.is_on() {
+            "under MCALL"
+        } else if self.st.offsets.in_machine() {
+            "in machine coordinates"
+        } else {
+            ""
+        };
+        if !other.is_empty() {
+            let message = format!("{} is not supported {other}", code.word());
+            return self.fail_help(
+                codes::S9001,
+                span,
+                message,
+                "program the approach and the retraction by plain moves",
+            );
+        }
+        if self.soft.is_some() {
+            return self.soft_fault(span, 10743, "the approach before has no contour yet", "let its contour follow");
+        }
+        self.pending_must_be_done(span)?;
+        let sizes = self.soft_sizes(shape, side, span, w)?;
+        let scale = self.st.ctx.frame.uniform_scale();
+        if side != Side::None && scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
+            let message = format!("{} under scaling is not supported: the tool is not scaled", code.word());
+            return self.fail_help(codes::S9001, span, message, "end the scaling in front of the contour");
+        }
+        let end = self.targets(w)?;
+        self.st.compensation.is_over();
+        if approaches {
+            self.approach(code, span, w, sizes, end, before)
+        } else {
+            self.retract(code, span, sizes, end, side, ends, before)
+        }
+    }
+
+    fn soft_fault<T>(&self, place: impl Into<Where>, alarm: u32, message: impl Into<String>, help: &str) -> Outcome<T> {
+        self.fail_help(codes::S2083.alarm(alarm), place, message, help)
+    }
+
+    fn soft_sizes(&mut self, shape: Shape, side: Side, span: Span, w: &mut Words) -> Outcome<Sizes> {
+        let mm = self.st.length_unit();
+        let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
+        let size = w.take(Address::Disr).map(|disr| disr.value * mm);
+        let fits = size.is_some_and(|size| if shape == Shape::Line { size + radius > 0.0 } else { size > 0.0 });
+        let Some(size) = size.filter(|_| fits) else {
+            let help = "a length that is above zero with the radius of the tool, or a radius above zero: DISR=10";
+            return self.soft_fault(span, 10742, "the size of the way, DISR, is missing or too small", help);
+        };
+        let height = |given: Option<Given>| match given {
+            None => Ok(None),
+            Some(given) => match given.mode {
+                Mode::Plain => Ok(Some(Height::Above(given.value * mm))),
+                Mode::Ac => Ok(Some(Height::At(given.value * mm))),
+                _ => Err(given.span),
+            },
+        };
+        let (safe, plane) = match (height(w.take(Address::Discl)), height(w.take(Address::Disrp))) {
+            (Ok(safe), Ok(plane)) => (safe, plane),
+            (Err(span), _) | (_, Err(span)) => return self.misplaced_modifier(span).and(Err(Reported)),
+        };
+        let infeed = match w.take(Address::Fad) {
+            Some(fad) if fad.value <= 0.0 => {
+                return self.fail(codes::S2041.alarm(14800), fad.span, "the feed FAD is not above 0");
+            }
+            fad => fad.map(|fad| self.st.feed_of(fad.value)),
+        };
+        Ok(Sizes { shape, size, safe, plane, infeed })
+    }
+
+    fn approach(&mut self, code: GCode, span: Span, w: &Words, sizes: Sizes, end: Pos, before: Path) -> Outcome {
+        let [first, second, third] = self.st.roles();
+        // Without F the way before goes on, and at rapid traverse nothing should meet the part.
+        let feed = if w.feed_given || !before.is_rapid() { self.st.feed.word() } else { None };
+        let whole = sizes.infeed.is_some() && self.st.is(GCode::G340);
+        if feed.is_none() && !whole {
+            return self.fail_help(
+                codes::S2040.alarm(10860),
+                span,
+                format!("{} has no feed: the block before is at rapid traverse", code.word()),
+                "program F in this block",
+            );
+        }
+        let named = end.get(first).is_some() || end.get(second).is_some();
+        self.soft = Some(Box::new(Soft {
+            sizes,
+            name: code.word(),
+            here: self.here,
+            span,
+            from: *self.st.position.at(),
+            named,
+            height_named: end.get(third).is_some(),
+            before,
+            feed,
+            held: Vec::new(),
+        }));
+        self.st.position.move_to(&end);
+        Ok(())
+    }
+
+    /// Something that cannot stand between an approach and its contour.
+    pub(super) fn soft_must_be_done(&mut self) -> Outcome {
+        let Some(soft) = self.soft.take() else { return Ok(()) };
+        let found = Diagnostic::new(
+            codes::S2083.alarm(10744),
+            soft.here.loc(&self.job, soft.span),
+            format!("no contour element follows {}", soft.name),
+        );
+        self.job.diags.push(found.called(soft.here.origin.call).help("let a path block of the plane follow"));
+        self.lose_all();
+        Err(Reported)
+    }
+
+    /// True for a function that waits for the contour.
+    pub(super) fn held_by_approach(&mut self, function: &Function) -> bool {
+        let waits = match function {
+            Function::ToolChange { .. } | Function::WorkOffset(_) | Function::Plane(_) | Function::End { .. } => false,
+            _ => self.soft.as_ref().is_some_and(|soft| soft.held.len() < MOST_HELD),
+        };
+        if !waits {
+            let _: Outcome = self.soft_must_be_done();
+            return false;
+        }
+        let origin = self.here.origin;
+        if let Some(soft) = &mut self.soft {
+            soft.held.push((function.clone(), origin));
+        }
+        true
+    }
+
+    /// A move behind an approach: the point of the contour, or its first element. True if it moves nothing itself.
+    pub(super) fn soft_element(&mut self, end: &Pos, path: &Path) -> bool {
+        let [first, second, third] = self.st.roles();
+        let in_plane = end.get(first).is_some() || end.get(second).is_some();
+        let Some(mut soft) = self.soft.take() else { return false };
+        if !in_plane || path.is_rapid() && soft.named {
+            self.soft = Some(soft);
+            return self.soft_must_be_done().is_err();
+        }
+        if !soft.named {
+            if matches!(path, Path::Arc(..)) || soft.height_named && end.get(third).is_some() {
+                self.soft = Some(soft);
+                let _: Outcome<()> = self.soft_fault(
+                    Where::Block,
+                    10745,
+                    "the end point of the approach is not a point of the plane in a straight block",
+                    "program the point where the contour begins in the block of the approach",
+                );
+                self.soft = None;
+                self.lose_all();
+                return true;
+            }
+            soft.named = true;
+            self.st.position.move_to(end);
+            self.soft = Some(soft);
+            return true;
+        }
+        let here = std::mem::replace(&mut self.core.here, soft.here);
+        let made = self.make_approach(&soft, end, path);
+        self.core.here = here;
+        if made.is_err() {
+            self.lose_all();
+            return true;
+        }
+        for (function, origin) in std::mem::take(&mut soft.held) {
+            self.core.out.function(&function, &self.st.ctx, &origin);
+        }
+        false
+    }
+
+    /// Direction of an element at its start, where the tool stands.
+    fn direction_at_start(&self, end: &Pos, path: &Path) -> Option<Vec2> {
+        let plane = self.st.plane();
+        let at = self.st.position.in_plane(plane)?;
+        match path {
+            Path::Arc(arc, _) => match Heading::behind(arc, &self.st.position, end) {
+                Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
+                _ => None,
+            },
+            _ => {
+                let (first, second, _) = plane.axes();
+                let to = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
+                direction(Point2::new(to(first, at.x), to(second, at.y)) - at, SAME_POINT)
+            }
+        }
+    }
+
+    /// The side from which the way comes, or to which it leads: 1 left, -1 right.
+    fn soft_side(&self, side: Side, far: Option<Point2>, at: Point2, heading: Vec2, span: Span) -> Outcome<f64> {
+        let own = match self.st.printed_side(side) {
+            Side::None => None,
+            Side::Left => Some(1.0),
+            Side::Right => Some(-1.0),
+        };
+        let chosen = match self.st.codes.of(Group::SoftApproach).index {
+            2 => Some(1.0),
+            3 => Some(-1.0),
+            4 => far.map(|far| if cross(heading, far - at) >= 0.0 { 1.0 } else { -1.0 }),
+            _ => own,
+        };
+        match chosen {
+            Some(chosen) if own.is_none_or(|own| own == chosen) => Ok(chosen),
+            Some(_) => self.fail_help(
+                codes::S9001,
+                span,
+                "the way leads to the other side of the contour than the radius compensation",
+                "program G140, or the other one of G141 and G142",
+            ),
+            None => self.soft_fault(
+                span,
+                10747,
+                "from which side the way comes is not known: radius compensation is off",
+                "program G141 (left) or G142 (right)",
+            ),
+        }
+    }
+
+    fn touch(&self, sizes: &Sizes, at: Point2, away: Vec2, left_side: f64, radius: f64) -> Touch {
+        // `away` leads along the contour away from the point, seen backwards for an approach.
+        let m = left(away) * left_side;
+        let edge = at + m * radius;
+        match sizes.shape {
+            Shape::Line => {
+                let way = away * (sizes.size + radius);
+                Touch { contour: at + way, centre: edge + way, circle: None }
+            }
+            Shape::Quadrant | Shape::Semicircle => {
+                let out = if sizes.shape == Shape::Quadrant { away } else { m };
+                let center = edge + m * sizes.size;
+                Touch {
+                    contour: center + out * (sizes.size + radius),
+                    centre: center + out * sizes.size,
+                    circle: Some(center),
+                }
+            }
+        }
+    }
+
+    fn make_approach(&mut self, soft: &Soft, end: &Pos, path: &Path) -> Outcome {
+        let plane = self.st.plane();
+        let third = self.st.roles()[2];
+        let Some(at) = self.st.position.in_plane(plane) else {
+            let [first, second, _] = self.st.roles();
+            let axis = if self.st.position.get(first).is_none() { first } else { second };
+            return self.unknown_axis(axis, soft.span);
+        };
+        let Some(heading) = self.direction_at_start(end, path) else {
+            let help = "let a line or an arc by centre or radius follow the point of the contour";
+            return self.soft_fault(soft.span, 10744, "the direction of the contour is not known here", help);
+        };
+        let side = self.st.side();
+        let s = self.soft_side(side, soft.from.in_plane(plane), at, heading, soft.span)?;
+        let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
+        // Backwards along the contour its sides are swapped.
+        let touch = self.touch(&soft.sizes, at, -heading, -s, radius);
+        let heights = self.approach_heights(soft, third)?;
+        self.straight_border();
+        let printed = self.st.printed_side(side);
+        let falls = self.st.is(GCode::G340);
+        let place = |p: Option<Point2>, z: Option<f64>| {
+            let mut end = Pos::UNKNOWN;
+            if let Some(p) = p {
+                end.set_in_plane(plane, p);
+            }
+            if let Some(z) = z {
+                end.set(third, z);
+            }
+            end
+        };
+        let infeed = Path::straight(soft.sizes.infeed.or(soft.feed));
+        self.soft_move(place(Some(touch.contour), heights.and_then(|h| h.first)), soft.before, printed);
+        if let Some(heights) = heights {
+            self.soft_move(place(None, Some(heights.safe)), soft.before, printed);
+            if !falls && heights.safe != heights.contour {
+                self.soft_move(place(None, Some(heights.contour)), infeed, printed);
+            }
+        }
+        let way = if falls { soft.sizes.infeed.or(soft.feed) } else { soft.feed };
+        let to = place(Some(at), heights.map(|h| h.contour));
+        let path = match (touch.circle, way) {
+            (Some(center), Some(feed)) => {
+                let shape = ArcShape::Center { center, ccw: s > 0.0, tol: CLOSE };
+                Path::Arc(Arc { plane, shape, turns: 0 }, feed)
+            }
+            _ => Path::straight(way),
+        };
+        self.soft_move(to, path, printed);
+        Ok(())
+    }
+
+    /// KONT has no say where the way is tangential.
+    fn straight_border(&mut self) {
+        if let Some(rules) = self.st.ctx.compensation.as_deref() {
+            let rules = ir::Compensation { approach: Border::Perpendicular, retract: Border::Perpendicular, ..*rules };
+            self.st.compensate(rules);
+        }
+    }
+
+    fn soft_move(&mut self, end: Pos, path: Path, side: Side) {
+        let mv = Move { end, path, side, coords: Coords::Frame };
+        self.core.send_move(&mv, &self.st.ctx);
+    }
+
+    /// Heights of an approach; `None` where the way stays in its plane.
+    fn approach_heights(&self, soft: &Soft, third: Axis) -> Outcome<Option<Heights>> {
+        let (start, contour) = (soft.from.get(third), self.st.position.get(third));
+        let moves = contour != start || soft.sizes.safe.is_some() || soft.sizes.plane.is_some();
+        if !moves {
+            return Ok(None);
+        }
+        let (Some(start), Some(contour)) = (start, contour) else { return self.unknown_axis(third, soft.span) };
+        let safe = soft.sizes.safe.map_or(contour, |height| height.over(contour));
+        self.check_heights(soft.span, start, contour, safe, soft.sizes.plane)?;
+        Ok(Some(Heights { first: soft.sizes.plane.map(|height| height.over(contour)), safe, contour }))
+    }
+
+    fn check_heights(&self, span: Span, start: f64, contour: f64, safe: f64, plane: Option<Height>) -> Outcome {
+        if safe < contour || safe > start + SAME_POINT {
+            let help = "DISCL is the distance from the plane of the contour, DISCL=AC(…) a coordinate";
+            return self.soft_fault(span, 10741, "DISCL lies outside the way between the two planes", help);
+        }
+        if self.st.is(GCode::G340) && safe == contour && start != contour {
+            let help = "program DISCL above 0, or G341";
+            let message = "under G340 without DISCL the tool comes down in a way that is not confirmed";
+            return self.fail_help(codes::S9001, span, message, help);
+        }
+        let between = |height: Height| (safe..=start.max(safe)).contains(&height.over(contour));
+        if plane.is_some_and(|height| !between(height)) {
+            let help = "program a height between DISCL and the start or end";
+            return self.soft_fault(span, 10748, "DISRP lies outside the way", help);
+        }
+        Ok(())
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "the words of one block")]
+    fn retract(
+        &mut self,
+        code: GCode,
+        span: Span,
+        sizes: Sizes,
+        end: Pos,
+        side: Side,
+        ends: bool,
+        before: Path,
+    ) -> Outcome {
+        let plane = self.st.plane();
+        let [first, second, third] = self.st.roles();
+        if side != Side::None && !ends {
+            let message = format!("{} leaves the radius compensation on", code.word());
+            return self.fail_help(codes::S9001, span, message, "write G40 into the block");
+        }
+        let Some(at) = self.st.position.in_plane(plane) else {
+            let axis = if self.st.position.get(first).is_none() { first } else { second };
+            return self.unknown_axis(axis, span);
+        };
+        let heading = match self.st.heading {
+            Heading::Line(from) => from.in_plane(plane).and_then(|from| direction(at - from, SAME_POINT)),
+            Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
+            _ => None,
+        };
+        let Some(heading) = heading else {
+            let help = "let a line or an arc of the plane stand in front of the retraction";
+            return self.soft_fault(span, 10744, "the direction of the contour is not known here", help);
+        };
+        let corner = |axis: Axis, old: f64| end.get(axis).unwrap_or(old);
+        let named = end.get(first).is_some() || end.get(second).is_some();
+        let far = Point2::new(corner(first, at.x), corner(second, at.y));
+        let s = self.soft_side(side, named.then_some(far), at, heading, span)?;
+        let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
+        let touch = self.touch(&sizes, at, heading, s, radius);
+        let contour = self.st.position.get(third);
+        let heights = match (contour, end.get(third).or(contour)) {
+            (Some(contour), Some(top)) => {
+                let safe = sizes.safe.map_or(contour, |height| height.over(contour));
+                let over = sizes.plane.map(|height| height.over(contour));
+                let highest = if end.get(third).is_some() { top } else { over.unwrap_or(safe) };
+                self.check_heights(span, highest, contour, safe, sizes.plane)?;
+                Some((Heights { first: over, safe, contour }, highest))
+            }
+            _ if sizes.safe.is_some() || sizes.plane.is_some() || end.get(third).is_some() => {
+                return self.unknown_axis(third, span);
+            }
+            _ => None,
+        };
+        let Some(feed) = self.st.feed.word() else {
+            self.st.feed.lose();
+            return self.fail_help(codes::S2040.alarm(10860), span, "no feed is programmed", "program F in this block");
+        };
+        self.straight_border();
+        let rises = self.st.is(GCode::G340);
+        let mut to = Pos::UNKNOWN;
+        to.set_in_plane(plane, touch.contour);
+        if let Some((heights, _)) = heights.filter(|_| rises) {
+            to.set(third, heights.safe);
+        }
+        let old = match before {
+            Path::Line(feed) => feed,
+            _ => feed,
+        };
+        let path = match touch.circle {
+            Some(center) => {
+                let shape = ArcShape::Center { center, ccw: s > 0.0, tol: CLOSE };
+                Path::Arc(Arc { plane, shape, turns: 0 }, old)
+            }
+            None => Path::Line(old),
+        };
+        self.soft_move(to, path, self.st.printed_side(side));
+        // From here on the centre of the tool itself is meant.
+        let mut last = Pos::UNKNOWN;
+        last.set_in_plane(plane, touch.centre);
+        let mut sent = false;
+        if let Some((heights, highest)) = heights {
+            let up = sizes.infeed.unwrap_or(feed);
+            let first_stop = if rises { None } else { Some(heights.safe).filter(|z| *z != heights.contour) };
+            for (z, feed) in [(first_stop, up), (heights.first.or(Some(highest)), feed)] {
+                if let Some(z) =
+                    z.filter(|z| last.get(third).unwrap_or(if rises { heights.safe } else { heights.contour }) != *z)
+                {
+                    last.set(third, z);
+                    self.soft_move(last, Path::Line(feed), Side::None);
+                    sent = true;
+                }
+            }
+        }
+        if named {
+            last.set_in_plane(plane, far);
+        }
+        if let Some(top) = end.get(third) {
+            last.set(third, top);
+        }
+        if named || !sent {
+            self.soft_move(last, Path::Line(feed), Side::None);
+        }
+        self.st.heading = Heading::Later;
+        self.st.position.move_to(&last);
+        Ok(())
+    }
+}
+
+/// Heights of a way.
+#[derive(Debug, Clone, Copy)]
+struct Heights {
+    /// DISRP
+    first: Option<f64>,
+    safe: f64,
+    contour: f64,
+}
