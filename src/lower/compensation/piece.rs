@@ -110,6 +110,13 @@ impl Piece {
         }
     }
 
+    /// What is left of an element that is left out: the motion of the axes outside of its plane.
+    pub fn other_axes(&self) -> Option<Item> {
+        let axes = self.mv.axes.without(plane_axes(self.mv.plane));
+        let mv = Move { axes, path: Path::straight(self.mv.path.feed()), ..self.mv };
+        (self.kind.is_of_contour() && !axes.is_empty()).then_some(Item::Move(mv, self.origin))
+    }
+
     /// May its end be prolonged at the next joint?
     pub fn may_grow(&self) -> bool {
         self.rules.outside != Outside::default()

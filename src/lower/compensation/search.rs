@@ -50,7 +50,10 @@ impl Compensator {
         }
         if let Some(last) = self.path.back_mut() {
             last.stop = Some(p);
-            last.items.extend(left_out.into_iter().flat_map(|piece| piece.items));
+            for piece in left_out {
+                last.items.extend(piece.other_axes());
+                last.items.extend(piece.items);
+            }
         }
         let mut at_start = true;
         for mut piece in waiting {

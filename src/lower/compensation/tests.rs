@@ -59,6 +59,8 @@ enum To {
     /// End, centre, sense.
     Arc(f64, f64, f64, f64, bool),
     Z(f64),
+    /// A line that moves Z, too.
+    Space(f64, f64, f64),
 }
 use To::{Line, Z};
 
@@ -105,6 +107,11 @@ impl Program {
                     mv.axes = super::super::step::plane_axes(Plane::Xy);
                     let sweep = arc::sweep(from, to, center, ccw);
                     mv.path = Path::Arc(Arc { plane: Plane::Xy, from, center, sweep }, Feed::PerMinute(100.0));
+                }
+                To::Space(x, y, z) => {
+                    mv.end.set_in_plane(Plane::Xy, Point2::new(x, y));
+                    mv.end.set(crate::machine::Axis::Z, z);
+                    mv.axes = AxisSet::MAIN;
                 }
                 Z(z) => {
                     mv.end.set(crate::machine::Axis::Z, z);
@@ -163,6 +170,15 @@ fn a_short_side_at_an_inside_corner_is_left_out() {
     let (lines, found) = program.run();
     assert_eq!(lines, ["G1 X0 Y5", "G1 X37 Y5", "G1 X37 Y40", "G1 X20 Y50"]);
     assert_eq!(found, ["G3210"]);
+}
+
+#[test]
+fn other_axes_of_an_element_that_is_left_out_move_at_the_crossing() {
+    let contour = [Line(0.0, 0.0), Line(40.0, 0.0), To::Space(42.0, 3.0, -3.0), Z(-4.0), Line(42.0, 40.0)];
+    let mut program = Program::new(Side::Left, 5.0, (-20.0, 5.0), &contour, Line(20.0, 50.0));
+    program.rules.search.elements = 3;
+    let path = ["G1 X0 Y5", "G1 X37 Y5", "G1 X37 Y5 Z-3", "G1 X37 Y5 Z-4", "G1 X37 Y40", "G1 X20 Y50"];
+    assert_eq!(program.path(), path);
 }
 
 #[test]

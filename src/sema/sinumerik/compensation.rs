@@ -3,7 +3,7 @@
 //! Comes in: G40 to G42 with the data of the edge, OFFN, DISC, and the codes of groups 17, 18, 21, 23, 40 and 48. Goes out:
 //! the rules beside each move ([`ir::Compensation`]). The path itself is computed behind the frames (`docs/compensation.md`).
 //!
-//! Source: S 2.12 (docs/sources.md), and the reference on radius compensation.
+//! Source: S 2.12, S 2.13 (docs/sources.md); docs/compensation.md.
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};

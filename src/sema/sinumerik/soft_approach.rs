@@ -10,7 +10,7 @@
 //!       P3 ── P4    line, quadrant or semicircle in the plane of the contour, or falling onto it (G340)
 //! ```
 //!
-//! Source: S 2.13 (docs/sources.md), and the reference on radius compensation.
+//! Source: S 2.13 (docs/sources.md); docs/compensation.md.
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::tangent_at;
