@@ -294,6 +294,7 @@ impl Compensator {
             _ => {
                 let next = self.piece(mv, contour, rules, origin)?;
                 self.join(next, out)?;
+                self.damage.refuses = rules.search.bottlenecks;
                 self.damage.contour(&contour, origin, self.d, out.diags);
                 self.settle(rules.search.elements, out);
                 Ok(())
