@@ -24,8 +24,9 @@ pub(super) enum Command {
     Plot(Plot),
     /// Compile the programs of a folder and compare with the golden outputs beside them
     ///
-    /// PART.H belongs to PART.golden.ngc. A difference is shown as text and as motion; version and source hash in the
-    /// head do not count.
+    /// PART.H belongs to PART.golden.ngc, for grbl PART.golden.gcode, for grblhal PART.golden.grblhal.gcode; those of other
+    /// targets are passed over. A difference is shown as text and as motion; version and source hash in the head do not
+    /// count.
     Test(Test),
     /// Show the configuration in force, or its JSON Schema
     Config(Config),

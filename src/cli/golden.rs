@@ -9,7 +9,7 @@ use similar::TextDiff;
 
 use crate::emit::Output as _;
 use crate::emit::reread::Change;
-use crate::target;
+use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Format, Test};
@@ -68,10 +68,11 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
     let mut left = walked(&is_golden)?;
     let mut run = Run { args, cases: Vec::new(), reporter: Reporter::new(&args.common), taken: BTreeMap::new() };
     for program in &programs {
-        match run.one(program) {
-            Ok(golden) => left.retain(|path| *path != golden),
-            Err(trouble) => run.reporter.trouble(trouble),
+        if let Err(trouble) = run.one(program) {
+            run.reporter.trouble(trouble);
         }
+        // Those of other targets are theirs.
+        left.retain(|path| !target::ALL.iter().any(|target| *path == golden_of(program, target)));
     }
     for golden in left {
         run.show(&golden, Result::NoProgram, None)?;
@@ -85,7 +86,21 @@ fn is_output(path: &Path) -> bool {
 }
 
 fn is_golden(path: &Path) -> bool {
-    target::ALL.iter().any(|target| path.to_string_lossy().ends_with(&format!(".golden.{}", target.extension)))
+    target::ALL.iter().any(|target| path.to_string_lossy().ends_with(&format!(".{}", golden_extension(target))))
+}
+
+/// The golden output of a program for a target.
+fn golden_of(program: &Path, target: &Target) -> PathBuf {
+    program.with_extension(golden_extension(target))
+}
+
+/// Of targets with one extension the first has the plain name, the others are named.
+fn golden_extension(target: &Target) -> String {
+    let extension = target.extension;
+    match target::ALL.iter().find(|first| first.extension == extension) {
+        Some(first) if first.name != target.name => format!("golden.{}.{extension}", target.name),
+        _ => format!("golden.{extension}"),
+    }
 }
 
 struct Run<'a> {
@@ -97,10 +112,10 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Compiles and compares one program; its golden output.
-    fn one(&mut self, program: &Path) -> std::result::Result<PathBuf, Trouble> {
+    /// Compiles and compares one program.
+    fn one(&mut self, program: &Path) -> std::result::Result<(), Trouble> {
         let Loaded { session, dialect, settings, files } = load(program, &self.args.common)?;
-        let golden = program.with_extension(format!("golden.{}", settings.output.target.extension));
+        let golden = golden_of(program, settings.output.target);
         let shown = golden.display().to_string();
         if let Some(other) = self.taken.insert(golden.clone(), program.to_path_buf()) {
             return Err(format!("{} and {} have the same golden output {shown}", other.display(), program.display()));
@@ -111,8 +126,7 @@ impl Run<'_> {
             Err(error) => return Err(format!("{shown}: {error}")),
         };
         if before.is_none() && !self.args.update {
-            self.show(program, Result::NoGolden, None)?;
-            return Ok(golden);
+            return self.show(program, Result::NoGolden, None);
         }
         let mut now = Vec::new();
         session.compile(dialect, &settings, &files, &mut now, None).map_err(|error| format!("{shown}: {error}"))?;
@@ -121,21 +135,18 @@ impl Run<'_> {
             self.reporter.session(session);
             // A program called by others need not compile on its own.
             let result = if before.is_some() { Result::Errors } else { Result::NoGolden };
-            self.show(program, result, None)?;
-            return Ok(golden);
+            return self.show(program, result, None);
         }
         if self.args.update && before.as_deref() != Some(now.as_str()) {
             write(&golden, &now).map_err(|error| format!("{shown}: {error}"))?;
-            self.show(program, Result::Written, None)?;
-            return Ok(golden);
+            return self.show(program, Result::Written, None);
         }
         let before = before.unwrap_or_default();
         if body(&before) == body(&now) {
-            self.show(program, Result::Same, None)?;
+            self.show(program, Result::Same, None)
         } else {
-            self.show(program, Result::Differs, Some((&shown, &before, &now)))?;
+            self.show(program, Result::Differs, Some((&shown, &before, &now)))
         }
-        Ok(golden)
     }
 
     /// Prints a result, with what differs.

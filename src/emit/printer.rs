@@ -13,6 +13,7 @@ use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::target::Target;
+use crate::text::Loc;
 
 use super::compensation::{Compensation, Preparation, Way};
 use super::modal::Modal;
@@ -39,7 +40,18 @@ pub struct Printer<'a> {
     /// Axes that the target has, and those whose lack was reported.
     axes: AxisSet,
     compensation: Compensation,
+    spindle: HandChange,
     ended: bool,
+}
+
+/// The spindle, as far as a tool change by hand stops it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum HandChange {
+    /// The program stopped it, or did not start it yet.
+    Stands,
+    Turns,
+    /// It turned until this change.
+    Stopped(Loc),
 }
 
 impl std::fmt::Debug for Printer<'_> {
@@ -72,6 +84,7 @@ impl<'a> Printer<'a> {
             modal: Modal::new(if lathe { Plane::Zx } else { Plane::Xy }),
             axes: target.axes.bytes().filter_map(Axis::of).collect(),
             compensation: Compensation::default(),
+            spindle: HandChange::Stands,
             ended: false,
         };
         printer.head(source, lathe);
@@ -133,6 +146,11 @@ impl<'a> Printer<'a> {
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
         if !self.compensation.is_idle(mv.side) && !self.compensate(mv, origin) {
             return;
+        }
+        if let HandChange::Stopped(change) = self.spindle
+            && !matches!(mv.path, Path::Rapid)
+        {
+            self.spindle_stands(change, origin);
         }
         let word = match &mv.path {
             Path::Rapid => self.target.motion.rapid,

@@ -13,6 +13,13 @@ use super::cycle::Cycle;
 use super::undercut::Undercut;
 use super::{Compensation, Feed, Frame, Function, Origin, Pos, Side};
 
+/// Farthest that a coordinate, centre or radius may lie, in mm: 100 km. Beyond, binary fractions are coarser than what
+/// the streams promise.
+pub const FARTHEST: f64 = 1e8;
+/// What is said of one that lies farther out, or so far that a corner or arc loses its digits.
+pub const TOO_LARGE: &str = "a number of this block is too large to compute with";
+pub const TOO_LARGE_HELP: &str = "check the coordinates, and the parameters that the block computes with";
+
 /// State that holds for many items; a new one is made only when something in it changes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Ctx {
@@ -37,6 +44,18 @@ pub struct Move {
     /// there it refuses.
     pub side: Side,
     pub coords: Coords,
+}
+
+impl Move {
+    /// Does a number lie farther out than can be computed with?
+    #[inline]
+    pub fn is_out_of_range(&self) -> bool {
+        let arc = match &self.path {
+            Path::Arc(arc, _) => arc.shape.farthest(),
+            Path::Rapid | Path::Line(_) | Path::Thread(_) => 0.0,
+        };
+        self.end.exceeds(FARTHEST) || !(arc <= FARTHEST)
+    }
 }
 
 /// In which system the end point counts.
@@ -110,6 +129,19 @@ pub enum ArcShape {
     Via { point: Point2 },
     /// Tangential to the element before. That there is one with a direction is checked in lower.
     Tangent,
+}
+
+impl ArcShape {
+    /// The largest of its numbers that are coordinates or lengths.
+    fn farthest(&self) -> f64 {
+        match *self {
+            ArcShape::Center { center: point, .. }
+            | ArcShape::Sweep { center: point, .. }
+            | ArcShape::Via { point } => point.x.abs().max(point.y.abs()),
+            ArcShape::Radius { radius, .. } => radius.abs(),
+            ArcShape::Opening { .. } | ArcShape::Tangent => 0.0,
+        }
+    }
 }
 
 /// What happens at the corner between the element before and the next one.

@@ -69,6 +69,13 @@ impl Pos {
         self.known = self.known.union(other.known);
     }
 
+    /// Is a known coordinate beyond `most`, or no number?
+    #[inline]
+    pub fn exceeds(&self, most: f64) -> bool {
+        let beyond = |value: &f64| !(value.abs() <= most);
+        self.values.iter().any(beyond) && self.iter().any(|(_, value)| beyond(&value))
+    }
+
     /// First and second coordinate of a plane, if both are known.
     #[inline]
     pub fn in_plane(&self, plane: Plane) -> Option<Point2> {

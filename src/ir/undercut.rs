@@ -174,10 +174,15 @@ pub fn thread(tables: &Undercuts, row: &Row, form: ThreadForm, entry: Deg) -> (S
         entry_radius: row.radius,
         corner_radius: row.radius,
     };
+    // What the user set in `[undercut]` is no doubt any more.
     let doubts = Doubts {
-        short_form: matches!(form, ThreadForm::B | ThreadForm::D),
-        entry: entry != Deg(din76::ENTRY),
-        internal: form.surface() == Surface::Internal,
+        short_form: match form {
+            ThreadForm::A | ThreadForm::C => false,
+            ThreadForm::B => !tables.says_short_form(row.pitch, 'b'),
+            ThreadForm::D => !tables.says_short_form(row.pitch, 'd'),
+        },
+        entry: entry != Deg(din76::ENTRY) && tables.thread_length.is_none(),
+        internal: form.surface() == Surface::Internal && tables.internal_depth.is_none(),
     };
     (shape, doubts)
 }

@@ -19,6 +19,9 @@ const HAIR: f64 = 1e-3;
 /// Functions and comments that may stand on either side of a corner.
 const MOST_BETWEEN: usize = 256;
 
+/// The element before a corner, what is put between, and the element after.
+type Pieces = (Step, Option<Step>, Step);
+
 /// What comes out of the pass.
 #[derive(Debug)]
 pub enum Event<'s> {
@@ -140,7 +143,8 @@ impl Corners {
         let trimmed = std::mem::take(&mut self.trimmed);
         let made = self
             .admit_blocks(&corner, origin, diags)
-            .and_then(|()| cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed, diags));
+            .and_then(|()| cut(&self.steps[before], &self.steps[after], &corner, origin, trimmed, diags))
+            .and_then(|made| exact(made, origin));
         match made {
             Ok((shortened, inserted, rest)) => {
                 self.trimmed = true;
@@ -216,7 +220,12 @@ impl Corners {
     ) {
         let (before, after) = (self.waiting, self.waiting ^ 1);
         self.trimmed = false;
-        match undercut::relieve(&self.steps[before], &self.steps[after], undercut, feed, origin, diags) {
+        let made = undercut::relieve(&self.steps[before], &self.steps[after], undercut, feed, origin, diags);
+        let exact = |(steps, rest): (Vec<Step>, Step)| {
+            steps.iter().chain([&rest]).try_for_each(|step| step.is_exact(origin))?;
+            Ok((steps, rest))
+        };
+        match made.and_then(exact) {
             Ok((steps, rest)) => {
                 for step in &steps {
                     out(Event::Step(step));
@@ -257,6 +266,13 @@ fn silent(code: &Code) -> bool {
     [codes::G3007, codes::G3009, codes::G3016].contains(&code)
 }
 
+/// Looks at what a corner made of elements that lie far out.
+fn exact(made: Pieces, origin: Origin) -> Result<Pieces, Box<Diagnostic>> {
+    let (shortened, inserted, rest) = &made;
+    [shortened, rest].into_iter().chain(inserted).try_for_each(|step| step.is_exact(origin))?;
+    Ok(made)
+}
+
 /// The element before, what is put between, and the element after.
 fn cut(
     before: &Step,
@@ -265,7 +281,7 @@ fn cut(
     origin: Origin,
     trimmed: bool,
     diags: &Diags,
-) -> Result<(Step, Option<Step>, Step), Box<Diagnostic>> {
+) -> Result<Pieces, Box<Diagnostic>> {
     let plane = after.ctx.plane;
     let name = match corner.shape {
         CornerShape::Rounding { .. } => "rounding",
@@ -434,7 +450,7 @@ fn length(mm: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-fn pieces(before: &Step, after: &Step, feed: Option<Feed>, origin: Origin, made: &Cut) -> (Step, Option<Step>, Step) {
+fn pieces(before: &Step, after: &Step, feed: Option<Feed>, origin: Origin, made: &Cut) -> Pieces {
     let plane = after.ctx.plane;
     let trim = |step: &Step, element: Element| {
         let mut step = step.clone();

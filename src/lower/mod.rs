@@ -184,6 +184,9 @@ impl<'a> Lower<'a> {
         step.mv.end.update(&mv.end);
         match arcs::resolve(&mv.path, step, &self.last, &mut self.adjusted) {
             Ok(extra) => {
+                if let Err(found) = step.is_exact(*origin) {
+                    return self.refuse(Some(found), &mv.end, origin);
+                }
                 self.last.follow(step);
                 self.at = step.mv.end;
                 self.push();
@@ -392,8 +395,19 @@ impl Finish<'_> {
             return self.beside(&step.mv, &step.start, step);
         }
         match frames::workpiece(&step.mv, frame) {
-            Ok(mv) if self.compensator.is_idle(mv.side) => self.out.movement(&mv, &step.origin),
-            Ok(mv) => self.beside(&mv, &frame.apply(&step.start), step),
+            Ok(mv) => {
+                if !mv.machine
+                    && mv.end.exceeds(step::FAR)
+                    && let Err(found) = step::exact_far_out(&Pos::UNKNOWN, &mv, step.origin)
+                {
+                    self.diags.push(*found);
+                    return self.compensator.lost(&step.origin, &mut self.out);
+                }
+                if self.compensator.is_idle(mv.side) {
+                    return self.out.movement(&mv, &step.origin);
+                }
+                self.beside(&mv, &frame.apply(&step.start), step);
+            }
             Err((code, message, help)) => {
                 self.diags.push(at(code, step.origin, message).help(help));
                 // The move is missing, so the next one does not start where the last one ended.

@@ -1,12 +1,17 @@
 //! A path element whose geometry is complete, still in programmed coordinates.
 
+use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Plane};
-use crate::ir::contour::CtxRef;
+use crate::ir::contour::{CtxRef, FARTHEST, TOO_LARGE, TOO_LARGE_HELP};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, verify};
 use crate::machine::{Axis, AxisSet};
 
+use super::at;
 use super::corner::Event;
+
+/// Coordinates up to here keep all digits that a step promises, in mm.
+pub const FAR: f64 = 1e4;
 
 /// One element from `start` to the end of `mv`.
 #[derive(Debug, Clone, Default)]
@@ -45,6 +50,22 @@ impl Step {
         debug_assert!(kept.is_ok(), "{kept:?}: {self:?}");
     }
 
+    /// Looks whether the numbers are so large that computing with them lost what a step promises. `origin` asked for it.
+    ///
+    /// # Errors
+    /// O1002.
+    #[inline]
+    pub fn is_exact(&self, origin: Origin) -> Result<(), Box<Diagnostic>> {
+        let centre = match &self.mv.path {
+            Path::Arc(arc, _) => arc.center.x.abs().max(arc.center.y.abs()),
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } => 0.0,
+        };
+        if self.mv.end.exceeds(FAR) || self.start.exceeds(FAR) || !(centre <= FAR) {
+            return exact_far_out(&self.start, &self.mv, origin);
+        }
+        Ok(())
+    }
+
     /// Plane of an arc, or the working plane.
     #[inline]
     pub fn plane(&self) -> Plane {
@@ -79,6 +100,18 @@ impl Step {
         let others = self.mv.axes.without(plane_axes(plane));
         others.iter().any(|axis| self.start.get(axis) != self.mv.end.get(axis))
     }
+}
+
+/// The same for a move of which it is known that its numbers are large.
+///
+/// # Errors
+/// O1002.
+#[cold]
+pub fn exact_far_out(start: &Pos, mv: &Move, origin: Origin) -> Result<(), Box<Diagnostic>> {
+    if !mv.end.exceeds(FARTHEST) && verify::element(start, mv).is_ok() {
+        return Ok(());
+    }
+    Err(Box::new(at(codes::O1002, origin, TOO_LARGE).help(TOO_LARGE_HELP)))
 }
 
 /// Checks steps between the passes: each starts where the one before ended, as long as the frame stays.

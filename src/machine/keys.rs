@@ -14,6 +14,8 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// List of whole numbers.
     Wholes,
+    /// List of numbers from 0 to 9.
+    Digits,
     /// List of texts.
     Texts,
     /// Table whose keys are names.

@@ -56,6 +56,9 @@ fn key_schema(key: &Key) -> Value {
         Kind::Whole => json!({ "type": "integer" }),
         Kind::Choice(choices) => json!({ "enum": choices }),
         Kind::Wholes => json!({ "type": "array", "items": { "type": "integer" } }),
+        Kind::Digits => {
+            json!({ "type": "array", "items": { "type": "integer", "minimum": 0, "maximum": 9 } })
+        }
         Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Kind::Free => json!({ "type": "object" }),
         Kind::Words => json!({ "type": ["array", "object"] }),

@@ -37,6 +37,8 @@ pub struct Undercuts {
     /// In place of the table of the control.
     by_diameter: Option<Vec<Range>>,
     threads: Vec<Row>,
+    /// Pitches whose lengths of the short forms the user told, with the key of the form.
+    short_forms: Vec<(f64, char)>,
     /// Lists in which programs name sizes by their place, by key: r and t1.
     lists: BTreeMap<String, Vec<(f64, f64)>>,
     /// In place of what the control does.
@@ -51,6 +53,7 @@ impl Default for Undercuts {
             sizes: din509::SIZES.to_vec(),
             by_diameter: None,
             threads: din76::ROWS.to_vec(),
+            short_forms: Vec::new(),
             lists: BTreeMap::new(),
             thread_length: None,
             internal_depth: None,
@@ -83,6 +86,11 @@ impl Undercuts {
 
     pub fn thread(&self, pitch: f64) -> Option<&Row> {
         self.threads.iter().find(|row| (row.pitch - pitch).abs() <= SAME)
+    }
+
+    /// Did the user tell the lengths of a short form, `b` outside or `d` inside?
+    pub fn says_short_form(&self, pitch: f64, form: char) -> bool {
+        self.short_forms.iter().any(|told| told.1 == form && (told.0 - pitch).abs() <= SAME)
     }
 
     /// The pitch of the table that is nearest to `pitch`.
@@ -224,9 +232,15 @@ impl Undercuts {
                 }
                 "r" => row.radius = positive(node)?,
                 "a" => row.a = lengths(node)?,
-                "b" => row.b = lengths(node)?,
+                "b" => {
+                    row.b = lengths(node)?;
+                    self.short_forms.push((pitch, 'b'));
+                }
                 "c" => row.c = lengths(node)?,
-                "d" => row.d = lengths(node)?,
+                "d" => {
+                    row.d = lengths(node)?;
+                    self.short_forms.push((pitch, 'd'));
+                }
                 _ => {
                     let known = "external, a, b, r, internal, c, d";
                     return Err(node.fail(format!("unknown key `{key}`; a thread undercut has {known}")));

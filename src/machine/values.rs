@@ -28,7 +28,7 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
             }
             matches!(node.value, Value::Text(_))
         }
-        Kind::Wholes => all(|value| matches!(value, Value::Whole(_))),
+        Kind::Wholes | Kind::Digits => all(|value| matches!(value, Value::Whole(_))),
         Kind::Texts => all(|value| matches!(value, Value::Text(_))),
         Kind::Free => matches!(node.value, Value::Table(_)),
         Kind::Words => matches!(node.value, Value::Table(_)) || all(|value| matches!(value, Value::Text(_))),
@@ -39,6 +39,7 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Number => "a number",
         Kind::Whole => "a whole number",
         Kind::Wholes => "a list of whole numbers",
+        Kind::Digits => "a list of numbers from 0 to 9",
         Kind::Texts => "a list of texts",
         Kind::Free => "a table",
         Kind::Words => "a list of texts or a table",

@@ -36,8 +36,8 @@ pub struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// Does the control skip a block for its `/`? `mark` is the number behind it, 0 for none, which is the mark of the
-    /// first level.
+    /// Does the control skip a block for its `/`? `mark` is the number behind it, 0 for none. Level 1 takes the plain
+    /// mark along, for users count from the first one.
     #[inline]
     pub fn skips(&self, mark: Option<u8>) -> bool {
         match mark {

@@ -388,6 +388,30 @@ fn a_golden_difference_is_shown_as_text_and_as_motion() {
 }
 
 #[test]
+fn golden_outputs_of_several_targets_stand_side_by_side() {
+    let folder = Folder::new("golden_targets").with(&[("A.H", PART), ("B.H", PART)]);
+    let targets = ["linuxcnc", "grbl", "grblhal"];
+    for target in targets {
+        folder.run(&["test", "--target", target, "--update"]).exits(0);
+    }
+    for name in ["A.golden.ngc", "A.golden.gcode", "A.golden.grblhal.gcode"] {
+        let target = if name.ends_with("ngc") { "linuxcnc" } else { name.split('.').nth_back(1).unwrap_or_default() };
+        let target = if target == "golden" { "grbl" } else { target };
+        assert!(folder.read(name).contains(&format!("target {target})")), "{name}");
+    }
+    for target in targets {
+        let ran = folder.run(&["test", "--target", target]).exits(0).quietly();
+        assert!(ran.out.ends_with("2 cases: 2 same\n"), "{}", ran.out);
+    }
+    // A golden output whose program is gone fails for every target.
+    fs::remove_file(folder.0.join("B.H")).expect("a file");
+    for target in targets {
+        let ran = folder.run(&["test", "--target", target]).exits(1);
+        assert!(ran.out.contains("no-program B.golden.grblhal.gcode"), "{}", ran.out);
+    }
+}
+
+#[test]
 fn golden_cases_with_errors_or_without_a_program_fail() {
     let folder = Folder::new("golden_fails").with(&[("A.H", PART), ("B.H", PART)]);
     folder.run(&["test", "--update"]).exits(0);

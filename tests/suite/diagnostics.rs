@@ -99,8 +99,8 @@ const BUILT: &[Built] = &[
     },
     Built {
         code: "O9308",
-        fires: || on_grbl("T1 M6\nD1\nG41 G1 X5 F100", CONTROL),
-        silent: || on_grbl("T1 M6\nD1\nG40 G1 X5 F100", CONTROL),
+        fires: || on_grbl("T1 M6\nM3\nD1\nG41 G1 X5 F100", CONTROL),
+        silent: || on_grbl("T1 M6\nM3\nD1\nG40 G1 X5 F100", CONTROL),
     },
     Built { code: "O9309", fires: || on_grbl("G1 A90 F100", ""), silent: || on_grbl("G1 Y90 F100", "") },
     Built { code: "O9310", fires: || on_grbl("G505", EIGHTH), silent: || on_grbl("G55", EIGHTH) },
@@ -117,6 +117,17 @@ const BUILT: &[Built] = &[
         fires: || on_grbl("M8", "[machine]\nkind = \"lathe\"\n[output]\ndiameter = true"),
         silent: || on_grbl("M8", LATHE),
     },
+    Built {
+        code: "O9316",
+        fires: || on_grbl("T1 M6\nG1 X5 F100", BY_HAND),
+        silent: || on_grbl("T1 M6\nM3\nG1 X5 F100", BY_HAND),
+    },
+    // M5 says that the tool shall stand.
+    Built {
+        code: "O9316",
+        fires: || on_grbl("M5\nM4\nT1 M6\nG1 X5 F100", BY_HAND),
+        silent: || on_grbl("T1 M6\nM5\nG1 X5 F100", BY_HAND),
+    },
 ];
 
 /// Codes that no program can bring about today. A case for one of them is to be added together with its removal here.
@@ -131,6 +142,7 @@ const NEVER: &[(&str, &str)] = &[
 ];
 
 const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"";
+const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
 

@@ -1,6 +1,6 @@
 //! The skip mark: which blocks are left out, in every dialect.
 //!
-//! A mark without a level is the one of the first level, so it is skipped where level 1 is switched on.
+//! A mark without a level is level 0. Level 1 takes it along; where a program has both, that is said.
 
 use partc::internals::text::files::NoFiles;
 
@@ -15,10 +15,11 @@ const PROGRAMS: &[(&str, &str, &str, &[u8])] = &[
 ];
 
 /// `skip_blocks`, and the levels of marks (0: none written) that it skips.
-const OPTIONS: &[(&str, &[u8])] = &[("[]", &[]), ("[1]", &[0, 1]), ("[2]", &[2]), ("[1, 2]", &[0, 1, 2])];
+const OPTIONS: &[(&str, &[u8])] =
+    &[("[]", &[]), ("[0]", &[0]), ("[1]", &[0, 1]), ("[0, 1]", &[0, 1]), ("[2]", &[2]), ("[1, 2]", &[0, 1, 2])];
 
 #[test]
-fn a_mark_without_a_level_is_that_of_level_1() {
+fn level_1_takes_the_mark_without_a_level_along() {
     for (dialect, name, program, levels) in PROGRAMS {
         for (option, skipped) in OPTIONS {
             let options = settings(&format!("[control]\nskip_blocks = {option}\n"));
@@ -32,6 +33,21 @@ fn a_mark_without_a_level_is_that_of_level_1() {
                     let runs = compiled.output.lines().any(|line| line.ends_with("X7") || line.contains("Z7"));
                     assert_eq!(runs, !skipped.contains(&level), "{dialect}, skip_blocks = {option}: {text}");
                 }
+            }
+        }
+    }
+}
+
+#[test]
+fn two_levels_that_are_switched_as_one_are_said_once() {
+    for (dialect, name, program, _) in PROGRAMS.iter().filter(|row| !row.3.is_empty()) {
+        for (option, said) in [("[]", 0), ("[0]", 0), ("[1]", 1), ("[0, 1]", 0), ("[2]", 0)] {
+            for (first, second) in [("/", "/1 "), ("/1 ", "/")] {
+                let options = settings(&format!("[control]\nskip_blocks = {option}\n"));
+                let text = program.replace("MARK", first).replace("N1", &format!("{second}N1"));
+                let compiled = compile_bytes(name, text.clone().into_bytes(), dialect, &options, &NoFiles);
+                let warnings = compiled.codes().iter().filter(|code| **code == "P0201").count();
+                assert_eq!(warnings, said, "{dialect}, skip_blocks = {option}: {text}");
             }
         }
     }

@@ -60,6 +60,11 @@ often it is no program at all. A main program without jumps may be larger; compi
 P0121 Error "called-files-too-large" "called programs are over 1 GiB together"
 "All programs that a run calls may have 1 GiB together. Compile the large ones as main programs of their own."
 
+P0201 Warning "two-skip-levels" "two skip levels are switched on as one"
+"`[control] skip_blocks` lists level 1 and not level 0, and the program has blocks with / and blocks with /1. Level 1 takes the plain / along, as users count \
+who have one switch only; on a SINUMERIK / is level 0, the first of ten, and /1 is another switch. Both kinds are left out. Write `[0]` to leave out those \
+with / alone, or `[0, 1]` where both are meant."
+
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \

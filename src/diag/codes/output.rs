@@ -7,7 +7,8 @@ O1001 Error "feed-not-positive" "feed rate is zero or negative"
 CALL, RND or CHF block counts, too."
 
 O1002 Error "value-not-finite" "value is too large to print"
-"A coordinate or feed is beyond 1000 km, or a computation overflowed. Nothing sensible can be printed, so nothing is. Look at the \
+"A coordinate, centre or radius is beyond 100 km, another number beyond what can be printed, or a computation overflowed; or a chamfer, rounding or \
+arc lies so far out that its end points cannot be computed to the last printed digit. Nothing sensible can be printed, so nothing is. Look at the coordinates and at the \
 parameters that the block computes with."
 
 O1003 Error "thread-lead-not-positive" "thread without a lead or a length"
@@ -95,6 +96,11 @@ more than ten metres needs a target that computes in double precision."
 
 O9315 Error "diameter-unknown-to-target" "the target does not take X as a diameter"
 "`[output] diameter = true` prints X of a lathe as a diameter, which needs a word that tells the target so (G7). The selected target has none and takes X as a radius. Leave the key away."
+
+O9316 Error "spindle-stands-after-change" "cut with the spindle that a tool change by hand stopped"
+"With `[output] tool_change = \"stop\"` the spindle is stopped (M5) before you change the tool. The program cuts behind the change and starts no spindle: the control \
+may have kept it turning, or started it in its own tool change, and which of the two is not written in the program. Program M3 or M4 behind the change, or M5 where the \
+tool has to stand, such as a probe."
 
 O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
 "`[output] tool_length = \"G43\"` has the target add the length of the tool, and G43 adds it to Z with an ordinary tool table. Under G18 and G19, and with \

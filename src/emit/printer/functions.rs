@@ -4,9 +4,10 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
+use crate::text::Loc;
 
 use super::super::comment;
-use super::Printer;
+use super::{HandChange, Printer};
 
 impl Printer<'_> {
     pub(super) fn print_function(&mut self, function: &Function, origin: &Origin) {
@@ -92,9 +93,23 @@ impl Printer<'_> {
     /// The spindle stops, as under a change by the machine, and the program waits.
     fn change_by_hand(&mut self, number: u32, origin: &Origin) {
         self.page.words(self.target.spindle.stop, origin);
+        if self.spindle == HandChange::Turns {
+            self.spindle = HandChange::Stopped(origin.loc);
+        }
         let text = if number == 0 { "take the tool out".to_owned() } else { format!("change to tool {number}") };
         self.comment(text.as_bytes(), origin);
         self.page.words(self.target.flow.stop, origin);
+    }
+
+    /// A cut behind a change by hand: whether the control had the spindle turn is not known.
+    #[cold]
+    pub(super) fn spindle_stands(&mut self, change: Loc, origin: &Origin) {
+        // Once is enough.
+        self.spindle = HandChange::Stands;
+        let message = "this block cuts, and the spindle stands since the tool change by hand";
+        let help = "program M3 or M4 behind the change, or M5 where the tool has to stand";
+        let found = Diagnostic::new(codes::O9316, origin.loc, message).help(help).called(origin.call);
+        self.diags.push(found.also(change, "the change"));
     }
 
     fn coolant(&mut self, coolant: Coolant, origin: &Origin) {
@@ -164,6 +179,13 @@ impl Printer<'_> {
     /// `number` counts spindles from 1; targets count from 0.
     fn spindle(&mut self, spindle: Spindle, number: Option<u8>, origin: &Origin) {
         let words = &self.target.spindle;
+        if number.is_none() {
+            match spindle {
+                Spindle::Start(_) => self.spindle = HandChange::Turns,
+                Spindle::Stop | Spindle::Orient(_) => self.spindle = HandChange::Stands,
+                Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {}
+            }
+        }
         let text = &mut self.page.text;
         match spindle {
             Spindle::Start(Turn::Clockwise) => text.word(words.clockwise),

@@ -93,6 +93,8 @@ fn lines_are_near(a: Point2, b: Point2, c: Point2, d: Point2, r: f64) -> bool {
 pub struct Damage {
     contour: Ring,
     path: Ring,
+    /// An arc that may be the last element: then it leads away from the part.
+    last_arc: Option<Known>,
     /// Elements of the contour so far.
     elements: u32,
     reported: bool,
@@ -130,6 +132,7 @@ impl Damage {
     pub fn forget(&mut self) {
         self.contour.forget();
         self.path.forget();
+        self.last_arc = None;
         self.elements = 0;
         self.reported = false;
     }
@@ -139,7 +142,10 @@ impl Damage {
         self.forget();
         self.elements = first.index;
         self.refuses = first.rules.search.bottlenecks;
-        self.contour.add(Known::new(&first.contour, first.index, first.origin));
+        // An arc that begins a contour leads to the part; later elements may pass it.
+        if let Element::Line { .. } = first.contour {
+            self.contour.add(Known::new(&first.contour, first.index, first.origin));
+        }
     }
 
     /// The control itself goes beyond the contour.
@@ -150,11 +156,21 @@ impl Damage {
     /// An element of the contour.
     pub fn contour(&mut self, element: &Element, origin: &Origin, d: f64, diags: &Diags) {
         self.elements += 1;
+        if let Some(arc) = self.last_arc.take() {
+            self.look_at(arc, d, diags);
+        }
         let known = Known::new(element, self.elements, *origin);
+        match element {
+            Element::Line { .. } => self.look_at(known, d, diags),
+            Element::Arc { .. } => self.last_arc = Some(known),
+        }
+    }
+
+    fn look_at(&mut self, known: Known, d: f64, diags: &Diags) {
         if !self.reported
             && let Some(of) = self.path.first(|path| path.damages(&known, d.abs() - NEARER))
         {
-            self.report(&of, origin, d, diags);
+            self.report(&of, &known.origin, d, diags);
         }
         self.contour.add(known);
     }

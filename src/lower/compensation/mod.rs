@@ -25,7 +25,7 @@ use crate::ir::motion::{self, Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::Machine;
 
-use super::limits;
+use super::{limits, step};
 use damage::Damage;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
@@ -219,6 +219,14 @@ impl Compensator {
 
     /// Sends `mv` and remembers where it ends.
     fn send(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) {
+        if !mv.machine
+            && mv.end.exceeds(step::FAR)
+            && let Err(found) = step::exact_far_out(&self.at, mv, *origin)
+        {
+            out.diags.push(*found);
+            self.at.clear();
+            return out.sink.lost(origin);
+        }
         out.movement(mv, origin);
         self.at.update(&mv.end);
     }
@@ -389,7 +397,7 @@ fn is_nothing(way: &Element) -> bool {
 
 /// Do all axes outside of the plane stay where they are?
 fn leaves_others(mv: &Move, at: &Pos) -> bool {
-    let others = mv.axes.without(super::step::plane_axes(mv.plane));
+    let others = mv.axes.without(step::plane_axes(mv.plane));
     others.iter().all(|axis| at.get(axis) == mv.end.get(axis))
 }
 
@@ -399,7 +407,7 @@ fn moves_in_plane(mv: &Move, start: &Pos) -> bool {
         return arc.plane == mv.plane || distance_in_plane(mv, start).is_none_or(|way| way > SAME_POINT);
     }
     distance_in_plane(mv, start).unwrap_or_else(|| {
-        let named = super::step::plane_axes(mv.plane).common(mv.axes);
+        let named = step::plane_axes(mv.plane).common(mv.axes);
         if named.is_empty() { 0.0 } else { f64::INFINITY }
     }) > SAME_POINT
 }

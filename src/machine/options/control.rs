@@ -28,9 +28,12 @@ pub const KEYS: &[Key] = &[
     key("heidenhain_turning", Kind::Choice(TURNINGS), "HEIDENHAIN turning control", |s, v| {
         put(&mut s.control.heidenhain_turning, text(v).to_owned())
     }),
-    key("skip_blocks", Kind::Wholes, "skip levels that are switched on; a block with such a / is left out", |s, v| {
-        put(&mut s.control.skip_blocks, skip_levels(v)?)
-    })
+    key(
+        "skip_blocks",
+        Kind::Digits,
+        "skip levels that are switched on, and whose blocks are left out: 0 is / and /0, 1 is those and /1, 2 to 9 one each",
+        |s, v| put(&mut s.control.skip_blocks, skip_levels(v)?),
+    )
     .or("[]"),
     key(
         "unit",

@@ -14,11 +14,11 @@ use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Word};
+use crate::sema::common::plane::plane_axes;
 use crate::text::Span;
 
 use super::words::{Admits, Words};
 use super::{Outcome, Run};
-use crate::sema::common::plane::plane_axes;
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
 

@@ -7,11 +7,11 @@ use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
+use crate::sema::common::plane::plane_axes;
 
 use super::polar::PoleState;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
-use crate::sema::common::plane::plane_axes;
 
 /// How far the end of an arc may miss the circle: machine parameter *circleDeviation* at its largest.
 const CIRCLE_TOLERANCE: f64 = 0.016;

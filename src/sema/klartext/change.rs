@@ -9,15 +9,15 @@ use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Stmt};
+use crate::parser::symbols::Symbols;
+use crate::sema::common::plane::plane_axes;
+use crate::sema::run::unexecuted::Blocks;
 use crate::text::{FileId, Loc, Span};
 
 use super::super::Job;
 use super::active_tool::Change;
 use super::state::State;
 use super::{Klartext, Outcome, Reported, Run};
-use crate::parser::symbols::Symbols;
-use crate::sema::common::plane::plane_axes;
-use crate::sema::run::unexecuted::Blocks;
 
 /// The number of the M function that changes the tool.
 const M6: u32 = 6;

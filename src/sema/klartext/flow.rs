@@ -5,14 +5,14 @@ use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Generation, RepeatCount, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
+use crate::sema::Job;
+use crate::sema::run::{Level, Program};
 use crate::text::blocks::{Cursor, Place};
 use crate::text::{FileId, Loc, Next, Span, decode::readable};
 
 use super::labels::{Label, Labels};
 use super::vars::{Locals, Val};
 use super::{Outcome, ProgramHead, Reported, Run};
-use crate::sema::Job;
-use crate::sema::run::{Level, Program};
 
 /// Most repeats of a section.
 const MOST_REPEATS: f64 = 65534.0;

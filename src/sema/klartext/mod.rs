@@ -43,9 +43,6 @@ mod unexecuted;
 mod vars;
 mod words;
 
-use std::cell::RefCell;
-use std::ops::{Deref, DerefMut};
-
 use crate::diag::{CallPath, Code, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
@@ -55,12 +52,13 @@ use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Loc, Span, SplitRules};
+use std::cell::RefCell;
 
 pub use cycles::signatures as cycle_signatures;
 pub use unexecuted::check_unexecuted;
 
 use super::run::unexecuted::Blocks;
-use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use cycle::Cycles;
@@ -179,9 +177,12 @@ struct ProgramHead {
     loc: Loc,
 }
 
+/// Files, call stack and findings of a run.
+type Core<'a> = run::Core<'a, Klartext>;
+
 /// A run of a program.
 struct Run<'a> {
-    core: Core<'a, Klartext>,
+    core: Core<'a>,
     st: State,
     vars: Vars,
     /// Numbers proposed for tools without one.
@@ -207,27 +208,13 @@ struct Run<'a> {
     plain: bool,
 }
 
-impl<'a> Deref for Run<'a> {
-    type Target = Core<'a, Klartext>;
-
-    #[inline]
-    fn deref(&self) -> &Core<'a, Klartext> {
-        &self.core
-    }
-}
-
-impl<'a> DerefMut for Run<'a> {
-    #[inline]
-    fn deref_mut(&mut self) -> &mut Core<'a, Klartext> {
-        &mut self.core
-    }
-}
+runs_on!(Run.core: Core);
 
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Klartext;
 
     #[inline]
-    fn core(&mut self) -> &mut Core<'a, Klartext> {
+    fn core(&mut self) -> &mut Core<'a> {
         &mut self.core
     }
 
@@ -278,7 +265,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.job.skips(block.skip.then_some(0)) {
+        if self.skips(block.skip.then_some(0)) {
             self.skip(block, text);
             return;
         }

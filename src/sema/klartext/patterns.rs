@@ -10,6 +10,7 @@ use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::Block;
+use crate::sema::common::plane::plane_axes;
 
 use super::cycles::DefinedCycle;
 use super::cycles::patterns::{
@@ -19,7 +20,6 @@ use super::cycles::{PlacesOf, Q};
 use super::drilling::{Heights, Retract};
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
-use crate::sema::common::plane::plane_axes;
 
 /// Most places of a pattern.
 const MOST: f64 = 99_999.0;

@@ -9,12 +9,12 @@ use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::{Axis, AxisSet, CcMissing, CpSign, PolarMissing};
 use crate::parser::klartext::ast::Block;
+use crate::sema::common::plane::plane_axes;
 use crate::text::Loc;
 use crate::text::Span;
 
 use super::words::{Admits, Words};
 use super::{Outcome, Reported, Run};
-use crate::sema::common::plane::plane_axes;
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PoleState {

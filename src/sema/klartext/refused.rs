@@ -1,8 +1,9 @@
 //! Statements that are known by name only: refused, or left out because no path depends on them.
 
-use super::{Outcome, Run};
 use crate::diag::{Diagnostic, codes};
 use crate::parser::klartext::ast::{Block, Refused};
+
+use super::{Outcome, Run};
 
 impl Run<'_> {
     /// A statement that is known by name only.

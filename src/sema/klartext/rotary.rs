@@ -6,11 +6,11 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::position::Position;
 use crate::text::Span;
 
 use super::words::Words;
 use super::{Outcome, Run};
-use crate::sema::common::position::Position;
 
 /// Rotary axes.
 #[derive(Debug, Clone, Copy, Default)]

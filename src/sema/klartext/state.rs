@@ -1,9 +1,9 @@
 //! Modal state of a Klartext program.
 
-use crate::ir::Side;
 use std::rc::Rc;
 
 use crate::geo::Plane;
+use crate::ir::Side;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::compensation::Compensation;

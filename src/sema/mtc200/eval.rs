@@ -106,13 +106,13 @@ impl Run<'_> {
         if let Some(value) = *slot {
             return value;
         }
-        *slot = Some(Ok(0.0));
+        *slot = Some(Err(Reported));
         // Later uses are not worth another report.
         self.report(
             Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set"))
                 .help(format!("give its value in partc.toml: `[variables]` with `\"@{number}\" = …`")),
         );
-        Ok(0.0)
+        Err(Reported)
     }
 
     fn no_variable<T>(&self, number: u32, span: Span) -> Outcome<T> {

@@ -18,7 +18,6 @@ mod state;
 mod words;
 
 use crate::sema::common::feed::FeedKind;
-use std::ops::{Deref, DerefMut};
 use std::rc::Rc;
 
 use rustc_hash::FxHashSet;
@@ -37,7 +36,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
-use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;
@@ -106,9 +105,12 @@ struct Known {
     first: Option<u32>,
 }
 
+/// Files, call stack and findings of a run.
+type Core<'a> = run::Core<'a, Mtc200>;
+
 /// A run of a program.
 struct Run<'a> {
-    core: Core<'a, Mtc200>,
+    core: Core<'a>,
     st: State,
     /// Axis of each letter.
     axis_names: [Option<Axis>; 26],
@@ -124,21 +126,7 @@ struct Run<'a> {
     words: Option<Box<Words>>,
 }
 
-impl<'a> Deref for Run<'a> {
-    type Target = Core<'a, Mtc200>;
-
-    #[inline]
-    fn deref(&self) -> &Core<'a, Mtc200> {
-        &self.core
-    }
-}
-
-impl<'a> DerefMut for Run<'a> {
-    #[inline]
-    fn deref_mut(&mut self) -> &mut Core<'a, Mtc200> {
-        &mut self.core
-    }
-}
+runs_on!(Run.core: Core);
 
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink, settled: Settled) -> Run<'a> {
@@ -161,7 +149,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Mtc200;
 
     #[inline]
-    fn core(&mut self) -> &mut Core<'a, Mtc200> {
+    fn core(&mut self) -> &mut Core<'a> {
         &mut self.core
     }
 
@@ -178,7 +166,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         if !matches!(self.program().known.header, Header::Closed | Header::None) {
             self.leave_header(block);
         }
-        if self.job.skips(block.skip.then_some(0)) {
+        if self.skips(block.skip.then_some(0)) {
             return;
         }
         for comment in &block.comments {

@@ -3,10 +3,10 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use crate::diag::codes;
-use crate::ir::contour::{Corner, CtxRef, Move, Sink};
+use crate::diag::{Diagnostic, codes};
+use crate::ir::contour::{Corner, CtxRef, Move, Sink, TOO_LARGE, TOO_LARGE_HELP};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Pos};
+use crate::ir::{Function, Origin, Pos};
 use crate::parser::problem::Problem;
 use crate::parser::straight::Straight;
 use crate::parser::symbols::Symbols;
@@ -34,6 +34,8 @@ pub struct Core<'a, L: Language> {
     pub problems: Vec<Problem>,
     /// Room for a block, so that reading one does not allocate.
     pub(super) scratch: Option<Box<Parsed<L::Block>>>,
+    /// Marks of the skip levels 0 and 1 that were met, as bits.
+    skip_marks: Cell<u8>,
     ended: Cell<bool>,
     pub(super) errors: Cell<u32>,
 }
@@ -57,6 +59,7 @@ impl<'a, L: Language> Core<'a, L> {
             here: Site::default(),
             problems: Vec::new(),
             scratch: None,
+            skip_marks: Cell::new(0),
             ended: Cell::new(false),
             errors: Cell::new(0),
         }
@@ -190,6 +193,29 @@ impl<L: Language> Core<'_, L> {
         read
     }
 
+    /// Does the control skip the block in hand for its mark? Says once where `[1]` takes two levels together.
+    #[inline]
+    pub fn skips(&self, mark: Option<u8>) -> bool {
+        let Some(level) = mark else { return false };
+        let on = &self.job.settings.control.skip_blocks;
+        if level <= 1 && on.contains(&1) && !on.contains(&0) {
+            let met = self.skip_marks.get();
+            self.skip_marks.set(met | 1 << level);
+            if met | 1 << level == 0b11 && met != 0b11 {
+                self.two_skip_levels();
+            }
+        }
+        self.job.skips(mark)
+    }
+
+    #[cold]
+    fn two_skip_levels(&self) {
+        let message = "`skip_blocks = [1]` leaves out blocks with / and blocks with /1, and this program has both; \
+                       on the control / is level 0, the first one, and /1 is the second";
+        let help = "write `skip_blocks = [0]` to leave out the blocks with / alone, `[0, 1]` for both";
+        self.report(Diagnostic::new(codes::P0201, self.here.origin.loc, message).help(help));
+    }
+
     /// A comment of the program, where the output shows them.
     #[inline]
     pub fn comment_of(&self, text: &[u8]) -> Option<Function> {
@@ -208,7 +234,23 @@ impl<L: Language> Core<'_, L> {
 
     #[inline]
     pub fn send_move(&mut self, mv: &Move, ctx: &CtxRef) {
-        self.out.movement(mv, ctx, &self.here.origin);
+        let origin = self.here.origin;
+        self.send_move_of(mv, ctx, &origin);
+    }
+
+    /// A move of another block than the one in hand.
+    #[inline]
+    pub fn send_move_of(&mut self, mv: &Move, ctx: &CtxRef, origin: &Origin) {
+        if mv.is_out_of_range() {
+            return self.out_of_range(ctx, origin);
+        }
+        self.out.movement(mv, ctx, origin);
+    }
+
+    #[cold]
+    fn out_of_range(&mut self, ctx: &CtxRef, origin: &Origin) {
+        self.report(Diagnostic::new(codes::O1002, origin.loc, TOO_LARGE).help(TOO_LARGE_HELP));
+        self.out.lost(ctx, origin);
     }
 
     pub fn send_corner(&mut self, corner: &Corner, ctx: &CtxRef) {

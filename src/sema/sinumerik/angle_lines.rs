@@ -44,7 +44,7 @@ fn ended(at: Point2, data: &Data, next: Option<&Data>) -> Result<Point2, Fault> 
 
 /// First line of a pair: its end comes with the next block.
 #[derive(Debug, Clone)]
-struct Pending {
+struct FirstLine {
     angle: Deg,
     plane: Plane,
     rest: Pos,
@@ -59,7 +59,7 @@ struct Pending {
 /// The two lines of a contour definition, of which the first waits for the second.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pair {
-    first: Option<Box<Pending>>,
+    first: Option<Box<FirstLine>>,
     /// The first line was refused.
     lost: bool,
 }
@@ -151,7 +151,7 @@ impl Channel<'_> {
                     Outer::Basic | Outer::Printed(_) => {}
                 }
                 self.st.pair.lost = false;
-                self.st.pair.first = Some(Box::new(Pending {
+                self.st.pair.first = Some(Box::new(FirstLine {
                     angle,
                     plane,
                     rest: end,
@@ -230,7 +230,7 @@ impl Channel<'_> {
         Ok(made)
     }
 
-    fn second_line(&mut self, pending: Box<Pending>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
+    fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
         let first = Diagnostic::new(codes::S2070.alarm(10791), self.loc(span), "");
         let refuse = |run: &Self, message: &str, help: &str| -> Outcome {
             let found = Diagnostic { message: message.to_owned(), ..first.clone() };
@@ -261,7 +261,7 @@ impl Channel<'_> {
         let mut first_end = pending.rest;
         first_end.set_in_plane(pending.plane, corner);
         let mv = Move { end: first_end, path: pending.path, side: pending.side, coords: Coords::Frame };
-        self.core.out.movement(&mv, &self.st.ctx, &pending.origin);
+        self.core.send_move_of(&mv, &self.st.ctx, &pending.origin);
         self.st.position.move_to(&first_end);
         if let Some(corner) = &pending.corner {
             self.core.out.corner(corner, &self.st.ctx, &pending.origin);

@@ -12,7 +12,7 @@ impl Channel<'_> {
     #[inline]
     pub(super) fn axis_word(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
         match self.printed_axis(named, given.span)? {
-            Some(axis) => self.set_axis(words, axis, given),
+            Some(axis) => words.set_axis(&self.core, axis, given),
             None if words.beside.left_out.iter().any(|(known, _)| *known == named) => {
                 let message = format!("the axis {} stands twice in the block", named.text());
                 self.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words")

@@ -3,12 +3,11 @@
 //! It knows the modal state and where items go, and nothing of variables, formulas and programs, which [`super::Run`]
 //! keeps above it.
 
-use std::ops::{Deref, DerefMut};
-
 use crate::ir::Function;
 use crate::ir::contour::Sink;
 use crate::machine::Proposed;
 use crate::sema::Job;
+use crate::sema::run::runs_on;
 
 use super::Core;
 use super::axis_names::AxisNames;
@@ -48,21 +47,7 @@ impl<'a> Channel<'a> {
     }
 }
 
-impl<'a> Deref for Channel<'a> {
-    type Target = Core<'a>;
-
-    #[inline]
-    fn deref(&self) -> &Core<'a> {
-        &self.core
-    }
-}
-
-impl<'a> DerefMut for Channel<'a> {
-    #[inline]
-    fn deref_mut(&mut self) -> &mut Core<'a> {
-        &mut self.core
-    }
-}
+runs_on!(Channel.core: Core);
 
 impl Channel<'_> {
     pub(super) fn comment(&mut self, text: &[u8]) {

@@ -1,15 +1,16 @@
 //! Chamfers and roundings at the end of a block: CHF, CHR, RND, RNDM, FRC, FRCM.
 
-use super::g_groups::GCode;
-use super::vocabulary::Address;
-use super::words::Words;
-use super::{Channel, Core, Outcome, Reported};
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
 use crate::sema::common::corner::OpenCorner;
 use crate::sema::run::Where;
 use crate::text::Span;
+
+use super::g_groups::GCode;
+use super::vocabulary::Address;
+use super::words::Words;
+use super::{Channel, Core, Outcome, Reported};
 
 /// Blocks without a move over which the control looks for the end of a corner (MD 20200).
 const MOST_BETWEEN: u32 = 3;

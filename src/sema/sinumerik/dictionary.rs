@@ -1,13 +1,15 @@
 //! All words of the language in one place: G codes, addresses, procedures, cycles, and those that are not compiled.
 
+use rustc_hash::FxHashMap;
+
+use crate::diag::codes;
+
 use super::g_groups::named_codes;
 use super::known_words::KNOWN;
 use super::vocabulary::{
     ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, Procedure, REFUSED, Refusal,
     TRANSFORMATIONS,
 };
-use crate::diag::codes;
-use rustc_hash::FxHashMap;
 
 /// Every word of the language by name.
 pub(super) fn words() -> FxHashMap<&'static str, Meaning> {

@@ -2,15 +2,16 @@
 //!
 //! Source: S 2.1 (docs/sources.md).
 
-use super::diameter::Diameter;
-use super::g_groups::GCode;
-use super::words::{Given, Mode, Words};
-use super::{Channel, Core, Outcome, Reported};
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::sema::run::Where;
 use crate::text::Span;
+
+use super::diameter::Diameter;
+use super::g_groups::GCode;
+use super::words::{Given, Mode, Words};
+use super::{Channel, Core, Outcome, Reported};
 
 impl Channel<'_> {
     /// The programmed end points of all axes of the block.

@@ -2,14 +2,15 @@
 //!
 //! Source: S 1.5 and 5.6 (docs/sources.md).
 
+use crate::diag::codes;
+use crate::ir::Side;
+use crate::text::Span;
+
 use super::frames::FrameValue;
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Channel, Core, Outcome};
-use crate::diag::codes;
-use crate::ir::Side;
-use crate::text::Span;
 
 impl Channel<'_> {
     /// A code of group 3.
@@ -20,10 +21,8 @@ impl Channel<'_> {
         match code {
             GCode::G110 | GCode::G111 | GCode::G112 => self.pole_block(code, span, w)?,
             GCode::G25 | GCode::G26 => {
-                if code == GCode::G26 {
-                    for at in 0..w.s.len() {
-                        self.highest_speed(w.s[at]);
-                    }
+                for at in 0..w.s.len() {
+                    self.speed_range(code, w.s[at])?;
                 }
                 w.s.clear();
                 w.beside.left_out.clear();

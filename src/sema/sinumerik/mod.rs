@@ -65,8 +65,6 @@ mod vars;
 mod vocabulary;
 mod words;
 
-use std::ops::{Deref, DerefMut};
-
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diag::codes;
@@ -81,7 +79,7 @@ use crate::sema::run::Where;
 use crate::text::{Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
-use super::run::{self, Interpreter, Language, Level, Parsed};
+use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::{Job, Outcome, Reported};
 use calls::Frame;
 use channel::Channel;
@@ -207,21 +205,7 @@ impl<'a> Run<'a> {
     }
 }
 
-impl<'a> Deref for Run<'a> {
-    type Target = Channel<'a>;
-
-    #[inline]
-    fn deref(&self) -> &Channel<'a> {
-        &self.channel
-    }
-}
-
-impl<'a> DerefMut for Run<'a> {
-    #[inline]
-    fn deref_mut(&mut self) -> &mut Channel<'a> {
-        &mut self.channel
-    }
-}
+runs_on!(Run.channel: Channel);
 
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Sinumerik;
@@ -292,7 +276,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.job.skips(block.skip) {
+        if self.skips(block.skip) {
             return;
         }
         if let Some(span) = block.comment {

@@ -58,7 +58,7 @@ impl Run<'_> {
                 }
                 Meaning::Address(address) => {
                     let given = self.given(word, block, text)?;
-                    self.set_address(words, address, given)?;
+                    words.set_address(&self.core, address, given)?;
                 }
                 Meaning::Axis(named) => {
                     let given = self.given(word, block, text)?;
@@ -83,7 +83,7 @@ impl Run<'_> {
         };
         let meaning = self.meaning(name);
         match (meaning, args) {
-            (Meaning::Code(code), None) => self.code_word(words, code, word.span)?,
+            (Meaning::Code(code), None) => words.add_code(&self.core, code, word.span)?,
             (Meaning::Procedure(Procedure::NoEffect), _) if words.calls.word.is_none() => {
                 let own = self.symbols.name(name);
                 if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
@@ -150,7 +150,7 @@ impl Run<'_> {
                     && let Meaning::Address(address) = self.meaning(name)
                 {
                     let given = self.given(word, block, text)?;
-                    self.set_address(words, address, given)?;
+                    words.set_address(&self.core, address, given)?;
                     return Ok(false);
                 }
                 if self.meaning(name) == Meaning::Address(Address::Lims) {
@@ -172,7 +172,7 @@ impl Run<'_> {
             }
             Meaning::Address(address @ (Address::Toff | Address::Toffl | Address::Toffr)) => {
                 let given = self.given(word, block, text)?;
-                self.set_address(words, address, given).map(|()| false)
+                words.set_address(&self.core, address, given).map(|()| false)
             }
             _ => {
                 if self.definitions_known() {
@@ -198,7 +198,7 @@ impl Run<'_> {
                 let spindle = self.spindle_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if letter == b'M' {
-                    return self.m_word(words, Some(spindle), given);
+                    return words.add_m(&self.core, Some(spindle), given);
                 }
                 self.no_modifier(given)?;
                 words.s.push(SWord { spindle: Some(spindle), value: given.value, span: given.span });
@@ -221,7 +221,7 @@ impl Run<'_> {
                 let size = known.size();
                 let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
                 match index {
-                    Some(index) => self.code_word(words, GCode::new(known, index), word.span),
+                    Some(index) => words.add_code(&self.core, GCode::new(known, index), word.span),
                     None => {
                         let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
                         self.fail(codes::S2011.alarm(12475), word.span, message)
@@ -376,7 +376,7 @@ impl Run<'_> {
         match self.meaning(name) {
             Meaning::Address(address) => {
                 let given = self.given(word, block, text)?;
-                self.set_address(words, address, given)?;
+                words.set_address(&self.core, address, given)?;
                 return Ok(false);
             }
             Meaning::Axis(named) => {
@@ -399,7 +399,7 @@ impl Run<'_> {
             }
             b'M' => {
                 let given = self.given(word, block, text)?;
-                self.m_word(words, spindle, given)?;
+                words.add_m(&self.core, spindle, given)?;
             }
             b'H' => {
                 self.given(word, block, text)?;

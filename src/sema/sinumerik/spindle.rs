@@ -245,7 +245,7 @@ impl Channel<'_> {
 
     /// `LIMS=` of the master.
     pub(super) fn speed_limit(&mut self, lims: Given, speed_follows: bool) -> Outcome {
-        self.check_limit(lims)?;
+        self.check_limit("LIMS=", lims.value, lims.span)?;
         self.st.spindles.set_limit(None, lims.value);
         if !speed_follows {
             self.limit_changed(lims.span);
@@ -255,17 +255,25 @@ impl Channel<'_> {
 
     /// `LIMS[n]=` of a spindle that is not the master: it counts when it becomes one.
     pub(super) fn speed_limit_of(&mut self, n: u8, lims: Given) -> Outcome {
-        self.check_limit(lims)?;
+        self.check_limit("LIMS=", lims.value, lims.span)?;
         self.st.spindles.set_limit(Some(n), lims.value);
         Ok(())
     }
 
-    /// `G26 S3000`: the highest speed of a spindle.
-    pub(super) fn highest_speed(&mut self, s: SWord) {
+    /// `G26 S3000`: the highest speed of a spindle. `G25 S30` is the lowest one, which the target does not keep.
+    pub(super) fn speed_range(&mut self, code: GCode, s: SWord) -> Outcome {
+        if let Some(n) = s.spindle {
+            self.spindle_number(n, s.span)?;
+        }
+        if code == GCode::G25 && s.value >= 0.0 {
+            return Ok(());
+        }
+        self.check_limit(&format!("{} S", code.word()), s.value, s.span)?;
         self.st.spindles.set_highest(s.spindle, s.value);
         if self.st.spindles.is_master(s.spindle) {
             self.limit_changed(s.span);
         }
+        Ok(())
     }
 
     fn send_cutting_speed(&mut self) {
@@ -323,18 +331,19 @@ impl Core<'_> {
         }
     }
 
-    fn check_limit(&self, lims: Given) -> Outcome {
-        if lims.value == 0.0 {
-            let help = "give the highest speed in turns per minute: LIMS=2500";
+    /// `words` name a speed limit of a spindle.
+    fn check_limit(&self, words: &str, limit: f64, span: Span) -> Outcome {
+        if limit == 0.0 {
+            let help = format!("give the highest speed in turns per minute: {words}2500");
             return self.fail_help(
                 codes::S2045,
-                lims.span,
-                "the speed limit LIMS= is 0: the spindle would stand",
+                span,
+                format!("the speed limit {words} is 0: the spindle would stand"),
                 help,
             );
         }
-        if lims.value < 0.0 {
-            return self.fail(codes::S2045.alarm(14820), lims.span, "the speed limit LIMS= is negative");
+        if limit < 0.0 {
+            return self.fail(codes::S2045.alarm(14820), span, format!("the speed limit {words} is negative"));
         }
         Ok(())
     }

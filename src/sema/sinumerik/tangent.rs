@@ -11,13 +11,13 @@ use crate::geo::{Plane, Point2, Vec2, length};
 use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::AxisSet;
+use crate::sema::common::position::Position;
 use crate::sema::run::Where;
 
 use super::circle::SAME;
 use super::vocabulary::Address;
 use super::words::Words;
 use super::{Channel, Core, Outcome};
-use crate::sema::common::position::Position;
 
 /// The last block that travelled, as far as its direction at the end can be told here.
 #[derive(Debug, Clone, Copy, Default)]

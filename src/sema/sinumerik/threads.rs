@@ -70,9 +70,7 @@ impl Channel<'_> {
         let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
         code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
     }
-}
 
-impl Channel<'_> {
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {

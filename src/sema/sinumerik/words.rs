@@ -319,8 +319,8 @@ impl Run<'_> {
         }
         match letter {
             b'G' => self.g_word(words, given),
-            b'M' => self.m_word(words, None, given),
-            b'F' => self.set_address(words, Address::F, given),
+            b'M' => words.add_m(&self.core, None, given),
+            b'F' => words.set_address(&self.core, Address::F, given),
             b'S' if words.s.iter().any(|s| s.spindle.is_none()) => self.fail_help(
                 codes::S2007.alarm(12000),
                 given.span,
@@ -331,11 +331,11 @@ impl Run<'_> {
                 words.s.push(SWord { spindle: None, value: given.value, span: given.span });
                 Ok(())
             }
-            b'T' => self.set_address(words, Address::T, given),
-            b'D' => self.set_address(words, Address::D, given),
-            b'I' => self.set_address(words, Address::I, given),
-            b'J' => self.set_address(words, Address::J, given),
-            b'K' => self.set_address(words, Address::K, given),
+            b'T' => words.set_address(&self.core, Address::T, given),
+            b'D' => words.set_address(&self.core, Address::D, given),
+            b'I' => words.set_address(&self.core, Address::I, given),
+            b'J' => words.set_address(&self.core, Address::J, given),
+            b'K' => words.set_address(&self.core, Address::K, given),
             b'H' => {
                 words.h = Some(given.span);
                 Ok(())
@@ -350,7 +350,7 @@ impl Run<'_> {
                 words.calls.passes = Some(given);
                 Ok(())
             }
-            b'L' => self.l_word(words, word, given),
+            b'L' => words.set_subprogram(&self.core, word, given),
             _ => {
                 let message = format!("the address {} is not known", letter as char);
                 self.fail_help(
@@ -365,7 +365,7 @@ impl Run<'_> {
 
     fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
         match self.gcodes.get(given.value) {
-            Some(code) => self.code_word(words, code, given.span),
+            Some(code) => words.add_code(&self.core, code, given.span),
             None => self.fail_help(
                 codes::S2010.alarm(12470),
                 given.span,
@@ -386,11 +386,11 @@ impl Run<'_> {
         match self.eval(formula, block, text)? {
             Val::Text(name) => {
                 words.tool_name = Some(String::from_utf8_lossy(&name).into_owned());
-                self.set_address(words, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
+                words.set_address(&self.core, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
             }
             value => {
                 let value = self.as_number(&value, formula.span)?;
-                self.set_address(words, Address::T, Given { value, mode: Mode::Plain, span })
+                words.set_address(&self.core, Address::T, Given { value, mode: Mode::Plain, span })
             }
         }
     }
@@ -424,30 +424,78 @@ impl Run<'_> {
     }
 }
 
-impl Core<'_> {
-    fn l_word(&mut self, words: &mut Words, word: &Word, given: Given) -> Outcome {
+impl Words {
+    pub fn set_subprogram(&mut self, core: &Core<'_>, word: &Word, given: Given) -> Outcome {
         let Value::Literal { digits, whole: true, value } = word.value else {
-            return self.fail(codes::S1001.alarm(12080), word.span, "a subprogram number is written in digits: L10");
+            return core.fail(codes::S1001.alarm(12080), word.span, "a subprogram number is written in digits: L10");
         };
-        if words.calls.number.is_some() {
+        if self.calls.number.is_some() {
             let help = "give each call a block of its own";
-            return self.fail_help(codes::S2007.alarm(12000), given.span, "L stands twice in the block", help);
+            return core.fail_help(codes::S2007.alarm(12000), given.span, "L stands twice in the block", help);
         }
         let width = usize::from(digits);
-        words.calls.number = Some((format!("L{value:0width$}"), given.span));
+        self.calls.number = Some((format!("L{value:0width$}"), given.span));
         Ok(())
     }
 
-    pub(super) fn set_axis(&mut self, words: &mut Words, axis: Axis, given: Given) -> Outcome {
-        if words.axes.contains(axis) {
+    pub fn set_axis(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome {
+        if self.axes.contains(axis) {
             let message = format!("the axis {} stands twice in the block", axis.letter());
-            return self.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words");
+            return core.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words");
         }
-        words.axes.insert(axis);
-        words.axis_words[axis.index()] = given;
+        self.axes.insert(axis);
+        self.axis_words[axis.index()] = given;
         Ok(())
     }
 
+    pub fn set_address(&mut self, core: &Core<'_>, address: Address, given: Given) -> Outcome {
+        if given.mode != Mode::Plain && !takes_modifiers(address) {
+            core.no_modifier(given)?;
+        }
+        if self.given & 1 << address as u64 != 0 {
+            return core.fail_help(
+                codes::S2007.alarm(12000),
+                given.span,
+                "the address stands twice in the block",
+                "delete one of the words",
+            );
+        }
+        self.given |= 1 << address as u64;
+        self.addresses[address as usize] = given;
+        Ok(())
+    }
+
+    pub fn add_code(&mut self, core: &Core<'_>, code: GCode, span: Span) -> Outcome {
+        if let Some((first, other)) = self.codes.iter().copied().find(|(known, _)| known.group == code.group) {
+            if first == code {
+                return Ok(());
+            }
+            if code.group.shapes_block() {
+                return core.two_shapes(first, other, code, span);
+            }
+            let (a, b) = (first.word(), code.word());
+            let message = format!("{a} and {b} are of one group");
+            let found = crate::diag::Diagnostic::new(codes::S2008.alarm(12060), core.loc(span), message);
+            core.report(
+                found.also(core.loc(other), "the other one").help("delete one of them; the control takes the last"),
+            );
+            return Err(super::Reported);
+        }
+        self.codes.push((code, span));
+        Ok(())
+    }
+
+    pub fn add_m(&mut self, core: &Core<'_>, spindle: Option<u8>, given: Given) -> Outcome {
+        core.no_modifier(given)?;
+        if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
+            return core.fail(codes::S2044, given.span, format!("M{} is no M function", given.value));
+        }
+        self.m.push(MWord { spindle, number: given.value as u32, span: given.span });
+        Ok(())
+    }
+}
+
+impl Core<'_> {
     /// AC, IC and their kin stand where a place is meant.
     pub(super) fn no_modifier(&self, given: Given) -> Outcome {
         if matches!(given.mode, Mode::Plain | Mode::Quick) { Ok(()) } else { self.misplaced_modifier(given.span) }
@@ -457,51 +505,5 @@ impl Core<'_> {
     pub(super) fn misplaced_modifier(&self, span: Span) -> Outcome {
         let help = "AC(…), IC(…), DC(…) and their kin are for end points, centres, polar words and SPOS=";
         self.fail_help(codes::S2012.alarm(12020), span, "this address takes no such modifier", help)
-    }
-
-    pub(super) fn set_address(&mut self, words: &mut Words, address: Address, given: Given) -> Outcome {
-        if given.mode != Mode::Plain && !takes_modifiers(address) {
-            self.no_modifier(given)?;
-        }
-        if words.given & 1 << address as u64 != 0 {
-            return self.fail_help(
-                codes::S2007.alarm(12000),
-                given.span,
-                "the address stands twice in the block",
-                "delete one of the words",
-            );
-        }
-        words.given |= 1 << address as u64;
-        words.addresses[address as usize] = given;
-        Ok(())
-    }
-
-    pub(super) fn code_word(&mut self, words: &mut Words, code: GCode, span: Span) -> Outcome {
-        if let Some((first, other)) = words.codes.iter().copied().find(|(known, _)| known.group == code.group) {
-            if first == code {
-                return Ok(());
-            }
-            if code.group.shapes_block() {
-                return self.two_shapes(first, other, code, span);
-            }
-            let (a, b) = (first.word(), code.word());
-            let message = format!("{a} and {b} are of one group");
-            let found = crate::diag::Diagnostic::new(codes::S2008.alarm(12060), self.loc(span), message);
-            self.report(
-                found.also(self.loc(other), "the other one").help("delete one of them; the control takes the last"),
-            );
-            return Err(super::Reported);
-        }
-        words.codes.push((code, span));
-        Ok(())
-    }
-
-    pub(super) fn m_word(&mut self, words: &mut Words, spindle: Option<u8>, given: Given) -> Outcome {
-        self.no_modifier(given)?;
-        if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
-            return self.fail(codes::S2044, given.span, format!("M{} is no M function", given.value));
-        }
-        words.m.push(MWord { spindle, number: given.value as u32, span: given.span });
-        Ok(())
     }
 }

@@ -4,6 +4,7 @@
 
 use crate::diag::codes;
 use crate::parser::turning::ast::Block;
+use crate::sema::run::Site;
 use crate::text::{Loc, Span};
 
 use super::cycle_table::{Behind, Cycle};
@@ -12,7 +13,6 @@ use super::outline::{Builder, Outline};
 use super::program_parts::Family;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
-use crate::sema::run::Site;
 
 /// A cycle whose contour is being read.
 #[derive(Debug)]

@@ -4,12 +4,12 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::parser::turning::ast::{Block, Formula, Stmt};
+use crate::sema::run::Read;
 use crate::text::Loc;
 use crate::text::blocks::Place;
 
 use super::program_parts::ProgramPart;
 use super::{Outcome, Parsed, Reported, Run};
-use crate::sema::run::Read;
 
 /// Deepest nesting of structures.
 const DEEPEST: usize = 100;

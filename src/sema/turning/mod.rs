@@ -43,9 +43,6 @@ mod undercuts;
 mod vars;
 mod words;
 
-pub use cycle_table::signatures as cycle_signatures;
-use std::ops::{Deref, DerefMut};
-
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Move, Sink};
 use crate::ir::{Function, Side};
@@ -55,8 +52,9 @@ use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Block, Stmt};
 use crate::parser::turning::{SPLIT, parse_block};
 use crate::text::{Span, SplitRules};
+pub use cycle_table::signatures as cycle_signatures;
 
-use super::run::{self, Core, Interpreter, Language, Level, Parsed};
+use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use calls::{Frame, Names};
@@ -123,9 +121,12 @@ impl Language for Turning {
     }
 }
 
+/// Files, call stack and findings of a run.
+type Core<'a> = run::Core<'a, Turning>;
+
 /// A run of a program.
 struct Run<'a> {
-    core: Core<'a, Turning>,
+    core: Core<'a>,
     st: State,
     vars: Vars,
     /// Calls made so far, the main program included.
@@ -142,27 +143,13 @@ struct Run<'a> {
     words: Option<Box<Words>>,
 }
 
-impl<'a> Deref for Run<'a> {
-    type Target = Core<'a, Turning>;
-
-    #[inline]
-    fn deref(&self) -> &Core<'a, Turning> {
-        &self.core
-    }
-}
-
-impl<'a> DerefMut for Run<'a> {
-    #[inline]
-    fn deref_mut(&mut self) -> &mut Core<'a, Turning> {
-        &mut self.core
-    }
-}
+runs_on!(Run.core: Core);
 
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Turning;
 
     #[inline]
-    fn core(&mut self) -> &mut Core<'a, Turning> {
+    fn core(&mut self) -> &mut Core<'a> {
         &mut self.core
     }
 
@@ -172,7 +159,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if self.job.skips(block.skip) {
+        if self.skips(block.skip) {
             return;
         }
         if let Some(comment) = block.comment {

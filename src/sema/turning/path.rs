@@ -204,7 +204,7 @@ impl Run<'_> {
             (_, feed) => Path::straight(feed),
         };
         let mv = Move { end, path, side: tag.side, coords: Coords::Frame };
-        self.core.out.movement(&mv, &self.st.ctx, &tag.origin);
+        self.core.send_move_of(&mv, &self.st.ctx, &tag.origin);
         if tag.feed.is_some() {
             self.cuts(solved.to);
         }

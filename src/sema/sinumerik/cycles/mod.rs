@@ -206,9 +206,7 @@ impl Channel<'_> {
         end.set_in_plane(self.st.plane(), point);
         end
     }
-}
 
-impl Channel<'_> {
     /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
     /// the other places of a pattern are worth no other finding.
     pub(super) fn drill_modal(&mut self) -> Outcome {
@@ -257,9 +255,7 @@ impl Channel<'_> {
         self.st.modal_call.set_cycle(modal);
         Ok(hole)
     }
-}
 
-impl Channel<'_> {
     fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
         if !self.st.is(super::g_groups::GCode::G93) {
             return Ok(());

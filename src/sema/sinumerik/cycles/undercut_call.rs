@@ -328,7 +328,8 @@ pub(super) fn cycle94(call: &Classic, tables: &Undercuts) -> Result<(UndercutCyc
     }
     let (_, size) = tables.size_for(call.diameter, din509::NORMAL).ok_or(CallFault::Size)?;
     let shape = if form == b'E' { form_e(size) } else { form_f(size) };
-    let rests = Rests { size_by_diameter: call.diameter > 10.0, convention: true, ..Rests::default() };
+    let size_by_diameter = call.diameter > 10.0 && !tables.says_sizes_by_diameter();
+    let rests = Rests { size_by_diameter, convention: true, ..Rests::default() };
     Ok((classic(call, call.diameter, shape)?, rests))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::geo::{Point2, arc, distance};
 
-use super::made::{Block, Contour, CornerWord};
+use super::made::{Contour, ContourBlock, CornerWord};
 
 /// Where the blocks of a program and those of its records differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub(super) enum Difference {
 ///
 /// # Errors
 /// The first difference, by the index into `made.blocks`.
-pub(super) fn compare(start: Point2, written: &[Block], made: &Contour, tol: f64) -> Result<(), Difference> {
+pub(super) fn compare(start: Point2, written: &[ContourBlock], made: &Contour, tol: f64) -> Result<(), Difference> {
     if distance(start, made.start) > tol {
         return Err(Difference::Start);
     }
@@ -48,7 +48,7 @@ pub(super) fn compare(start: Point2, written: &[Block], made: &Contour, tol: f64
 }
 
 /// A line, or an arc by the same centre, or by the same radius where that is what was written.
-fn same_arc(from: Point2, there: &Block, here: &Block, tol: f64) -> bool {
+fn same_arc(from: Point2, there: &ContourBlock, here: &ContourBlock, tol: f64) -> bool {
     match (there.arc, there.radius, here.arc) {
         (None, None, None) => true,
         (Some((a, ccw)), None, Some((b, sense))) => ccw == sense && distance(a, b) <= tol,

@@ -3,7 +3,7 @@
 use crate::geo::{Point2, distance};
 
 use super::compare::Difference;
-use super::made::{Block, Contour, CornerWord, Written};
+use super::made::{Contour, ContourBlock, CornerWord, Written};
 
 /// The two halves of a contour, and how their numbers are written.
 #[derive(Debug)]
@@ -12,7 +12,7 @@ pub(super) struct Told<'a> {
     pub axes: (u8, u8),
     pub written: Written,
     pub start: Point2,
-    pub blocks: &'a [Block],
+    pub blocks: &'a [ContourBlock],
     pub made: &'a Contour,
 }
 
@@ -95,7 +95,7 @@ impl Told<'_> {
         )
     }
 
-    fn shape(&self, block: &Block) -> String {
+    fn shape(&self, block: &ContourBlock) -> String {
         match (block.arc, block.radius) {
             (None, _) => "a straight line".to_owned(),
             (Some((_, ccw)), Some(radius)) => format!("G{} with CR={}", if ccw { 3 } else { 2 }, self.length(radius)),

@@ -7,7 +7,7 @@ use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::{Record, Undercut as Form};
 
 use super::super::undercut_sizes::editor_size;
-use super::made::{Block, Contour, CornerWord, NoUndercut, Unsolved, Written};
+use super::made::{Contour, ContourBlock, CornerWord, NoUndercut, Unsolved, Written};
 use super::material::Material;
 use super::solve::{Begin, Solved};
 
@@ -61,7 +61,7 @@ impl Generator<'_> {
                 Some((record, next)) => self.corner(&element, record, &next)?,
                 None => None,
             };
-            contour.blocks.push(Block {
+            contour.blocks.push(ContourBlock {
                 end: element.to,
                 arc: element.arc,
                 radius: None,
@@ -120,7 +120,7 @@ impl Generator<'_> {
         let u = Deg(begin.keys.ase.unwrap_or(0.0)).unit();
         let corner = contour.start;
         contour.start = corner - u * back;
-        contour.blocks.push(Block {
+        contour.blocks.push(ContourBlock {
             end: corner,
             arc: None,
             radius: None,
@@ -157,7 +157,14 @@ impl Generator<'_> {
         contour.start = start;
         for (end, radius) in rest {
             let corner = (*radius > 0.0).then_some(CornerWord::Radius(*radius));
-            contour.blocks.push(Block { end: *end, arc: None, radius: None, corner, record, corner_record: record });
+            contour.blocks.push(ContourBlock {
+                end: *end,
+                arc: None,
+                radius: None,
+                corner,
+                record,
+                corner_record: record,
+            });
         }
         contour.start_undercut = Some(record);
         contour.doubts.extend(self.doubts(undercut, &corner).map(|doubts| (record, doubts)));
@@ -223,7 +230,7 @@ impl Generator<'_> {
         let allowance = self.allowances(element.to - element.from, next.to - next.from, dst(element), dst(next));
         let unit = self.written.unit;
         made.allowance = Allowance { reference: unit * allowance.reference, other: unit * allowance.other };
-        let block = Block {
+        let block = ContourBlock {
             end: corner.at,
             arc: None,
             radius: None,
@@ -233,12 +240,12 @@ impl Generator<'_> {
         };
         if !self.expanded {
             contour.doubts.extend(self.doubts(undercut, &corner).map(|doubts| (record, doubts)));
-            contour.blocks.push(Block { corner: Some(CornerWord::Undercut(made)), ..block });
+            contour.blocks.push(ContourBlock { corner: Some(CornerWord::Undercut(made)), ..block });
             return Ok(());
         }
         for (end, radius) in self.vertices(&made, &corner, allowance).map_err(refuse)? {
             let corner = (radius > 0.0).then_some(CornerWord::Radius(radius));
-            contour.blocks.push(Block { end, corner, ..block });
+            contour.blocks.push(ContourBlock { end, corner, ..block });
         }
         Ok(())
     }

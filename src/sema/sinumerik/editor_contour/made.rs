@@ -16,7 +16,7 @@ pub(super) const MOST_RECORDS: usize = 5000;
 
 /// An NC block of the contour: a corner point before rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Block {
+pub(super) struct ContourBlock {
     /// Abscissa and ordinate, mm, radius values.
     pub end: Point2,
     /// Centre and sense of an arc.
@@ -56,7 +56,7 @@ pub(super) struct Contour {
     pub start: Point2,
     /// Index of the record of the start point.
     pub start_record: usize,
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<ContourBlock>,
     /// Records where the values leave two solutions and the choice is not stored, or not confirmed.
     pub chosen: Vec<usize>,
     /// Records of undercuts, and which facts they rest on that are not confirmed.

@@ -26,7 +26,7 @@ use super::tangent::Heading;
 use super::{Channel, Core, Outcome, Reported, Run};
 use compare::compare;
 use difference::Told;
-use made::{Block, Contour, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, outline, solve};
+use made::{Contour, ContourBlock, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, outline, solve};
 
 /// How far blocks and records may differ, in the unit of the program.
 const TOLERANCE: f64 = 0.001;
@@ -37,7 +37,7 @@ const MOST_BLOCKS: usize = 4 * MOST_RECORDS;
 #[derive(Debug, Clone)]
 pub(super) struct Stored {
     start: Option<crate::geo::Point2>,
-    blocks: Vec<Block>,
+    blocks: Vec<ContourBlock>,
     /// Where each block stands.
     places: Vec<Loc>,
     /// Centre of the arc that is on its way as it was programmed, before it is fitted to start and end.
@@ -281,7 +281,7 @@ impl Channel<'_> {
         if matches!(path, Path::Rapid) && stored.rapid.is_none() {
             stored.rapid = Some(stored.blocks.len());
         }
-        stored.blocks.push(Block { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
+        stored.blocks.push(ContourBlock { end: to, arc, radius, corner: None, record: 0, corner_record: 0 });
         stored.places.push(self.core.here.origin.loc);
     }
 }

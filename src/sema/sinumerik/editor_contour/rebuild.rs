@@ -12,7 +12,7 @@ use super::super::diameter::Diameter;
 use super::super::g_groups::GCode;
 use super::super::words::Words;
 use super::super::{Channel, Core, Outcome, Run};
-use super::made::{Block, Contour, CornerWord};
+use super::made::{Contour, ContourBlock, CornerWord};
 use super::{Stored, TOLERANCE};
 
 impl Run<'_> {
@@ -137,7 +137,14 @@ impl Channel<'_> {
         Ok(())
     }
 
-    fn rebuild_block(&mut self, block: &Block, stored: &Stored, unit: f64, feed: Feed, modal_feed: Option<Feed>) {
+    fn rebuild_block(
+        &mut self,
+        block: &ContourBlock,
+        stored: &Stored,
+        unit: f64,
+        feed: Feed,
+        modal_feed: Option<Feed>,
+    ) {
         let plane = self.st.plane();
         self.stand_at(stored, block.record);
         let mut end = Pos::UNKNOWN;

@@ -1,9 +1,10 @@
-use super::compare::{Difference, compare};
-use super::made::*;
 use crate::geo::Point2;
 use crate::ir::undercut::Surface;
 use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::{Record, read};
+
+use super::compare::{Difference, compare};
+use super::made::*;
 
 const DIAMETERS: Written = Written { diameter: true, unit: 1.0 };
 
@@ -150,7 +151,7 @@ fn what_is_not_determined_is_not_guessed() {
 #[test]
 fn differences_are_found() {
     let made = solve(&records(SHAFT), DIAMETERS, &Undercuts::default()).expect("a contour");
-    let check = |spoil: &dyn Fn(&mut Vec<Block>)| {
+    let check = |spoil: &dyn Fn(&mut Vec<ContourBlock>)| {
         let mut blocks = made.blocks.clone();
         spoil(&mut blocks);
         compare(made.start, &blocks, &made, 1e-3)
