@@ -7,7 +7,7 @@ use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
 use crate::ir::function::Spindle;
 use crate::ir::motion::{Arc, Path};
 use crate::ir::undercut::Undercut;
-use crate::ir::{Feed, Function, Origin};
+use crate::ir::{Feed, Function, Origin, Side};
 
 use super::step::{Step, plane_axes};
 use super::{at, undercut};
@@ -55,11 +55,13 @@ impl Corners {
         &mut self.steps[self.waiting ^ 1]
     }
 
-    /// The element in [`Corners::slot`] is complete.
+    /// The element in [`Corners::slot`] is complete. The tool may stand `beside` where the last one ended.
     #[inline(always)]
-    pub fn push(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
-        // An element that goes nowhere is no neighbour of a corner.
-        if self.held && self.steps[self.waiting ^ 1].rests_behind(&self.steps[self.waiting]) {
+    pub fn push(&mut self, beside: bool, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
+        // An element that goes nowhere is no neighbour of a corner. Where the tool stands beside the contour, it goes there.
+        let slot = &self.steps[self.waiting ^ 1];
+        let goes_there = beside && slot.mv.side == Side::None;
+        if self.held && !goes_there && self.steps[self.waiting ^ 1].rests_behind(&self.steps[self.waiting]) {
             return;
         }
         if self.corner.is_some() {

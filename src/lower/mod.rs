@@ -22,7 +22,7 @@ use crate::diag::{Code, Diagnostic, Diags};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos, motion, verify};
+use crate::ir::{Function, Origin, Pos, Side, motion, verify};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, LastDirection};
@@ -247,8 +247,9 @@ impl<'a> Lower<'a> {
         if cfg!(debug_assertions) {
             self.corners.slot().check();
         }
+        let beside = !self.compensator.is_idle(Side::None);
         let (corners, mut finish) = self.split();
-        corners.push(finish.diags, &mut |event| finish.event(event));
+        corners.push(beside, finish.diags, &mut |event| finish.event(event));
     }
 
     fn expand(&mut self, cycle: &Cycle, start: &Pos, ctx: &CtxRef, origin: &Origin) -> Result<(), Box<Diagnostic>> {
@@ -298,6 +299,12 @@ impl Sink for Lower<'_> {
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx);
+        if !self.compensator.is_idle(Side::None) {
+            self.flush();
+            if !self.compensator.is_idle(Side::None) {
+                return self.refuse(compensation::cycle_beside(origin), &cycle.leaves(&self.at), origin);
+            }
+        }
         let start = self.at;
         let modal = cycle.repeats();
         let known = modal && self.refused.as_deref() == Some(cycle);

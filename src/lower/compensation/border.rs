@@ -191,11 +191,11 @@ impl Compensator {
 
     /// What the block says that ends the compensation.
     fn end_as(&mut self, rules: Option<&Rc<Compensation>>) {
-        if let (Some(rules), Some(last)) = (rules, self.ahead.back_mut().or(self.path.back_mut())) {
-            if (last.rules.retract, last.rules.ends) != (rules.retract, rules.ends) {
-                let own = Rc::make_mut(&mut last.rules);
-                (own.retract, own.ends) = (rules.retract, rules.ends);
-            }
+        if let (Some(rules), Some(last)) = (rules, self.ahead.back_mut().or(self.path.back_mut()))
+            && (last.rules.retract, last.rules.ends) != (rules.retract, rules.ends)
+        {
+            let own = Rc::make_mut(&mut last.rules);
+            (own.retract, own.ends) = (rules.retract, rules.ends);
         }
     }
 

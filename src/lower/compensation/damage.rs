@@ -96,6 +96,8 @@ pub struct Damage {
     /// Elements of the contour so far.
     elements: u32,
     reported: bool,
+    /// The control looks for bottlenecks: what it would do about one is not known.
+    pub refuses: bool,
 }
 
 #[derive(Debug, Default)]
@@ -136,6 +138,7 @@ impl Damage {
     pub fn begin(&mut self, first: &Piece) {
         self.forget();
         self.elements = first.index;
+        self.refuses = first.rules.search.bottlenecks;
         self.contour.add(Known::new(&first.contour, first.index, first.origin));
     }
 
@@ -174,7 +177,7 @@ impl Damage {
 
     fn report(&mut self, path: &Origin, contour: &Origin, d: f64, diags: &Diags) {
         self.reported = true;
-        diags.push(*reports::damaged(path, contour, d.abs()));
+        diags.push(*reports::damaged(path, contour, d.abs(), self.refuses));
     }
 }
 

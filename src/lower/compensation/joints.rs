@@ -41,7 +41,8 @@ impl Compensator {
                     self.damage.is_wanted();
                 }
                 reports::open_turn(last, &next, out.diags);
-                if !self.made.is_empty() && !last.rules.joints_are_documented {
+                let arc = self.made.iter().any(|piece| matches!(piece.curve, Element::Arc { .. }));
+                if arc && !last.rules.joints_are_documented {
                     reports::reading(last, &next, out.diags);
                 }
                 self.path.extend(self.made.drain(..));

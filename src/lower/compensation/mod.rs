@@ -29,6 +29,7 @@ use super::{limits, step};
 use damage::Damage;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
+pub use reports::cycle_beside;
 
 /// Functions and moves that may wait for one element of a contour.
 const MOST_ITEMS: usize = 4096;
@@ -302,6 +303,7 @@ impl Compensator {
             _ => {
                 let next = self.piece(mv, contour, rules, origin)?;
                 self.join(next, out)?;
+                self.damage.refuses = rules.search.bottlenecks;
                 self.damage.contour(&contour, origin, self.d, out.diags);
                 self.settle(rules.search.elements, out);
                 Ok(())

@@ -189,13 +189,19 @@ pub fn left_out<'p>(gone: impl Iterator<Item = &'p Piece>, last: &Piece, next: &
     )
 }
 
-pub fn damaged(path: &Origin, contour: &Origin, radius: f64) -> Refused {
+pub fn damaged(path: &Origin, contour: &Origin, radius: f64, refuses: bool) -> Refused {
     let message = format!(
         "the tool of radius {} mm damages the contour here: its path comes too near to an element that is no neighbour",
         length(radius)
     );
-    let found = at(codes::G3211, *path, message).also(contour.loc, "this element");
-    Box::new(found.help("take a smaller tool"))
+    let code = if refuses { codes::G3202 } else { codes::G3211 };
+    let found = at(code, *path, message).also(contour.loc, "this element");
+    let help = if refuses {
+        "take a smaller tool, or switch the search of the control off in front of this contour (M120 LA0, CDOF)"
+    } else {
+        "take a smaller tool"
+    };
+    Box::new(found.help(help))
 }
 
 pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> Refused {
@@ -260,4 +266,11 @@ pub fn nearly_behind(leaves: bool, origin: &Origin) -> Refused {
     Box::new(
         at(codes::G3214, *origin, message).help("start or end farther away from the contour, or clearly behind it"),
     )
+}
+
+/// A cycle works from where the tool stands, and that is not the programmed point.
+#[cold]
+pub fn cycle_beside(origin: &Origin) -> Option<Refused> {
+    let message = "a cycle is called while the tool stands beside a contour with radius compensation";
+    Some(Box::new(at(codes::G3205, *origin, message).help("leave the contour in the plane in a block in front of it")))
 }
