@@ -20,6 +20,8 @@ pub struct Compensation {
     pub ends: Ends,
     /// Elements keep the last offset instead of one of their own.
     pub constant: bool,
+    /// Where the feed of an arc counts.
+    pub feed: FeedAt,
     /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
     pub joints_are_documented: bool,
     pub alarms: Alarms,
@@ -37,10 +39,25 @@ impl Default for Compensation {
             search: Search::default(),
             ends: Ends::default(),
             constant: false,
+            feed: FeedAt::default(),
             joints_are_documented: false,
             alarms: Alarms::default(),
         }
     }
+}
+
+/// Where the feed of an arc counts; on lines it is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FeedAt {
+    /// On the path of the tool centre.
+    #[default]
+    Centre,
+    /// On the contour: the centre is slower in hollow arcs, and faster around others.
+    Contour,
+    /// On the contour in hollow arcs only.
+    HollowContour,
+    /// On the contour; the user has not asked for it, so it is printed as programmed and said.
+    CentreInstead,
 }
 
 /// The way to the first contour element, or from the last one.

@@ -59,4 +59,8 @@ G3215 Note "compensation-limit" "limit of the control decides an outside corner"
 "Controls prolong the paths at flat outside corners until they meet, and go around sharp ones on an arc. Where one becomes the other is machine data (SINUMERIK MD 20210 with \
 G451, MD 20230 with G450); their defaults are not confirmed, so 100 degrees and 0 are taken. Both ways keep the contour. Give the values of the machine by `[control] g451_limit` and `g450_flat`."
 
+G3216 Warning "compensation-feed" "feed on compensated arcs is not the control's"
+"Under CFC, which is in force at power-on, a SINUMERIK control keeps F at the contour: in a hollow arc the centre of the tool travels slower, around others faster. The output has F as \
+it is programmed, so the cutting edge is faster than meant in a hollow arc. `[control] curve_feed = \"control\"` prints the feed of the centre, F times its radius by that of the contour."
+
 }

@@ -372,6 +372,7 @@ impl Compensator {
                 if is_nothing(&way) && leaves_others(&mv, &self.at) {
                     None
                 } else {
+                    reports::feed_instead(first, out.diags);
                     self.damage.path(first, &way, self.d, out.diags);
                     Some(mv)
                 }

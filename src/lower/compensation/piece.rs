@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use crate::geo::{Element, Plane, Point2, Vec2, joint};
-use crate::ir::compensation::{Compensation, Outside};
+use crate::geo::{Element, Plane, Point2, Vec2, distance, joint};
+use crate::ir::compensation::{Compensation, FeedAt, Outside};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::AxisSet;
@@ -80,7 +80,7 @@ impl Piece {
         mv.end.set_in_plane(plane, curve.to() - shift);
         mv.axes = mv.axes.union(plane_axes(plane));
         mv.side = crate::ir::Side::None;
-        let feed = self.mv.path.feed();
+        let feed = self.mv.path.feed().map(|feed| feed.with_value(feed.value() * self.feed_factor()));
         mv.path = match (*curve, feed) {
             (Element::Arc { from, center, sweep, .. }, Some(feed)) => {
                 Path::Arc(Arc { plane, from: from - shift, center: center - shift, sweep }, feed)
@@ -89,6 +89,19 @@ impl Piece {
             _ => Path::straight(feed),
         };
         mv
+    }
+
+    /// How much faster than the contour the centre travels.
+    fn feed_factor(&self) -> f64 {
+        let (Element::Arc { from, center, .. }, Element::Arc { from: own, .. }) = (self.contour, self.curve) else {
+            return 1.0;
+        };
+        let factor = distance(own, center) / distance(from, center);
+        match self.rules.feed {
+            FeedAt::Contour => factor,
+            FeedAt::HollowContour => factor.min(1.0),
+            FeedAt::Centre | FeedAt::CentreInstead => 1.0,
+        }
     }
 
     /// A piece between this one and `next`, which it takes its feed from.

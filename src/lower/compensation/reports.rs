@@ -2,12 +2,12 @@
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Element, Plane, Point2, distance, joint};
-use crate::ir::compensation::Compensation;
+use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin};
 
 use super::super::at;
-use super::piece::{Item, Piece};
+use super::piece::{Item, Kind, Piece};
 
 /// Why a contour is refused.
 pub type Refused = Box<Diagnostic>;
@@ -273,4 +273,22 @@ pub fn nearly_behind(leaves: bool, origin: &Origin) -> Refused {
 pub fn cycle_beside(origin: &Origin) -> Option<Refused> {
     let message = "a cycle is called while the tool stands beside a contour with radius compensation";
     Some(Box::new(at(codes::G3205, *origin, message).help("leave the contour in the plane in a block in front of it")))
+}
+
+/// F counts at the contour on the control, and is printed for the centre.
+pub fn feed_instead(piece: &Piece, diags: &Diags) {
+    let (Element::Arc { from, center, .. }, Element::Arc { from: own, .. }) = (piece.contour, piece.curve) else {
+        return;
+    };
+    if piece.kind != Kind::Element || piece.rules.feed != FeedAt::CentreInstead || !diags.first_time(codes::G3216) {
+        return;
+    }
+    let message = format!(
+        "F is printed for the centre of the tool, whose radius is {} mm here; the control keeps it at the contour of radius {} mm",
+        length(distance(own, center)),
+        length(distance(from, center))
+    );
+    diags.push(at(codes::G3216, piece.origin, message).help(
+        "for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre",
+    ));
 }

@@ -57,6 +57,10 @@ pub const KEYS: &[Key] = &[
                 "md20240",
                 Kind::Whole,
                 "SINUMERIK: blocks that are looked through where a compensated path has no room", |s, v| put(&mut s.control.sinumerik.compensation.look_ahead, look_ahead(v)?)).or("3"),
+    key(
+                "curve_feed",
+                Kind::Choice(&["programmed", "control"]),
+                "SINUMERIK: F on compensated arcs: as programmed, or as CFC, CFTCP and CFIN say, so that the centre gets F times its radius by that of the contour", |s, v| put(&mut s.control.sinumerik.compensation.curve_feed, is(v, "control"))).or(r#""programmed""#),
     key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.sinumerik.main_variables_visible, flag(v))).or("false"),
 ];
 
@@ -120,13 +124,15 @@ pub struct CentrePath {
     pub flat: Option<f64>,
     /// DISC above 0 makes circles.
     pub disc_as_circle: bool,
+    /// F on arcs counts as the codes of the program say.
+    pub curve_feed: bool,
     /// Blocks that are looked through where the path has no room (MD 20240).
     pub look_ahead: u32,
 }
 
 impl Default for CentrePath {
     fn default() -> CentrePath {
-        CentrePath { limit: None, flat: None, disc_as_circle: false, look_ahead: 3 }
+        CentrePath { limit: None, flat: None, disc_as_circle: false, curve_feed: false, look_ahead: 3 }
     }
 }
 

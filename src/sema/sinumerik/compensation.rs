@@ -9,7 +9,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};
 use crate::ir;
 use crate::ir::Side;
-use crate::ir::compensation::{Alarms, Border, Ends, Inside, Outside, Search};
+use crate::ir::compensation::{Alarms, Border, Ends, FeedAt, Inside, Outside, Search};
 use crate::machine::Compensation;
 use crate::sema::run::Where;
 use crate::text::Span;
@@ -237,6 +237,12 @@ impl Channel<'_> {
             search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == GCode::CDON },
             ends,
             constant: codes_on.is(GCode::CUTCONON),
+            feed: match codes_on.of(Group::CurveFeed) {
+                code if code.index == 2 => FeedAt::Centre,
+                _ if !keys.curve_feed => FeedAt::CentreInstead,
+                GCode::CFC => FeedAt::Contour,
+                _ => FeedAt::HollowContour,
+            },
             joints_are_documented: true,
             alarms: ALARMS,
         })

@@ -92,6 +92,8 @@ impl Core<'_> {
             | Group::PathReference
             | Group::CornerDeceleration
             | Group::Dynamics => self.dynamics_are_left_out(span),
+            // Part of the computed path.
+            Group::CurveFeed if self.resolves() => {}
             _ if matches!(code, GCode::CFC | GCode::FNORM | GCode::RTLION) => self.dynamics_are_left_out(span),
             Group::CurveFeed | Group::FeedProfile => {
                 let name = code.word();
