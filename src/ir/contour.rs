@@ -54,7 +54,7 @@ impl Move {
             Path::Arc(arc, _) => arc.shape.farthest(),
             Path::Rapid | Path::Line(_) | Path::Thread(_) => 0.0,
         };
-        self.end.exceeds(FARTHEST) || !(arc <= FARTHEST)
+        self.end.exceeds(FARTHEST) || arc.is_nan() || arc > FARTHEST
     }
 }
 

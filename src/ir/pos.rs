@@ -72,7 +72,7 @@ impl Pos {
     /// Is a known coordinate beyond `most`, or no number?
     #[inline]
     pub fn exceeds(&self, most: f64) -> bool {
-        let beyond = |value: &f64| !(value.abs() <= most);
+        let beyond = |value: &f64| value.is_nan() || value.abs() > most;
         self.values.iter().any(beyond) && self.iter().any(|(_, value)| beyond(&value))
     }
 

@@ -60,7 +60,7 @@ impl Step {
             Path::Arc(arc, _) => arc.center.x.abs().max(arc.center.y.abs()),
             Path::Rapid | Path::Line(_) | Path::Thread { .. } => 0.0,
         };
-        if self.mv.end.exceeds(FAR) || self.start.exceeds(FAR) || !(centre <= FAR) {
+        if self.mv.end.exceeds(FAR) || self.start.exceeds(FAR) || centre.is_nan() || centre > FAR {
             return exact_far_out(&self.start, &self.mv, origin);
         }
         Ok(())
