@@ -18,7 +18,7 @@ mod tests;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use crate::diag::Diags;
+use crate::diag::{Diagnostic, Diags};
 use crate::geo::{Element, Plane, SAME_POINT, Vec2, distance, joint};
 use crate::ir::compensation::Compensation;
 use crate::ir::motion::{self, Move, Path};
@@ -113,13 +113,13 @@ impl Compensator {
             (_, Some(_)) => self.uncompensated(&Move { side: Side::None, ..*mv }, rules, origin, out),
         };
         if let Err(found) = done {
-            self.refuse(found, origin, out);
+            self.refuse(*found, origin, out);
         }
     }
 
     /// Everything after the fault up to the end of the contour is not printed.
-    fn refuse(&mut self, found: Refused, origin: &Origin, out: &mut Out<'_>) {
-        out.diags.push(*found);
+    fn refuse(&mut self, found: Diagnostic, origin: &Origin, out: &mut Out<'_>) {
+        out.diags.push(found);
         self.forget();
         self.stage = Stage::Refused;
         out.sink.lost(origin);
@@ -147,7 +147,7 @@ impl Compensator {
             }
             Stage::Entering | Stage::Contour => {
                 if let Err(found) = self.waits(function, origin) {
-                    self.refuse(found, origin, out);
+                    self.refuse(*found, origin, out);
                     out.sink.function(function, origin);
                 }
             }
@@ -178,7 +178,9 @@ impl Compensator {
     fn item(&mut self, item: Item, origin: &Origin) -> Result<(), Refused> {
         let last = match self.stage {
             Stage::Entering => self.entry.as_deref_mut(),
-            _ => self.ahead.back_mut().or(self.path.back_mut()),
+            Stage::Off | Stage::Contour | Stage::Constant(_) | Stage::Leaving | Stage::Refused => {
+                self.ahead.back_mut().or(self.path.back_mut())
+            }
         };
         let Some(last) = last else { return Ok(()) };
         if last.items.len() >= MOST_ITEMS {
@@ -266,16 +268,13 @@ impl Compensator {
         }
         self.admit(mv, rules, origin)?;
         if !moves_in_plane(mv, start) {
-            return match self.stage {
-                Stage::Constant(_) => {
-                    let mv = aside(mv, &self.at, self.plane);
-                    self.send(&mv, origin, out);
-                    Ok(())
-                }
-                // An element of no length has no direction, and no way.
-                _ if leaves_others(mv, start) => Ok(()),
-                _ => self.item(Item::Move(*mv, *origin), origin),
-            };
+            if let Stage::Constant(_) = self.stage {
+                let mv = aside(mv, &self.at, self.plane);
+                self.send(&mv, origin, out);
+                return Ok(());
+            }
+            // An element of no length has no direction, and no way.
+            return if leaves_others(mv, start) { Ok(()) } else { self.item(Item::Move(*mv, *origin), origin) };
         }
         let Some(contour) = element(mv, start) else { return Err(reports::start_unknown(origin)) };
         out.sink.programmed(mv, start);
@@ -300,7 +299,7 @@ impl Compensator {
                 self.stage = Stage::Contour;
                 self.resume(self.piece(mv, contour, rules, origin)?, by, out)
             }
-            _ => {
+            Stage::Off | Stage::Contour | Stage::Leaving | Stage::Refused => {
                 let next = self.piece(mv, contour, rules, origin)?;
                 self.join(next, out)?;
                 self.damage.refuses = rules.search.bottlenecks;

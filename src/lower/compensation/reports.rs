@@ -93,7 +93,16 @@ pub fn still_on(function: &Function, origin: &Origin) -> Refused {
         Function::End { .. } => "the program ends",
         Function::WorkOffset(_) => "the work offset changes",
         Function::Cutter(_) => "the tool data change",
-        _ => "the working plane changes",
+        Function::Plane(_)
+        | Function::ToolPrepare { .. }
+        | Function::Spindle(_)
+        | Function::SpindleOf { .. }
+        | Function::Coolant(_)
+        | Function::Dwell(_)
+        | Function::Stop
+        | Function::OptionalStop
+        | Function::Aux(_)
+        | Function::Comment(_) => "the working plane changes",
     };
     let message = format!("{what} while radius compensation is on");
     Box::new(at(codes::G3204, *origin, message).help("end the compensation in a block in front of it"))

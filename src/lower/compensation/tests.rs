@@ -52,6 +52,8 @@ impl motion::Sink for Paper {
     }
 }
 
+type Change = fn(&mut Compensation);
+
 /// Elements of a program in the plane.
 #[derive(Clone, Copy)]
 enum To {
@@ -69,7 +71,7 @@ struct Program {
     rules: Compensation,
     start: (f64, f64),
     /// Each with what changes the rules for it.
-    contour: Vec<(To, fn(&mut Compensation))>,
+    contour: Vec<(To, Change)>,
     end: To,
 }
 
