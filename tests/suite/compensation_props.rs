@@ -208,19 +208,19 @@ pub fn same_points(one: &[Curve], other: &[Curve], tolerance: f64) -> Result<(),
     Ok(())
 }
 
-fn one(dice: &mut Dice, tally: &mut Tally) -> Result<(), (Contour, String)> {
+fn one(dice: &mut Dice, tally: &mut Tally) -> Result<(), Box<(Contour, String)>> {
     let contour = Contour::random(dice);
     let decimals = [3, 4, 6][dice.roll(3)];
     let unit = 0.1f64.powi(i32::from(decimals));
     let settings = settings(&format!("[output]\ndecimals = {decimals}\n[tools.1]\nradius = {:?}\n", contour.radius));
     tally.contours += 1;
-    let fails = |why: String| (contour.clone(), why);
+    let fails = |why: String| Box::new((contour.clone(), why));
     let (curves, d) = contour.on_machine();
     let forward = made(&contour, &settings, decimals).map_err(fails)?;
     let backward = contour.reversed();
-    let back = made(&backward, &settings, decimals).map_err(|why| (backward.clone(), why))?;
+    let back = made(&backward, &settings, decimals).map_err(|why| Box::new((backward.clone(), why)))?;
     for (contour, made) in [(&contour, &forward), (&backward, &back)] {
-        let fails = |why: String| (contour.clone(), why);
+        let fails = |why: String| Box::new((contour.clone(), why));
         match made {
             Made::Refused("G3201") => {
                 tally.refused += 1;
@@ -262,7 +262,8 @@ fn run(seed: u64, count: u64) -> (Tally, Vec<String>) {
         for _ in 0..4 {
             dice.roll(2);
         }
-        if let Err((contour, why)) = one(&mut dice, &mut tally) {
+        if let Err(failed) = one(&mut dice, &mut tally) {
+            let (contour, why) = *failed;
             failures.push(format!("contour {i} of {seed}: {why}\nradius {}\n{}", contour.radius, contour.text()));
             if failures.len() >= 5 {
                 break;
