@@ -16,7 +16,7 @@ G3203 Error "compensation-start" "radius compensation begins or ends where it ca
 point that lies at a right angle beside its first element. On an arc, or without a move in the plane, there is no such way. Program a straight block with RL, RR, \
 R0, G41, G42 or G40."
 
-G3204 Error "compensation-open" "compensated contour has no end or no element"
+G3204 Error "compensation-unfinished" "compensated contour has no end or no element"
 "Where the tool stands beside a contour depends on the direction of its elements. Here the compensation ends before there was one, or a tool change, a work \
 offset, another plane or the end of the program comes while it is on. End it in a straight block that leads away from the contour."
 
