@@ -24,7 +24,7 @@ G3205 Error "compensation-inside" "what may not stand inside a compensated conto
 "Machine coordinates, threads, arcs outside the working plane and a change of plane, side or radius cannot stand between the first and the last block of a \
 compensated contour: the path beside it would have no meaning. End the compensation in front of the block, and begin it again behind it."
 
-G3206 Error "compensation-feed" "arc about an outside corner has no feed"
+G3206 Error "compensation-no-feed" "arc about an outside corner has no feed"
 "At an outside corner the tool travels on an arc about the corner. Between two blocks at rapid traverse there is no feed for it. Program the contour at a feed."
 
 G3207 Error "compensation-length" "elements are prolonged too far at an outside corner"
