@@ -78,6 +78,11 @@ impl Core<'_> {
         self.note_once(codes::S8103, span, CONTROL);
     }
 
+    /// Does the computed path have the feed that `code` says?
+    fn computes_curve_feed(&self, code: GCode) -> bool {
+        self.resolves() && (code.index == 2 || self.job.settings.control.sinumerik.compensation.curve_feed)
+    }
+
     /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
     pub(super) fn left_out_code(&self, code: GCode, span: Span) {
         match code.group {
@@ -93,7 +98,7 @@ impl Core<'_> {
             | Group::CornerDeceleration
             | Group::Dynamics => self.dynamics_are_left_out(span),
             // Part of the computed path.
-            Group::CurveFeed if self.resolves() => {}
+            Group::CurveFeed if code != GCode::CFC && self.computes_curve_feed(code) => {}
             _ if matches!(code, GCode::CFC | GCode::FNORM | GCode::RTLION) => self.dynamics_are_left_out(span),
             Group::CurveFeed | Group::FeedProfile => {
                 let name = code.word();

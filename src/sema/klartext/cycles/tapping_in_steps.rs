@@ -45,7 +45,8 @@ impl Run<'_> {
     fn tapping_in_steps(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
         let (way, pitches) = (self.cycle_length(cycle, BREAK_DEPTH)?, self.cycle_number(cycle, BREAK_WAY)?);
         if way < 0.0 || pitches < 0.0 {
-            return self.cycle_value(cycle, &format!("Q257 = {way} and Q256 = {pitches} are not below zero"));
+            let message = format!("neither Q257 = {way} nor Q256 = {pitches} may be below zero");
+            return self.cycle_value(cycle, &message);
         }
         let angle = self.cycle_number(cycle, ANGLE)?;
         let factor = if cycle.sets(BACK_FACTOR) { self.cycle_number(cycle, BACK_FACTOR)? } else { 1.0 };

@@ -136,6 +136,9 @@ impl CycleCall<'_, '_> {
                 return self.cycle_fault(args.span_of(DAM), None, "the degression factor is above 1", help);
             }
         };
+        if !matches!(degression, Degression::Factor { .. }) && args.or_zero(MDEP) != 0.0 {
+            self.unused(MDEP, "_MDEP", "unless DAM is a factor");
+        }
         if let Some(key) = args.below_zero(&[VRT, DIS1]) {
             let help = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
             return self.cycle_fault(args.span_of(key), None, "a way back is below 0", help);
@@ -155,9 +158,15 @@ impl CycleCall<'_, '_> {
             0.0 => {
                 peck.breaks = Breaks::Always;
                 peck.way = self.length_of(args, VRT).filter(|way| *way > 0.0).unwrap_or(BREAK);
+                for key in [DTS, DIS1].into_iter().filter(|key| args.or_zero(*key) != 0.0) {
+                    self.unused(key, &args.written(key), "when VARI breaks the chip");
+                }
             }
             1.0 => {
                 peck.removal.dwell = self.dwell_of(DTS)?;
+                if args.or_zero(VRT) != 0.0 {
+                    self.unused(VRT, "_VRT", "when VARI removes the chip");
+                }
                 if let Some(ahead) = self.length_of(args, DIS1).filter(|way| *way > 0.0) {
                     peck.removal.ahead = Ahead::Evenly([ahead; 2]);
                 }
