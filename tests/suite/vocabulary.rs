@@ -104,7 +104,7 @@ fn words_that_once_went_in_silence() {
         ("G602", "S8002"),
         ("G603", "S8002"),
         ("CFC", "S8002"),
-        ("CFTCP", "S8101"),
+        ("CFTCP", "S8002"),
         ("CFIN", "S8101"),
         ("FNORM", "S8002"),
         ("FLIN", "S8101"),

@@ -97,8 +97,8 @@ impl Core<'_> {
             | Group::PathReference
             | Group::CornerDeceleration
             | Group::Dynamics => self.dynamics_are_left_out(span),
-            // Part of the computed path.
-            Group::CurveFeed if code != GCode::CFC && self.computes_curve_feed(code) => {}
+            // A path that is computed has the feed that they say.
+            Group::CurveFeed if self.computes_curve_feed(code) => self.dynamics_are_left_out(span),
             _ if matches!(code, GCode::CFC | GCode::FNORM | GCode::RTLION) => self.dynamics_are_left_out(span),
             Group::CurveFeed | Group::FeedProfile => {
                 let name = code.word();
