@@ -229,7 +229,7 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
 /// Says once that a machine datum decides the corner which nobody gave.
 pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
     let Some((above, up_to)) = last.rules.outside.open else { return };
-    let Some(turn) = joint::turn(&last.contour, &next.contour).map(f64::abs) else { return };
+    let turn = joint::turn(last.headings.end, next.headings.start).abs();
     if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215) {
         return;
     }

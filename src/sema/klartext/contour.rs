@@ -12,7 +12,7 @@ pub(super) struct LastMove {
     plane: Plane,
     path: Path,
     /// Where a tangential arc begins: the direction of the element before.
-    pub entering: Option<Vec2>,
+    entering: Option<Vec2>,
 }
 
 /// The contour under way, or the one that the tool still stands beside.
@@ -36,8 +36,9 @@ pub(super) enum OwnCorner {
 }
 
 impl LastMove {
-    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path) -> LastMove {
-        LastMove { from, to, plane, path, entering: None }
+    #[inline]
+    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path, entering: Option<Vec2>) -> LastMove {
+        LastMove { from, to, plane, path, entering }
     }
 
     /// Direction of travel at the start or the end.

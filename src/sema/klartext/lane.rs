@@ -71,7 +71,7 @@ impl Run<'_> {
         let side = self.st.compensation.side();
         self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);
         if side != Side::None {
-            self.note_contour(&end, path);
+            self.note_contour(&end, &path);
         }
         self.st.feed.last_rapid = line.rapid;
         self.st.position.move_to(&end);

@@ -157,7 +157,7 @@ impl Run<'_> {
         if self.approach.is_none() || !self.wait_for_contour(&mv) {
             self.movement(&mv);
         }
-        self.note_contour(end, path);
+        self.note_contour(end, &path);
         self.st.feed.last_rapid = path.is_rapid();
         self.st.position.move_to(end);
         self.st.moved = true;
