@@ -42,11 +42,13 @@ pub struct Headings {
 
 impl Headings {
     /// `None` for an element of no length.
-    #[inline]
+    #[inline(always)]
     pub fn of(element: &Element) -> Option<Headings> {
         match *element {
             Element::Line { from, to } => {
-                let along = direction(to - from, 0.0)?;
+                // Its square neither overflows nor vanishes, as long as it has a length.
+                let (along, square) = (to - from, (to - from).norm_squared());
+                let along = (square > 0.0).then(|| along / square.sqrt())?;
                 Some(Headings { start: along, end: along })
             }
             Element::Arc { from, to, center, sweep } => {
@@ -59,7 +61,7 @@ impl Headings {
 
 /// The parallel of an element. A hollow arc of the radius `d` becomes a line of no length in its centre; `None` for an arc
 /// in which the parallel has no room.
-#[inline]
+#[inline(always)]
 pub fn parallel(element: &Element, headings: &Headings, d: f64) -> Option<Element> {
     match *element {
         Element::Line { from, to } => {
@@ -85,7 +87,7 @@ pub fn turn(before: Vec2, after: Vec2) -> f64 {
 
 /// The joint of the parallels `a` and `b` of two neighbours, which end and begin in these directions. `a` may have lost its
 /// beginning, `b` is whole.
-#[inline]
+#[inline(always)]
 pub fn joint(a: &Element, b: &Element, before: Vec2, after: Vec2, d: f64) -> Joint {
     let (sin, goes_on) = (cross(before, after), before.dot(&after) > 0.0);
     if goes_on && (sin.abs() <= SAME_DIRECTION || sin.abs() < NO_CORNER && distance(a.to(), b.from()) < MEETS) {
@@ -104,15 +106,16 @@ pub fn joint(a: &Element, b: &Element, before: Vec2, after: Vec2, d: f64) -> Joi
 }
 
 /// Where two lines cross that run in these directions.
-#[inline]
+#[inline(always)]
 fn lines_crossing([from, to]: [Point2; 2], u: Vec2, [next, end]: [Point2; 2], w: Vec2) -> Option<Point2> {
     let (of_a, of_b) = super::intersect::lines(from, u, next, w, SAME_DIRECTION)?;
     let p = from + u * of_a;
-    let least = of_a.min(of_b).min((to - p).dot(&u)).min((end - p).dot(&w));
-    (least >= -BEYOND).then_some(p)
+    let ways = [of_a, of_b, (to - p).dot(&u), (end - p).dot(&w)];
+    ways.iter().all(|way| *way >= -BEYOND).then_some(p)
 }
 
 /// The point in the middle of a tangential joint: on the smaller circle, where the other element misses it least.
+#[inline(never)]
 fn between_ends(a: &Element, b: &Element) -> Point2 {
     let middle = Point2::from((a.to().coords + b.from().coords) / 2.0);
     let circle = |element: &Element| match *element {
@@ -143,6 +146,7 @@ fn is_point(element: &Element) -> bool {
 }
 
 /// Where `a` and `b` cross; of two points the one nearest to the start of `b`.
+#[inline(never)]
 pub fn first_crossing(a: &Element, b: &Element) -> Option<Point2> {
     let on_both = |p: &Point2| {
         let (of_a, of_b) = (way_to_end(a, *p), way_from_start(b, *p));

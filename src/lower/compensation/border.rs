@@ -35,9 +35,9 @@ impl Compensator {
         (self.side, self.plane) = (mv.side, mv.plane);
         self.d = if mv.side == Side::Right { -rules.radius } else { rules.radius };
         let point = Element::Line { from: to, to };
-        let mut entry = Piece::blank(rules);
+        let mut entry = self.bench.spares.take(rules);
         (entry.kind, entry.contour, entry.curve) = (Kind::Entry, point, point);
-        (entry.mv, entry.origin) = (*mv, *origin);
+        (entry.stop, entry.mv, entry.origin) = (None, *mv, *origin);
         self.entry = Some(entry);
         Ok(())
     }
@@ -79,7 +79,8 @@ impl Compensator {
                 entry.curve = Element::Line { from: edge - heading * LONG, to: edge };
             }
         }
-        self.damage.begin(&first);
+        self.damage.forget(&mut self.bench.spares);
+        self.damage.refuses = first.rules.search.bottlenecks;
         if let Some(mut arc) = around {
             entry.curve = Element::Line { from: arc.curve.from(), to: arc.curve.from() };
             arc.items = std::mem::take(&mut entry.items);
@@ -89,6 +90,7 @@ impl Compensator {
             self.path.push_back(entry);
         }
         self.append(first);
+        self.watch_contour(out.diags);
         Ok(())
     }
 
@@ -288,8 +290,8 @@ impl Compensator {
             }
             self.path.push_back(made);
         }
-        self.damage.contour(&first.contour, &first.headings, false, &first.origin, self.d, out.diags);
         self.append(first);
+        self.watch_contour(out.diags);
         Ok(())
     }
 }

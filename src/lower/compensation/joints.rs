@@ -1,7 +1,5 @@
 //! What is put between two elements.
 
-use std::collections::VecDeque;
-
 use crate::geo::joint::Joint;
 use crate::geo::{Deg, Element, Point2, arc, joint};
 use crate::ir::compensation::Inside;
@@ -25,28 +23,30 @@ pub enum Made {
 /// What comes between two elements while they are joined, and what it is made of.
 #[derive(Debug, Default)]
 pub struct Bench {
-    pub made: VecDeque<Box<Piece>>,
+    // They go from hand to hand, as they are.
+    #[allow(clippy::vec_box)]
+    pub made: Vec<Box<Piece>>,
     pub spares: Spares,
     /// The last joint is one of the plain parallel: tangential, at the crossing of two lines, or about the corner.
     pub regular: bool,
 }
 
 impl Compensator {
-    /// The next element of the contour. Is its joint one of the plain parallel?
-    pub(super) fn join(&mut self, mut next: Box<Piece>, out: &mut Out<'_>) -> Result<bool, Refused> {
+    /// The next element of the contour.
+    #[inline]
+    pub(super) fn join(&mut self, mut next: Box<Piece>, out: &mut Out<'_>) -> Result<(), Refused> {
         if !self.ahead.is_empty() {
             self.look_ahead(next)?;
-            self.search(out)?;
-            return Ok(false);
+            return self.search(out);
         }
         let Some(last) = self.path.back_mut() else {
             self.append(next);
-            return Ok(false);
+            return Ok(());
         };
         match between(last, &mut next, self.d, &mut self.bench)? {
             Made::At(p) => {
                 last.stop = Some(p);
-                next.curve = joint::from_point(&next.curve, p);
+                next.begin_at(p);
             }
             Made::Between => {
                 if last.rules.inside == Inside::Open {
@@ -58,21 +58,22 @@ impl Compensator {
                 {
                     reports::reading(last, &next, out.diags);
                 }
-                self.path.append(&mut self.bench.made);
+                self.path.extend(self.bench.made.drain(..));
             }
             Made::NoRoom => {
                 if next.rules.search.elements == 0 && !next.may_grow() {
                     return Err(reports::no_room(last, &next));
                 }
                 self.ahead.push_back(next);
-                self.search(out)?;
-                return Ok(false);
+                return self.search(out);
             }
         }
+        next.joined = self.bench.regular;
         self.append(next);
-        Ok(self.bench.regular)
+        Ok(())
     }
 
+    #[inline]
     pub(super) fn append(&mut self, piece: Box<Piece>) {
         self.elements += u32::from(piece.kind.is_of_contour());
         self.path.push_back(piece);
@@ -80,7 +81,7 @@ impl Compensator {
 }
 
 /// Joins two neighbours; both may get longer. What comes between them is added to what is made.
-#[inline]
+#[inline(always)]
 pub fn between(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Result<Made, Refused> {
     bench.regular = false;
     if last.kind == Kind::Gone || next.kind == Kind::Gone {
@@ -93,7 +94,7 @@ pub fn between(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) ->
         }
         Joint::Inside(_) | Joint::NoRoom if last.rules.inside == Inside::Open => {
             let curve = Element::Line { from: last.curve.to(), to: next.curve.from() };
-            bench.made.push_back(bench.spares.joint(last, next, curve));
+            bench.made.push(bench.spares.joint(last, next, curve));
             Ok(Made::Between)
         }
         Joint::Inside(p) => {
@@ -105,6 +106,7 @@ pub fn between(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) ->
     }
 }
 
+#[inline(never)]
 fn outside(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Result<Made, Refused> {
     let rules = last.rules.outside;
     if let Some(by) = rules.by {
@@ -121,7 +123,7 @@ fn outside(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Res
     let (from, to) = (last.curve.to(), next.curve.from());
     let mut about = about(last, next, [from, to], last.contour.to(), d < 0.0, bench)?;
     about.regular = true;
-    bench.made.push_back(about);
+    bench.made.push(about);
     bench.regular = true;
     Ok(Made::Between)
 }
@@ -149,12 +151,7 @@ fn about(
 }
 
 /// M197: both are prolonged by a length along their tangents, and a smaller arc touches both.
-fn shortened(
-    last: &mut Piece,
-    next: &mut Piece,
-    (d, by): (f64, f64),
-    bench: &mut Bench,
-) -> Result<Made, Refused> {
+fn shortened(last: &mut Piece, next: &mut Piece, (d, by): (f64, f64), bench: &mut Bench) -> Result<Made, Refused> {
     let half = libm::tan(turn(last, next) / 2.0);
     let whole = d.abs() * half;
     if !whole.is_finite() || by > whole + 1e-9 {
@@ -166,17 +163,17 @@ fn shortened(
         Element::Line { .. } => last.curve = joint::prolonged_to(&last.curve, from),
         Element::Arc { .. } => {
             let line = Element::Line { from: last.curve.to(), to: from };
-            bench.made.push_back(bench.spares.joint(last, next, line));
+            bench.made.push(bench.spares.joint(last, next, line));
         }
     }
     let center = from - joint::towards(t, d) * (d.abs() - by / half);
     let arc = about(last, next, [from, to], center, d < 0.0, bench)?;
-    bench.made.push_back(arc);
+    bench.made.push(arc);
     match next.curve {
         Element::Line { .. } => next.curve = joint::prolonged_from(&next.curve, to),
         Element::Arc { .. } => {
             let line = Element::Line { from: to, to: next.curve.from() };
-            bench.made.push_back(bench.spares.joint(last, next, line));
+            bench.made.push(bench.spares.joint(last, next, line));
         }
     }
     Ok(Made::Between)

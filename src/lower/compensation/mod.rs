@@ -27,7 +27,7 @@ use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::Machine;
 
 use super::{limits, step};
-use damage::Damage;
+use damage::{Damage, Seen};
 use joints::Bench;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
@@ -133,7 +133,7 @@ impl Compensator {
         self.bench.made.clear();
         self.elements = 0;
         self.at.clear();
-        self.damage.forget();
+        self.damage.forget(&mut self.bench.spares);
         self.stage = Stage::Off;
     }
 
@@ -280,10 +280,10 @@ impl Compensator {
         out.sink.programmed(mv, start);
         match self.stage {
             Stage::Contour if !rules.constant => {
-                let (next, headings) = self.piece(mv, contour, rules, origin)?;
-                let regular = self.join(next, out)?;
+                let next = self.piece(mv, contour, rules, origin)?;
+                self.join(next, out)?;
                 self.damage.refuses = rules.search.bottlenecks;
-                self.damage.contour(&contour, &headings, regular, origin, self.d, out.diags);
+                self.watch_contour(out.diags);
                 self.settle(rules.search.elements, out);
                 Ok(())
             }
@@ -291,7 +291,7 @@ impl Compensator {
                 if rules.constant {
                     return Err(reports::constant_at_start(origin));
                 }
-                let (first, _) = self.piece(mv, contour, rules, origin)?;
+                let first = self.piece(mv, contour, rules, origin)?;
                 self.enter(first, out)
             }
             Stage::Constant(by) if rules.constant => {
@@ -300,7 +300,7 @@ impl Compensator {
             }
             Stage::Constant(by) => {
                 self.stage = Stage::Contour;
-                let (first, _) = self.piece(mv, contour, rules, origin)?;
+                let first = self.piece(mv, contour, rules, origin)?;
                 self.resume(first, by, out)
             }
             Stage::Off | Stage::Contour | Stage::Leaving | Stage::Refused => {
@@ -324,6 +324,7 @@ impl Compensator {
     }
 
     /// What may not stand in a contour.
+    #[inline]
     fn admit(&self, mv: &Move, rules: &Rc<Compensation>, origin: &Origin) -> Result<(), Refused> {
         if mv.plane != self.plane {
             return Err(reports::plane_changes(rules, origin));
@@ -335,14 +336,14 @@ impl Compensator {
     }
 
     /// The element with its path, before it is joined to anything.
-    #[inline]
+    #[inline(always)]
     fn piece(
         &mut self,
         mv: &Move,
         contour: Element,
         rules: &Rc<Compensation>,
         origin: &Origin,
-    ) -> Result<(Box<Piece>, Headings), Refused> {
+    ) -> Result<Box<Piece>, Refused> {
         let headings = Headings::of(&contour);
         let parallel = headings.and_then(|headings| joint::parallel(&contour, &headings, self.d));
         let (kind, curve) = match parallel {
@@ -350,18 +351,17 @@ impl Compensator {
             None if rules.search.elements > 0 => (Kind::Gone, contour),
             None => return Err(reports::arc_too_small(&contour, rules, origin)),
         };
-        let headings = headings.unwrap_or_default();
         let mut piece = self.bench.spares.take(rules);
         piece.kind = kind;
         piece.index = self.damage.next_index();
         piece.contour = contour;
-        piece.headings = headings;
+        piece.headings = headings.unwrap_or_default();
         piece.curve = curve;
         piece.stop = None;
-        piece.regular = true;
+        (piece.regular, piece.joined, piece.seen) = (true, false, Seen::default());
         piece.mv = *mv;
         piece.origin = *origin;
-        Ok((piece, headings))
+        Ok(piece)
     }
 
     /// Prints what no search reaches any more.
@@ -386,7 +386,10 @@ impl Compensator {
         if !first.items.is_empty() {
             self.send_items(std::mem::take(&mut first.items), out);
         }
-        self.bench.spares.put(first);
+        match first.kind {
+            Kind::Element | Kind::Joint | Kind::Gone => self.damage.keep(first, &mut self.bench.spares),
+            Kind::Entry | Kind::Exit => self.bench.spares.put(first),
+        }
     }
 
     /// Makes the move of a piece the one that is printed; there may be none.
@@ -394,19 +397,19 @@ impl Compensator {
     fn leads_somewhere(&mut self, piece: &mut Piece, out: &Out<'_>) -> bool {
         match piece.kind {
             Kind::Element | Kind::Joint => {
-                let way = piece.travelled();
-                piece.lead_along(&way, &self.at);
-                if is_nothing(&way) && leaves_others(&piece.mv, &self.at) {
+                piece.settle();
+                piece.lead_along(&self.at);
+                if is_nothing(&piece.curve) && leaves_others(&piece.mv, &self.at) {
                     return false;
                 }
                 reports::feed_instead(piece, out.diags);
-                self.damage.path(piece, &way, self.d, out.diags);
+                self.watch_path(piece, out.diags);
                 true
             }
             // The way to the contour leads to where the path begins, if an approach on an arc has not done so.
             Kind::Entry => {
-                let end = piece.end();
-                piece.lead_along(&Element::Line { from: end, to: end }, &self.at);
+                piece.curve = Element::Line { from: piece.end(), to: piece.end() };
+                piece.lead_along(&self.at);
                 !self.stands_at_end(&piece.mv)
             }
             Kind::Exit | Kind::Gone => false,
@@ -436,7 +439,7 @@ enum Way {
 }
 
 impl Way {
-    #[inline]
+    #[inline(always)]
     fn of(mv: &Move, start: &Pos) -> Way {
         let (Some(from), Some(to)) = (start.in_plane(mv.plane), mv.end.in_plane(mv.plane)) else {
             let named = !step::plane_axes(mv.plane).common(mv.axes).is_empty();

@@ -1,6 +1,5 @@
 //! Pieces of the path of the tool centre while their ends are not settled.
 
-use std::collections::VecDeque;
 use std::rc::Rc;
 
 use crate::geo::joint::Headings;
@@ -11,6 +10,7 @@ use crate::ir::{Function, Origin, Pos};
 use crate::machine::AxisSet;
 
 use super::super::step::plane_axes;
+use super::damage::Seen;
 
 /// What a piece is of the contour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,6 +56,10 @@ pub struct Piece {
     pub stop: Option<Point2>,
     /// Part of the plain parallel: an element, or the arc about a corner.
     pub regular: bool,
+    /// Joined to the one before as the plain parallel is: tangentially, at the crossing of lines, or by an arc about the
+    /// corner.
+    pub joined: bool,
+    pub seen: Seen,
     /// The move that is printed, with the curve put in.
     pub mv: Move,
     pub origin: Origin,
@@ -64,11 +68,23 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// What is travelled of it.
-    pub fn travelled(&self) -> Element {
-        match self.stop {
-            Some(p) => joint::up_to_point(&self.curve, p),
-            None => self.curve,
+    /// Its path ends where it was left.
+    #[inline]
+    pub fn settle(&mut self) {
+        if let Some(p) = self.stop.take() {
+            match &mut self.curve {
+                Element::Line { to, .. } => *to = p,
+                Element::Arc { .. } => self.curve = joint::up_to_point(&self.curve, p),
+            }
+        }
+    }
+
+    /// Its path begins at `p`.
+    #[inline]
+    pub fn begin_at(&mut self, p: Point2) {
+        match &mut self.curve {
+            Element::Line { from, .. } => *from = p,
+            Element::Arc { .. } => self.curve = joint::from_point(&self.curve, p),
         }
     }
 
@@ -76,17 +92,17 @@ impl Piece {
         self.stop.unwrap_or_else(|| self.curve.to())
     }
 
-    /// Makes the move the one that is printed: from `at` along `way`.
+    /// Makes the move the one that is printed, from `at` along its settled path.
     #[inline]
-    pub fn lead_along(&mut self, way: &Element, at: &Pos) {
+    pub fn lead_along(&mut self, at: &Pos) {
         let (plane, shift) = (self.mv.plane, self.rules.nose);
         if self.kind == Kind::Joint {
             self.mv.end = *at;
         }
-        self.mv.end.set_in_plane(plane, way.to() - shift);
+        self.mv.end.set_in_plane(plane, self.end() - shift);
         self.mv.axes = self.mv.axes.union(plane_axes(plane));
         self.mv.side = crate::ir::Side::None;
-        match (*way, self.mv.path) {
+        match (self.curve, self.mv.path) {
             (Element::Line { .. }, Path::Rapid | Path::Line(_)) => {}
             (Element::Arc { from, center, sweep, .. }, Path::Line(feed) | Path::Arc(_, feed)) => {
                 let feed = feed.with_value(feed.value() * self.feed_factor());
@@ -121,6 +137,8 @@ impl Piece {
             curve: nowhere,
             stop: None,
             regular: false,
+            joined: false,
+            seen: Seen::default(),
             mv: Move::default(),
             origin: Origin::default(),
             rules: Rc::clone(rules),
@@ -137,7 +155,7 @@ impl Piece {
         self.headings = Headings::default();
         self.curve = curve;
         self.stop = None;
-        self.regular = false;
+        (self.regular, self.joined, self.seen) = (false, false, Seen::default());
         self.mv.plane = last.mv.plane;
         self.mv.axes = plane_axes(last.mv.plane);
         self.mv.path = Path::straight(next.mv.path.feed().or(last.mv.path.feed()));
@@ -172,14 +190,16 @@ impl Piece {
 /// Pieces that were printed, to be filled in again: none is allocated for each block.
 #[derive(Debug, Default)]
 pub struct Spares {
-    pieces: VecDeque<Box<Piece>>,
+    // They go from hand to hand, as they are.
+    #[allow(clippy::vec_box)]
+    pieces: Vec<Box<Piece>>,
 }
 
 impl Spares {
     /// A piece to be filled in, all but its rules.
     #[inline]
     pub fn take(&mut self, rules: &Rc<Compensation>) -> Box<Piece> {
-        let Some(mut piece) = self.pieces.pop_back() else { return Piece::blank(rules) };
+        let Some(mut piece) = self.pieces.pop() else { return Piece::blank(rules) };
         if !Rc::ptr_eq(&piece.rules, rules) {
             piece.rules = Rc::clone(rules);
         }
@@ -196,7 +216,7 @@ impl Spares {
     /// A piece without items.
     #[inline]
     pub fn put(&mut self, piece: Box<Piece>) {
-        self.pieces.push_back(piece);
+        self.pieces.push(piece);
     }
 }
 

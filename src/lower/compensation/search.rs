@@ -12,17 +12,19 @@ const NEARER: f64 = 1e-5;
 
 impl Compensator {
     /// Adds an element behind those that wait.
+    #[cold]
     pub(super) fn look_ahead(&mut self, mut next: Box<Piece>) -> Result<(), Refused> {
         if let Some(last) = self.ahead.back_mut()
             && let Made::Between = between(last, &mut next, self.d, &mut self.bench)?
         {
-            self.ahead.append(&mut self.bench.made);
+            self.ahead.extend(self.bench.made.drain(..));
         }
         self.ahead.push_back(next);
         Ok(())
     }
 
     /// Does the path meet one of the pieces that wait?
+    #[cold]
     pub(super) fn search(&mut self, out: &mut Out<'_>) -> Result<(), Refused> {
         let Some(most) = self.ahead.back().map(|last| last.rules.search.elements) else { return Ok(()) };
         let Some((of_path, of_ahead, p)) = self.meeting(most) else {
@@ -50,9 +52,13 @@ impl Compensator {
         }
         if let Some(last) = self.path.back_mut() {
             last.stop = Some(p);
-            for piece in left_out {
+            for mut piece in left_out {
                 last.items.extend(piece.other_axes());
-                last.items.extend(piece.items);
+                last.items.append(&mut piece.items);
+                if piece.kind.is_of_contour() {
+                    piece.kind = Kind::Gone;
+                    self.damage.keep(piece, &mut self.bench.spares);
+                }
             }
         }
         let mut at_start = true;
@@ -60,7 +66,7 @@ impl Compensator {
             if at_start {
                 let first = self.path.len() == of_path + 1;
                 if first {
-                    piece.curve = joint::from_point(&piece.curve, p);
+                    piece.begin_at(p);
                 }
                 // Behind a joint comes the element that it leads to.
                 at_start = piece.kind == Kind::Joint;

@@ -6,7 +6,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::compensation::{Inside, Outside, Search};
-use crate::ir::contour::{Arc, ArcShape, Path};
+use crate::ir::contour::Path;
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, Compensation};
 use crate::text::Span;
@@ -72,13 +72,16 @@ impl State {
         let begun = self.contour.is_some();
         let contour = self.contour.get_or_insert(Contour::new(side));
         contour.begun = begun;
-        let entering = match path {
-            Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _) => {
-                contour.last.and_then(|before| before.direction(false))
+        match (way, path) {
+            (Some([from, to]), Path::Rapid | Path::Line(_)) => {
+                contour.last = Some(LastMove::straight(from, to, plane));
             }
-            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Thread(_) => None,
-        };
-        contour.last = way.map(|[from, to]| LastMove::new(from, to, plane, *path, entering));
+            (Some([from, to]), Path::Arc(..) | Path::Thread(_)) => {
+                let before = contour.last.take();
+                contour.last = Some(LastMove::new(from, to, plane, *path, before));
+            }
+            (None, _) => contour.last = None,
+        }
     }
 
     /// The compensation ends, and what M120 says with it.

@@ -36,9 +36,18 @@ pub(super) enum OwnCorner {
 }
 
 impl LastMove {
-    #[inline]
-    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path, entering: Option<Vec2>) -> LastMove {
+    /// Behind `before`, which a tangential arc goes on from.
+    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path, before: Option<LastMove>) -> LastMove {
+        let entering = match path {
+            Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _) => before.and_then(|before| before.direction(false)),
+            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Thread(_) => None,
+        };
         LastMove { from, to, plane, path, entering }
+    }
+
+    #[inline]
+    pub fn straight(from: Point2, to: Point2, plane: Plane) -> LastMove {
+        LastMove { from, to, plane, path: Path::Rapid, entering: None }
     }
 
     /// Direction of travel at the start or the end.
