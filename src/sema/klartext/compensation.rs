@@ -179,7 +179,8 @@ impl Run<'_> {
                 "program M129 in front of the contour",
             );
         }
-        self.st.compensate(crate::ir::Compensation { radius, ..Default::default() });
+        // RND and CHF there are refused, or accepted, where they stand.
+        self.st.compensate(crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
         self.st.modal_rules();
         Ok(())
     }

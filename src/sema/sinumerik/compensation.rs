@@ -237,6 +237,7 @@ impl Channel<'_> {
             search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == GCode::CDON },
             ends,
             constant: codes_on.is(GCode::CUTCONON),
+            rounded_border: false,
             feed: match codes_on.of(Group::CurveFeed) {
                 code if code.index == 2 => FeedAt::Centre,
                 _ if !keys.curve_feed => FeedAt::CentreInstead,
