@@ -74,11 +74,11 @@ impl State {
     }
 
     /// What holds from block to block.
-    fn modal_rules(&mut self) {
+    pub fn modal_rules(&mut self) {
         if let Some(rules) = self.ctx.compensation.as_deref().copied() {
             let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
             let (outside, inside) = (Outside::default(), Inside::default());
-            self.compensate(crate::ir::Compensation { search, outside, inside, ..rules });
+            self.compensate(crate::ir::Compensation { search, outside, inside, feed: self.feed.at, ..rules });
         }
     }
 }
