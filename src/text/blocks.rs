@@ -402,7 +402,7 @@ impl Cursor {
         text.truncate(done);
         self.hash = Xxh3::new();
         self.hash.update(&text);
-        self.holes = Holes { said: self.holes.said, ..Holes::NONE };
+        self.holes.begin_again();
         self.holes.look(&text, 0);
         self.end = text.len();
         self.window = text;

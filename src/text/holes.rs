@@ -38,6 +38,11 @@ impl Holes {
     pub(super) const NONE: Holes =
         Holes { begun: false, in_line: false, open: None, found: [u64::MAX; 2], said: [false; 2] };
 
+    /// The file is read from its start once more; what was said is not said again.
+    pub(super) fn begin_again(&mut self) {
+        *self = Holes { said: self.said, ..Holes::NONE };
+    }
+
     /// Looks through the next `bytes` of the file, which begin at `base`.
     pub(super) fn look(&mut self, bytes: &[u8], base: u64) {
         let clean = self.begun && self.open.is_none() && memchr2(0, 0x1a, bytes).is_none();
