@@ -22,6 +22,8 @@ pub struct Compensation {
     pub constant: bool,
     /// Where the feed of an arc counts.
     pub feed: FeedAt,
+    /// A chamfer or rounding may stand beside the way to the contour or from it: the producer has looked at it.
+    pub rounded_border: bool,
     /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
     pub joints_are_documented: bool,
     pub alarms: Alarms,
@@ -40,6 +42,7 @@ impl Default for Compensation {
             ends: Ends::default(),
             constant: false,
             feed: FeedAt::default(),
+            rounded_border: false,
             joints_are_documented: false,
             alarms: Alarms::default(),
         }

@@ -46,6 +46,8 @@ pub struct Corners {
     orphaned: bool,
     /// The element that waits was shortened by the corner before it.
     trimmed: bool,
+    /// The element that waits is the first one on its side.
+    begins: bool,
 }
 
 impl Corners {
@@ -70,6 +72,7 @@ impl Corners {
         }
         self.trimmed = false;
         self.orphaned = false;
+        self.begins = self.steps[self.waiting ^ 1].mv.side != self.steps[self.waiting].mv.side;
         if self.held {
             out(Event::Step(&self.steps[self.waiting]));
             send(&mut self.behind, out);
@@ -137,6 +140,10 @@ impl Corners {
     /// The second neighbour is here.
     fn cut(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         let Some((corner, origin)) = self.corner.take() else { return };
+        if let Some(found) = self.at_border(origin) {
+            diags.push(found);
+        }
+        self.begins = false;
         if let CornerShape::Undercut(undercut) = corner.shape {
             self.undercut(&undercut, corner.feed, origin, diags, out);
             return;
@@ -172,6 +179,22 @@ impl Corners {
         }
         send(&mut self.between, out);
         self.waiting = after;
+    }
+
+    /// A corner beside the way to a contour whose path is computed, or beside the way from it: whether the control offsets
+    /// that way like an element is not known.
+    fn at_border(&self, origin: Origin) -> Option<Diagnostic> {
+        let (before, after) = (&self.steps[self.waiting], &self.steps[self.waiting ^ 1]);
+        let on = if before.mv.side == Side::None { after } else { before };
+        let rules = on.ctx.compensation.as_ref().filter(|rules| !rules.rounded_border && rules.radius > 0.0);
+        let enters = self.begins && before.mv.side != Side::None;
+        if rules.is_none() || !enters && before.mv.side == after.mv.side {
+            return None;
+        }
+        let what = if enters { "first" } else { "last" };
+        let message = format!("a chamfer or rounding stands at the {what} point of a contour with radius compensation");
+        let found = at(codes::G3217, origin, message).also(before.origin.loc, "element before");
+        Some(found.help("let the compensation begin and end in blocks without a chamfer or rounding"))
     }
 
     /// Looks at the blocks between the corner and its elements that move nothing.

@@ -6,6 +6,7 @@
 pub mod blocks;
 pub mod decode;
 pub mod files;
+mod holes;
 pub mod number;
 pub mod sources;
 

@@ -63,4 +63,8 @@ G3216 Warning "compensation-feed" "feed on compensated arcs is not the control's
 "Under CFC, which is in force at power-on, a SINUMERIK control keeps F at the contour: in a hollow arc the centre of the tool travels slower, around others faster. The output has F as \
 it is programmed, so the cutting edge is faster than meant in a hollow arc. `[control] curve_feed = \"control\"` prints the feed of the centre, F times its radius by that of the contour."
 
+G3217 Error "compensation-border" "chamfer or rounding at the border of a compensated contour"
+"The way to a compensated contour ends beside its first element, and the way from it begins beside the last one; neither is an element of the contour. What a control makes of a chamfer \
+or rounding between such a way and the contour no manual at hand says. Let the compensation begin and end in blocks without one (RNDM: switch it on behind the first element)."
+
 }

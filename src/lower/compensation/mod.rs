@@ -140,6 +140,10 @@ impl Compensator {
     pub fn function(&mut self, function: &Function, origin: &Origin, out: &mut Out<'_>) {
         match self.stage {
             Stage::Off | Stage::Refused => out.sink.function(function, origin),
+            Stage::Constant(_) if self.ends_contour(function) => {
+                self.refuse(*reports::still_on(function, origin), origin, out);
+                out.sink.function(function, origin);
+            }
             Stage::Leaving | Stage::Constant(_) => {
                 if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
                     self.at.clear();
@@ -155,9 +159,9 @@ impl Compensator {
         }
     }
 
-    /// The function happens where the last element ends.
-    fn waits(&mut self, function: &Function, origin: &Origin) -> Result<(), Refused> {
-        let breaks = match function {
+    /// May `function` not happen while the contour goes on?
+    fn ends_contour(&self, function: &Function) -> bool {
+        match function {
             Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Cutter(_) => true,
             Function::Plane(plane) => *plane != self.plane,
             Function::ToolPrepare { .. }
@@ -169,8 +173,12 @@ impl Compensator {
             | Function::OptionalStop
             | Function::Aux(_)
             | Function::Comment(_) => false,
-        };
-        if breaks {
+        }
+    }
+
+    /// The function happens where the last element ends.
+    fn waits(&mut self, function: &Function, origin: &Origin) -> Result<(), Refused> {
+        if self.ends_contour(function) {
             return Err(reports::still_on(function, origin));
         }
         self.item(Item::Function(function.clone(), *origin), origin)

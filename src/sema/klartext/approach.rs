@@ -279,7 +279,7 @@ impl Run<'_> {
 
     fn arc_to(&mut self, to: Point2, depth: Option<f64>, on: &Circle, feed: Option<Feed>, side: Side) -> Outcome {
         let Some(feed) = feed else { return self.feed_missing() };
-        self.check_edge_feed(side)?;
+        self.no_edge_feed(side)?;
         let plane = self.st.plane();
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, to);

@@ -4,6 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
+use crate::ir::compensation::FeedAt;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::Axis;
@@ -127,13 +128,24 @@ impl Run<'_> {
         }
     }
 
-    /// Refuses M109 and M110 on an arc that is compensated.
+    /// Refuses M109 and M110 on an arc that the target compensates.
     pub(super) fn check_edge_feed(&self, side: Side) -> Outcome {
-        if self.st.feed.at_edge && side != Side::None {
-            self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
-            return Err(Reported);
+        if self.st.feed.at == FeedAt::Centre || side == Side::None || self.computes_path() {
+            return Ok(());
         }
-        Ok(())
+        self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
+        Err(Reported)
+    }
+
+    /// Refuses M109 and M110 on the arc of APPR or DEP: it is no element of the contour.
+    pub(super) fn no_edge_feed(&self, side: Side) -> Outcome {
+        if self.st.feed.at == FeedAt::Centre || side == Side::None {
+            return Ok(());
+        }
+        let message = "what M109 and M110 make of the feed on the arc of APPR or DEP is not known";
+        let help = "program M111 in front of it, and M109 or M110 in the first block of the contour";
+        self.report(Diagnostic::new(codes::K9008, self.here.origin.loc, message).help(help));
+        Err(Reported)
     }
 
     pub(super) fn send_arc(&mut self, w: &Words, plane: Plane, shape: ArcShape, end: Pos) -> Outcome {

@@ -91,11 +91,11 @@ impl State {
     }
 
     /// What holds from block to block.
-    fn modal_rules(&mut self) {
+    pub fn modal_rules(&mut self) {
         if let Some(rules) = self.ctx.compensation.as_deref().copied() {
             let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
             let (outside, inside) = (Outside::default(), Inside::default());
-            self.compensate(crate::ir::Compensation { search, outside, inside, ..rules });
+            self.compensate(crate::ir::Compensation { search, outside, inside, feed: self.feed.at, ..rules });
         }
     }
 }
@@ -196,7 +196,8 @@ impl Run<'_> {
                 "program M129 in front of the contour",
             );
         }
-        self.st.compensate(crate::ir::Compensation { radius, ..Default::default() });
+        // RND and CHF there are refused, or accepted, where they stand.
+        self.st.compensate(crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
         self.st.modal_rules();
         Ok(())
     }
@@ -316,19 +317,19 @@ impl Run<'_> {
         self.lose_all();
     }
 
-    /// RND as way to a contour, or from it.
-    pub(super) fn round_border(&mut self, leaves: bool) -> Outcome {
+    /// RND or CHF (`word`) as way to a contour, or from it.
+    pub(super) fn round_border(&mut self, word: &str, leaves: bool) -> Outcome {
         if !self.computes_path() {
             return Ok(());
         }
         let (what, help) = if leaves {
             (
-                "RND stands in front of the block with R0, so the contour ends on its arc",
+                format!("{word} stands in front of the block with R0, so the contour ends on it"),
                 "program the departure with DEP CT",
             )
         } else {
             (
-                "RND stands behind the block with RL or RR, so the contour begins on its arc",
+                format!("{word} stands behind the block with RL or RR, so the contour begins on it"),
                 "program the approach with APPR CT",
             )
         };
@@ -341,8 +342,12 @@ impl Run<'_> {
             );
         }
         self.report(
-            Diagnostic::new(codes::K2894, self.here.origin.loc, format!("{what}: the programmed corner is rounded"))
-                .help(format!("{help} to be sure")),
+            Diagnostic::new(
+                codes::K2894,
+                self.here.origin.loc,
+                format!("{what}: the programmed corner is cut as between two elements"),
+            )
+            .help(format!("{help} to be sure")),
         );
         Ok(())
     }

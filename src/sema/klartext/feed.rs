@@ -3,6 +3,7 @@
 //! Source: K 1.8 and 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
+use crate::ir::compensation::FeedAt;
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
@@ -30,8 +31,8 @@ pub(super) struct FeedState {
     plunge_share: Option<f64>,
     /// M116: feed of rotary axes at the surface.
     pub at_surface: bool,
-    /// M109 or M110: feed at the cutting edge.
-    pub at_edge: bool,
+    /// Where F counts on compensated arcs: M109, M110.
+    pub at: FeedAt,
     /// The last positioning block went at rapid traverse.
     pub last_rapid: bool,
 }
@@ -44,7 +45,7 @@ impl FeedState {
             of_tool: feed.map(|feed| (Feed::PerMinute(feed), feed)),
             plunge_share: None,
             at_surface: false,
-            at_edge: false,
+            at: FeedAt::Centre,
             last_rapid: false,
         }
     }

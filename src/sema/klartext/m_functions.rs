@@ -3,6 +3,7 @@
 //! Source: K 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
+use crate::ir::compensation::FeedAt;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
 use crate::machine::Unit;
@@ -180,12 +181,15 @@ impl Run<'_> {
                 }
                 self.st.feed.share_plunges(m.args.feed.map(|percent| percent / 100.0));
             }
-            Act::EdgeFeed(false) if !self.st.feed.at_edge => self.note_m(m),
+            Act::EdgeFeed(FeedAt::Centre) if self.st.feed.at == FeedAt::Centre => self.note_m(m),
             Act::RotaryFeed(false) if !self.st.feed.at_surface => self.note_m(m),
             Act::ShortWay(false) if !self.st.rotary.short_way => self.note_m(m),
             Act::PerRevolution(false) if !self.st.feed.is_per_revolution() => self.note_m(m),
             Act::FollowTip(false) if !self.st.rotary.follows_tip => self.note_m(m),
-            Act::EdgeFeed(on) => self.st.feed.at_edge = on,
+            Act::EdgeFeed(at) => {
+                self.st.feed.at = at;
+                self.st.modal_rules();
+            }
             Act::RotaryFeed(on) => self.st.feed.at_surface = on,
             Act::ShortWay(on) => self.st.rotary.short_way = on,
             Act::PerRevolution(on) => {

@@ -1,6 +1,7 @@
 //! The M functions as a table: what each does, when it acts, and what it takes.
 
 use crate::diag::{Code, codes};
+use crate::ir::compensation::FeedAt;
 use crate::ir::function::Turn;
 use crate::machine::{Axis, AxisSet};
 
@@ -63,7 +64,7 @@ pub(super) enum Act {
     /// Leaves out parts of the compensated contour that the tool does not fit into.
     LookAhead,
     PlungeShare,
-    EdgeFeed(bool),
+    EdgeFeed(FeedAt),
     RotaryFeed(bool),
     ShortWay(bool),
     PerRevolution(bool),
@@ -100,8 +101,9 @@ pub(super) fn entry(number: u32) -> Option<(Act, When)> {
         120 => (LookAhead, Start),
         97 | 98 | 197 => (CompensationOnly, End),
         103 => (PlungeShare, Start),
-        109 | 110 => (EdgeFeed(true), Start),
-        111 => (EdgeFeed(false), Start),
+        109 => (EdgeFeed(FeedAt::Contour), Start),
+        110 => (EdgeFeed(FeedAt::HollowContour), Start),
+        111 => (EdgeFeed(FeedAt::Centre), Start),
         116 => (RotaryFeed(true), Start),
         117 => (RotaryFeed(false), Start),
         126 => (ShortWay(true), Start),

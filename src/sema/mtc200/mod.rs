@@ -28,8 +28,8 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos};
-use crate::machine::Axis;
 use crate::machine::options::mtc200::Reading;
+use crate::machine::{Axis, Compensation};
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
 use crate::parser::mtc200::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
@@ -366,7 +366,9 @@ impl Run<'_> {
             G::Side(side) => return self.set_side(side, span, w),
             G::Chamfers(on) => {
                 (self.st.transition.chamfers, self.st.transition.said) = (on, true);
-                self.without_geometry(if on { "G44" } else { "G43" }, span);
+                if self.job.settings.output.compensation == Compensation::Control {
+                    self.without_geometry(if on { "G44" } else { "G43" }, span);
+                }
             }
             G::Length(on) => return self.set_length(on, span),
             G::Offset(offset) => return self.set_offset(offset, span),
