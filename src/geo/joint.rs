@@ -327,7 +327,7 @@ mod tests {
                 let (Joint::Tangential(p), Joint::Tangential(q)) = (made(&a, &circle, d), made(&circle, &b, d)) else {
                     panic!("{missed}");
                 };
-                let own = parallel(&circle, d).unwrap();
+                let own = beside(&circle, d).unwrap();
                 let left = up_to_point(&from_point(&own, p), q);
                 let Element::Arc { sweep, .. } = left else { panic!() };
                 assert!((sweep + TAU).abs() < 1e-4, "{missed} {d}: {sweep}");
