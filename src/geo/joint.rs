@@ -162,8 +162,11 @@ pub fn first_crossing(a: &Element, b: &Element) -> Option<Point2> {
 }
 
 /// Where the parallels meet if both are prolonged, lines as lines and circles as circles, as near to the gap as
-/// possible.
+/// possible. A hollow arc as large as the tool has nothing to prolong.
 pub fn prolonged(a: &Element, b: &Element) -> Option<Point2> {
+    if is_point(a) || is_point(b) {
+        return None;
+    }
     let beyond = |p: &Point2| {
         let (of_a, of_b) = (prolongation(a, *p, true), prolongation(b, *p, false));
         of_a.zip(of_b).map(|(x, y)| x + y)
@@ -369,6 +372,14 @@ mod tests {
             arc((42.6667, 10.5462), (73.0, 0.0), (56.0, 0.0), false),
         );
         assert_eq!(prolonged(&beside(&a, -6.0).unwrap(), &beside(&b, -6.0).unwrap()), None);
+    }
+
+    #[test]
+    fn a_point_is_not_prolonged() {
+        let hollow = arc((0.0, 0.0), (10.0, 0.0), (5.0, 0.0), true);
+        let before = arc((-4.0, 3.0), (0.0, 0.0), (-4.0, -0.5), false);
+        let (a, b) = (beside(&before, 5.0).unwrap(), beside(&hollow, 5.0).unwrap());
+        assert_eq!((prolonged(&a, &b), prolonged(&b, &a)), (None, None));
     }
 
     #[test]

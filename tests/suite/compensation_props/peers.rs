@@ -3,7 +3,10 @@
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 use core::f64::consts::PI;
 
+use partc::internals::machine::Settings;
 use partc::internals::text::files::NoFiles;
+use partc::{Program, trace};
+use serde_json::Value;
 
 use super::super::common::{compile_bytes, settings};
 use super::super::damage::Dice;
@@ -88,6 +91,21 @@ fn of_library(contour: &[Curve], d: f64) -> Option<Vec<Curve>> {
     Some((0..corners.len()).map(curve).collect())
 }
 
+/// The path of the centre as it is before numbers are rounded to print them.
+fn traced(text: &str, settings: &Settings) -> Option<Vec<Curve>> {
+    let program = Program::in_language("klartext", "C.H", text.as_bytes()).ok()?;
+    let outcome = trace(&program, settings, &partc::files::NoFiles).ok()?;
+    let list = outcome.text?;
+    let moves: Vec<Value> = list.lines().map(|line| serde_json::from_str(line).expect("a move")).collect();
+    let [_, _, path @ .., _] = moves.as_slice() else { return None };
+    let place = |p: &Value| Some([p["X"].as_f64()?, p["Y"].as_f64()?]);
+    let curve = |mv: &Value| {
+        let arc = place(&mv["center"]).zip(mv["sweep_deg"].as_f64().map(f64::to_radians));
+        Some(Curve { from: place(&mv["start"])?, to: place(&mv["end"])?, arc })
+    };
+    path.iter().map(curve).collect()
+}
+
 #[test]
 fn closed_contours_have_the_path_of_cavalier_contours() {
     let (mut compared, mut dice) = (0, Dice(0x00C0_FFEE));
@@ -101,16 +119,15 @@ fn closed_contours_have_the_path_of_cavalier_contours() {
             continue;
         }
         let Some(wanted) = of_library(&contour, d) else { continue };
-        let settings = settings(&format!("[output]\ndecimals = 6\n[tools.1]\nradius = {radius:?}\n"));
+        let settings = settings(&format!("[tools.1]\nradius = {radius:?}\n"));
         let text = text(&contour, is_left);
         let compiled = compile_bytes("C.H", text.clone().into_bytes(), "klartext", &settings, &NoFiles);
         if compiled.codes().contains(&"G3211") || compiled.has_errors() {
             continue;
         }
-        let moves = reader::read(&compiled.output, 6).expect("a program");
-        let (path, _) = path_of(&moves, 0).expect("a path");
-        assert!(apart(path[0].from, path[path.len() - 1].to) < 3e-6, "{text}");
-        if let Err(why) = same_points(&path, &wanted, 4e-6) {
+        let path = traced(&text, &settings).expect("a path");
+        assert!(apart(path[0].from, path[path.len() - 1].to) < 1e-6, "{text}");
+        if let Err(why) = same_points(&path, &wanted, 1e-6) {
             panic!("{why}, radius {radius}\n{text}");
         }
         compared += 1;
