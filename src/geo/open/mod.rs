@@ -12,6 +12,7 @@ mod arcs;
 mod lines;
 #[cfg(test)]
 mod tests;
+pub mod window;
 
 use super::{Element, Point2, SAME_POINT, Vec2, arc, direction, distance, turned};
 
