@@ -153,7 +153,9 @@ fn angle_on(p: Point2, q: Point2, center: Point2, sweep: f64) -> f64 {
 /// The same on an element of this sweep: what lies nearer to a turn than to the whole sweep is a little below zero.
 fn part_of(sweep: f64, p: Point2, q: Point2, center: Point2) -> f64 {
     let angle = super::arc::sweep(p, q, center, sweep > 0.0).abs();
-    let most = if sweep.abs() < TAU { (sweep.abs() + TAU) / 2.0 } else { TAU - MEETS / distance(p, center).max(MEETS) };
+    // Both ends of a circle lie at one place: what is near them is an end, not the other one.
+    let near = MEETS / distance(p, center).max(MEETS);
+    let most = if sweep.abs() < TAU - 2.0 * near { (sweep.abs() + TAU) / 2.0 } else { TAU - near };
     if angle > most { angle - TAU } else { angle }
 }
 
@@ -260,6 +262,28 @@ mod tests {
 
     fn made(a: &Element, b: &Element, d: f64) -> Joint {
         joint(&parallel(a, d).unwrap(), &parallel(b, d).unwrap(), turn(a, b).unwrap(), d)
+    }
+
+    #[test]
+    fn a_circle_between_tangents_stays_whole() {
+        for missed in [0.0, 3e-4, -3e-4, 9e-4, -9e-4] {
+            let (a, b) = (line((0.0, -20.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, 30.0)));
+            let circle = Element::Arc {
+                from: Point2::origin(),
+                to: Point2::origin(),
+                center: Point2::new(20.0, missed),
+                sweep: -TAU,
+            };
+            for d in [5.0, -5.0] {
+                let (Joint::Tangential(p), Joint::Tangential(q)) = (made(&a, &circle, d), made(&circle, &b, d)) else {
+                    panic!("{missed}");
+                };
+                let own = parallel(&circle, d).unwrap();
+                let left = up_to_point(&from_point(&own, p), q);
+                let Element::Arc { sweep, .. } = left else { panic!() };
+                assert!((sweep + TAU).abs() < 1e-4, "{missed} {d}: {sweep}");
+            }
+        }
     }
 
     #[test]

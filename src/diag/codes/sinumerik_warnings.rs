@@ -260,6 +260,13 @@ S8195 Warning "siemens-corner-code" "G450 or G451 in a block of the contour"
 "G450 and G451 change inside a compensated contour, in a block that moves. The manuals do not say whether the corner in front of the block or the one behind it is meant: the one behind \
 it is taken. Write the code into a block without a move."
 
+S8196 Note "siemens-fad" "FAD has no effect in this approach or retraction"
+"FAD is the feed of the slow way from DISCL to the contour plane. A retraction under G340 goes at F, and where DISCL is missing there is no such way."
+
+S8197 Warning "siemens-no-discl" "soft approach without DISCL"
+"Without DISCL the height at which the fast infeed ends is that of the contour: the tool goes into the material at the velocity of the block before. So the manuals are read; \
+none says it in words. Program DISCL and FAD."
+
 S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
 "The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
 blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."

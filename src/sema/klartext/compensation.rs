@@ -300,19 +300,19 @@ impl Run<'_> {
         self.lose_all();
     }
 
-    /// RND as way to a contour, or from it.
-    pub(super) fn round_border(&mut self, leaves: bool) -> Outcome {
+    /// RND or CHF (`word`) as way to a contour, or from it.
+    pub(super) fn round_border(&mut self, word: &str, leaves: bool) -> Outcome {
         if !self.computes_path() {
             return Ok(());
         }
         let (what, help) = if leaves {
             (
-                "RND stands in front of the block with R0, so the contour ends on its arc",
+                format!("{word} stands in front of the block with R0, so the contour ends on it"),
                 "program the departure with DEP CT",
             )
         } else {
             (
-                "RND stands behind the block with RL or RR, so the contour begins on its arc",
+                format!("{word} stands behind the block with RL or RR, so the contour begins on it"),
                 "program the approach with APPR CT",
             )
         };
@@ -325,8 +325,12 @@ impl Run<'_> {
             );
         }
         self.report(
-            Diagnostic::new(codes::K2894, self.here.origin.loc, format!("{what}: the programmed corner is rounded"))
-                .help(format!("{help} to be sure")),
+            Diagnostic::new(
+                codes::K2894,
+                self.here.origin.loc,
+                format!("{what}: the programmed corner is cut as between two elements"),
+            )
+            .help(format!("{help} to be sure")),
         );
         Ok(())
     }

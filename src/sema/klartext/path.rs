@@ -352,11 +352,11 @@ impl Run<'_> {
         }
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
         if let Some(contour) = &mut self.st.contour {
-            let begins = rounding && !contour.begun && contour.side != Side::None;
+            let begins = !contour.begun && contour.side != Side::None;
             // What stands behind a corner begins at its cut.
             contour.last = None;
             if begins {
-                self.round_border(false)?;
+                self.round_border(if rounding { "RND" } else { "CHF" }, false)?;
             }
         }
         self.st.corner = Some(CornerMade { rounding, side: self.st.compensation.side(), loc: self.here.origin.loc });
@@ -400,7 +400,7 @@ impl Run<'_> {
                     .also(here, "in this block")
                     .help("for an approach on an arc write RL or RR into the block before RND"),
             );
-        } else if self.round_border(true).is_err() {
+        } else if self.round_border("RND", true).is_err() {
             // A rounding from a compensated contour into R0 is the departure on an arc.
             self.lose_all();
         }

@@ -170,6 +170,10 @@ impl Channel<'_> {
         if self.st.side() == Side::None && w.code_of(Group::Compensation).is_none() {
             return Ok(());
         }
+        if let Some((code, span)) = w.code_of(Group::CompensationType).filter(|(code, _)| code.index > 2) {
+            let message = format!("under {} the radius is compensated in space, which cannot be printed", code.word());
+            return self.fail_help(codes::S9010, span, message, "have the CAM system put out the centre path");
+        }
         let place = w.codes.first().map_or(Where::Block, |(_, span)| (*span).into());
         self.check_corner_change(w);
         match self.rules(cutter, place) {

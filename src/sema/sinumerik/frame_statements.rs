@@ -4,6 +4,7 @@
 
 use crate::diag::codes;
 use crate::ir::Side;
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::frames::FrameValue;
@@ -40,18 +41,24 @@ impl Channel<'_> {
         self.nothing_left(w)
     }
 
+    /// No frame may change under a contour that is compensated: the elements before and behind would not meet.
+    pub(super) fn frame_is_free(&self, place: impl Into<Where>) -> Outcome {
+        if self.st.side() == Side::None {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::S2080,
+            place,
+            "the frame changes while radius compensation is on",
+            "program G40 in a block in front of it",
+        )
+    }
+
     fn frame_statement(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         // What a frame does to an axis that is left out moves nothing.
         w.beside.left_out.clear();
         let adds = matches!(code, GCode::ATRANS | GCode::AROT | GCode::ASCALE | GCode::AMIRROR);
-        if self.st.side() != Side::None {
-            return self.fail_help(
-                codes::S2080,
-                span,
-                "the frame changes while radius compensation is on",
-                "program G40 in a block in front of it",
-            );
-        }
+        self.frame_is_free(span)?;
         let rpl = w.take(Address::Rpl);
         if let Some(rpl) = rpl.filter(|_| !matches!(code, GCode::ROT | GCode::AROT)) {
             return self.does_not_fit(rpl.span);
@@ -138,6 +145,7 @@ impl Channel<'_> {
             return self.work_offset(number + 1, span);
         }
         self.pending_must_be_done(span)?;
+        self.frame_is_free(span)?;
         w.beside.left_out.clear();
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };

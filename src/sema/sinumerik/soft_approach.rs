@@ -138,8 +138,13 @@ impl Channel<'_> {
         if self.soft.is_some() {
             return self.soft_fault(span, 10743, "the approach before has no contour yet", "let its contour follow");
         }
+        if approaches && side != Side::None && self.resolves() && !self.st.compensation.waits() {
+            let message = format!("{} stands in a contour whose compensation has begun already", code.word());
+            let help = "end the contour with G40, or program G41 or G42 in the block of the approach";
+            return self.fail_help(codes::S9010, span, message, help);
+        }
         self.pending_must_be_done(span)?;
-        let sizes = self.soft_sizes(shape, side, span, w)?;
+        let sizes = self.soft_sizes((shape, approaches), side, span, w)?;
         let scale = self.st.ctx.frame.uniform_scale();
         if side != Side::None && scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
             let message = format!("{} under scaling is not supported: the tool is not scaled", code.word());
@@ -158,7 +163,13 @@ impl Channel<'_> {
         self.fail_help(codes::S2083.alarm(alarm), place, message, help)
     }
 
-    fn soft_sizes(&mut self, shape: Shape, side: Side, span: Span, w: &mut Words) -> Outcome<Sizes> {
+    fn soft_sizes(
+        &mut self,
+        (shape, approaches): (Shape, bool),
+        side: Side,
+        span: Span,
+        w: &mut Words,
+    ) -> Outcome<Sizes> {
         let mm = self.st.length_unit();
         let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
         let size = w.take(Address::Disr).map(|disr| disr.value * mm);
@@ -183,7 +194,21 @@ impl Channel<'_> {
             Some(fad) if fad.value <= 0.0 => {
                 return self.fail(codes::S2041.alarm(14800), fad.span, "the feed FAD is not above 0");
             }
-            fad => fad.map(|fad| self.st.feed_of(fad.value)),
+            fad => {
+                let falls = self.st.is(GCode::G340);
+                // On the helix of a retraction F holds, and without DISCL nothing is left to go at the feed of the infeed.
+                let why = if !approaches && falls {
+                    Some("G340 retracts at F")
+                } else if !falls && safe.is_none() {
+                    Some("without DISCL there is no slow infeed")
+                } else {
+                    None
+                };
+                if let (Some(fad), Some(why)) = (fad, why) {
+                    self.note_once(codes::S8196, fad.span, format!("FAD has no effect here: {why}"));
+                }
+                fad.map(|fad| self.st.feed_of(fad.value))
+            }
         };
         Ok(Sizes { shape, size, safe, plane, infeed })
     }
@@ -377,6 +402,15 @@ impl Channel<'_> {
         self.straight_border();
         let printed = self.st.printed_side(side);
         let falls = self.st.is(GCode::G340);
+        if heights.is_some()
+            && soft.sizes.safe.is_none()
+            && soft.before.is_rapid()
+            && self.job.diags.first_time(codes::S8197)
+        {
+            let message = format!("{} has no DISCL: the tool goes to the contour plane at rapid traverse", soft.name);
+            let found = Diagnostic::new(codes::S8197, self.loc(soft.span), message);
+            self.report(found.help("program DISCL, and FAD for the way from there"));
+        }
         let place = |p: Option<Point2>, z: Option<f64>| {
             let mut end = Pos::UNKNOWN;
             if let Some(p) = p {

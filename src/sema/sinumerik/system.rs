@@ -311,6 +311,7 @@ impl Channel<'_> {
         match word.as_str() {
             "$P_PFRAME" => {
                 let frame = self.new_frame(&self.st.frames.programmable().clone(), args, &value, span)?;
+                self.frame_is_free(span)?;
                 self.st.frames.set_programmable(frame);
                 self.refresh_frame();
                 Ok(())
@@ -318,6 +319,7 @@ impl Channel<'_> {
             "$P_IFRAME" => {
                 let old = self.st.frames.settable().cloned().unwrap_or_default();
                 let frame = self.new_frame(&old, args, &value, span)?;
+                self.frame_is_free(span)?;
                 self.resolved_offset_note(span);
                 self.resolves_offsets(span)?;
                 self.counts_from(super::offsets::Outer::Basic, Some(frame));
@@ -356,7 +358,9 @@ impl Channel<'_> {
                     _ => value,
                 };
                 self.note_tool_data(&word, span);
-                self.st.system.set(system_key(&word, args), value);
+                let key = system_key(&word, args);
+                self.radius_is_written(&word, &key);
+                self.st.system.set(key, value);
                 Ok(())
             }
             _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {

@@ -25,6 +25,8 @@ pub(super) struct ToolInUse {
     /// D that was programmed between T and M6, and the doubt after M6 whether it counts (MD 20270).
     edge_before_change: Option<u32>,
     edge_in_doubt: bool,
+    /// The program wrote the radius, or where the edge lies, behind the selection.
+    rewritten: bool,
 }
 
 impl ToolInUse {
@@ -64,11 +66,12 @@ impl ToolInUse {
     fn change_to(&mut self, number: u32) {
         (self.active, self.edge) = (Some(number), Some(1));
         self.edge_in_doubt = self.edge_before_change.take().is_some_and(|edge| edge != 1);
+        self.rewritten = false;
     }
 
     /// D
     fn select_edge(&mut self, edge: u32) {
-        (self.edge, self.edge_in_doubt) = (Some(edge), false);
+        (self.edge, self.edge_in_doubt, self.rewritten) = (Some(edge), false, false);
         if self.next.is_some() && self.next != self.active {
             self.edge_before_change = Some(edge);
         }
@@ -203,7 +206,8 @@ impl Channel<'_> {
                 self.st.position.forget(AxisSet::of(axis));
             }
         }
-        if self.st.side() != Side::None && !self.st.compensation.starts && self.st.tool.edge != Some(edge) {
+        let changes = self.st.tool.edge != Some(edge) || self.st.tool.rewritten;
+        if self.st.side() != Side::None && !self.st.compensation.starts && changes {
             return self.fail_help(
                 codes::S2080,
                 d.span,
@@ -220,6 +224,16 @@ impl Channel<'_> {
             );
         }
         Ok(())
+    }
+
+    /// The program writes `$TC_…`: what the radius compensation takes from the edge in use counts from the next selection.
+    pub(super) fn radius_is_written(&mut self, word: &str, key: &str) {
+        let Some(number) = self.st.tool.active.filter(|_| matches!(word, "$TC_DP2" | "$TC_DP6" | "$TC_DP15")) else {
+            return;
+        };
+        if key == format!("{word}[{number},{}]", self.st.tool.edge_or_first()) {
+            self.st.tool.rewritten = true;
+        }
     }
 
     pub(super) fn active_tool(&self) -> Option<Tool> {
@@ -289,6 +303,13 @@ impl Channel<'_> {
         }
         let edge = self.st.tool.edge_or_first();
         let radius = self.cutter_radius(number, edge, span)?;
+        if self.st.tool.rewritten {
+            let message = format!(
+                "the radius of T{number} D{edge} was written behind its selection, and no D stands behind it: whether it \
+                 counts already is not documented"
+            );
+            return self.fail_help(codes::S9010, span, message, &format!("program D{edge} behind the assignment"));
+        }
         if self.resolves() {
             return self.compute_compensation(number, edge, radius, span);
         }

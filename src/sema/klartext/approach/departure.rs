@@ -71,6 +71,14 @@ impl Run<'_> {
         let feed = if shape.is_round() { Some(self.arc_feed(w)?) } else { straight };
         let (to, depth) =
             if let Shape::LineArc { .. } = shape { self.border_point(name, polar, at, w)? } else { (at, None) };
+        if matches!(shape, Shape::LineArc { .. }) && distance(to, at) <= SAME_POINT {
+            return self.fail_help(
+                codes::K9003,
+                span,
+                format!("{name} has no end point away from the contour: the tool would go onto its last point"),
+                "program the end point of the departure",
+            );
+        }
         let together = depth.is_some() && self.rises_together(name);
         let (shared, behind) = if together { (depth, None) } else { (None, depth) };
         let border = self.border(at, heading, side == Side::Left, side, radius);
