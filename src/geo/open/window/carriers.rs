@@ -6,6 +6,9 @@ use super::joints::{self, Locus};
 use super::state::{Fact, View};
 use super::{AGREES, Made, ONE};
 
+/// Conditions that differ by less say the same.
+const DEPENDENT: f64 = 1e-7;
+
 /// Something that a carrier touches in its direction of travel: a circle with its radius by sense, a point with radius 0.
 #[derive(Debug, Clone, Copy)]
 struct Contact {
@@ -122,8 +125,13 @@ fn contacts_of_line(view: &View<'_>, node: usize) -> Vec<Contact> {
 
 /// Circles that the element goes over into, and those that go over into it.
 fn neighbours(view: &View<'_>, node: usize, list: &mut Vec<Contact>) {
-    if view.item(node).smooth {
+    let of = view.node(node);
+    // Where the joint and the direction in it are known, the neighbour says nothing new.
+    if view.item(node).smooth && !(view.start(node).is_some() && of.entry.is_some()) {
         list.extend(node.checked_sub(1).and_then(|before| view.circle(before)).map(Contact::circle));
+    }
+    if of.end.is_some() && of.exit.is_some() {
+        return;
     }
     list.extend(view.smooth_next(node).and_then(|next| view.circle(next)).map(Contact::circle));
 }
@@ -151,7 +159,7 @@ impl Conditions {
             row[pivot] = 0.0;
         }
         let size = row[..3].iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        if size > 1e-9 {
+        if size > DEPENDENT {
             self.rows.push(row.map(|value| value / size));
         }
     }
@@ -189,6 +197,8 @@ impl Conditions {
         }
         let needed = 3usize.saturating_sub(self.rows.len());
         self.contacts.sort_by_key(|contact| contact.either);
+        let same = |a: &Contact, b: &Contact| distance(a.at, b.at) <= AGREES && (a.rho - b.rho).abs() <= AGREES;
+        self.contacts.dedup_by(|a, b| same(a, b));
         let mut found = Vec::new();
         let mut miss = f64::INFINITY;
         if self.rows.len() == 3 {
@@ -315,7 +325,8 @@ fn pivot(row: &[f64; 4]) -> usize {
 /// Roots of `a·t² + 2·b·t + c`; one where it only touches zero.
 fn roots(a: f64, b: f64, c: f64, miss: &mut f64) -> Vec<f64> {
     if a.abs() <= 1e-12 {
-        if b.abs() <= 1e-12 {
+        // The contact says what the rows say.
+        if b.abs() <= DEPENDENT * c.abs().sqrt().max(1.0) {
             return Vec::new();
         }
         *miss = 0.0;

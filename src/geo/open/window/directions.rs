@@ -87,8 +87,12 @@ fn of_line(view: &View<'_>, node: usize) -> Made {
 
 /// The direction at the end that later elements say.
 fn from_behind(view: &View<'_>, node: usize) -> Option<Vec2> {
+    let tangent = |next| {
+        let (center, _) = view.circle(next)?;
+        arc::tangent_at(view.end(node)?, center, view.node(next).ccw)
+    };
     if let Some((next, item)) = view.next(node)
-        && let Some(entry) = view.node(next).entry
+        && let Some(entry) = view.node(next).entry.or_else(|| tangent(next))
     {
         match item.angle {
             _ if item.smooth => return Some(entry),

@@ -1,12 +1,15 @@
 //! Where two elements meet: a point lies on both carriers, and on every line and circle that data says of it.
 
-use crate::geo::{Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, distance, intersect, left};
+use crate::geo::{Point2, SAME_POINT, Vec2, cross, distance, intersect, left};
 
 use super::state::{Fact, Known, View};
 use super::{AGREES, Base, Made, ONE};
 
 /// Elements of known extent that a joint looks past.
 const MOST_RIGID: usize = 8;
+
+/// Lines at a smaller angle run beside each other: where they meet is what arithmetic loses. In rad.
+const ALONG: f64 = 1e-6;
 
 /// Where a point can lie.
 #[derive(Debug, Clone, Copy)]
@@ -232,7 +235,7 @@ fn meet(a: &Locus, b: &Locus) -> Result<Option<Vec<Point2>>, (&'static str, Opti
     Ok(match (*a, *b) {
         (Locus::Point(_), _) | (_, Locus::Point(_)) => None,
         (Locus::Line(p, u, _), Locus::Line(q, w, _)) => {
-            intersect::lines(p, u, q, w, SAME_DIRECTION).map(|(s, _)| vec![p + u * s])
+            intersect::lines(p, u, q, w, ALONG).map(|(s, _)| vec![p + u * s])
         }
         (Locus::Line(p, u, _), Locus::Circle(center, radius))
         | (Locus::Circle(center, radius), Locus::Line(p, u, _)) => {
@@ -248,10 +251,10 @@ fn meet(a: &Locus, b: &Locus) -> Result<Option<Vec<Point2>>, (&'static str, Opti
         }
         (Locus::Circle(c, r), Locus::Circle(d, s)) => {
             let apart = distance(c, d);
-            if apart <= SAME_POINT {
+            if apart <= AGREES {
                 return Ok(None);
             }
-            match intersect::circles(c, r, d, s, AGREES.min(apart / 2.0)) {
+            match intersect::circles(c, r, d, s, AGREES / 2.0) {
                 Some(points) => Some(points.into()),
                 None => {
                     return missed(

@@ -262,7 +262,7 @@ impl Window {
                 open = std::mem::take(&mut self.states);
                 open.reverse();
             }
-            if made > MOST_STATES * MOST_STATES {
+            if made > 16 * MOST_STATES {
                 return Err(Fault::TooMany { serial: self.first });
             }
         }
@@ -330,9 +330,24 @@ impl Window {
     }
 
     fn settled_node(&self, node: usize) -> Option<Settled> {
+        self.lacks(node).is_none().then_some(())?;
         let first = self.complete(self.states.first()?, node)?;
         let same = |state: &State| self.complete(state, node).is_some_and(|other| is_one(&first.solved, &other.solved));
         self.states.iter().all(same).then_some(first)
+    }
+
+    /// How many data the elements up to this one and any behind it lack by their number. Whatever the rules make of data
+    /// that depends on each other, fewer data than unknowns determine nothing.
+    fn lacks(&self, node: usize) -> Option<usize> {
+        let (mut unknowns, mut equations, mut least) = (0, 0, usize::MAX);
+        for (at, item) in self.items.iter().enumerate() {
+            unknowns += item.unknowns();
+            equations += item.equations();
+            if at >= node {
+                least = least.min(unknowns.saturating_sub(equations));
+            }
+        }
+        Some(least).filter(|least| *least > 0)
     }
 
     fn complete(&self, state: &State, node: usize) -> Option<Settled> {
@@ -372,6 +387,9 @@ impl Window {
             let open = state.first_open();
             let missing = count::missing(&View { window: self, state }, open);
             return Err(Fault::Open { serial: self.first + open, missing });
+        }
+        if let Some(missing) = self.items.len().checked_sub(1).and_then(|last| self.lacks(last)) {
+            return Err(Fault::Open { serial: self.first, missing });
         }
         while observed && self.states.len() > 1 && self.choose_first() {}
         if self.ready() == self.items.len() {
@@ -421,5 +439,27 @@ impl Fault {
 impl Place {
     fn count(&self) -> usize {
         [self.x, self.y, self.radius, self.angle].iter().flatten().count()
+    }
+}
+
+impl Item {
+    /// Its end, and the centre of an arc without its radius, which follows from the start.
+    fn unknowns(&self) -> usize {
+        let own = if self.shape == Shape::Line { 2 } else { 3 };
+        own - usize::from(self.smooth)
+    }
+
+    fn equations(&self) -> usize {
+        let one = usize::from;
+        self.end.count()
+            + self.center.count()
+            + one(self.angle.is_some())
+            + one(self.length.is_some())
+            + one(self.radius.is_some())
+            + one(self.end_angle.is_some())
+            + self.through.iter().flatten().count()
+            + one(self.beside.is_some())
+            + self.parallel.map_or(0, |(_, apart)| 1 + one(apart.is_some()))
+            + 2 * one(self.closes.is_some())
     }
 }
