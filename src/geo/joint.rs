@@ -9,9 +9,9 @@ use super::{Element, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction,
 
 /// Parallels whose ends are closer than this, in mm, meet there, if the contour hardly turns.
 const MEETS: f64 = 1e-3;
-/// Turns up to this angle, in rad (0.01 degrees), are no corner but the rounding of a tangential joint.
+/// Turns up to this sine (0.01 degrees) are no corner but the rounding of a tangential joint.
 const NO_CORNER: f64 = 1.745e-4;
-/// Turns this close to half a turn, in rad, are reversals.
+/// Turns this close to half a turn, as a sine, are reversals.
 const REVERSAL: f64 = 1e-6;
 /// How far a crossing may lie beyond the end of an element, in mm: what double arithmetic loses.
 const BEYOND: f64 = 1e-6;
@@ -27,52 +27,95 @@ pub enum Joint {
     Tangential(Point2),
     /// They cross: both end here.
     Inside(Point2),
-    /// The contour turns away from the parallel by this angle in rad: the gap is the control's to fill.
-    Outside { turn: f64 },
+    /// The contour turns away from the parallel: the gap is the control's to fill.
+    Outside,
     /// The contour turns towards the parallel, and they do not cross.
     NoRoom,
 }
 
-/// The parallel of an element. A hollow arc of the radius `d` becomes a line of no length in its centre; `None` for an
-/// element of no length, and for an arc in which the parallel has no room.
-pub fn parallel(element: &Element, d: f64) -> Option<Element> {
+/// Directions of travel at both ends of an element.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Headings {
+    pub start: Vec2,
+    pub end: Vec2,
+}
+
+impl Headings {
+    /// `None` for an element of no length.
+    #[inline(always)]
+    pub fn of(element: &Element) -> Option<Headings> {
+        match *element {
+            Element::Line { from, to } => {
+                // Its square neither overflows nor vanishes, as long as it has a length.
+                let (along, square) = (to - from, (to - from).norm_squared());
+                let along = (square > 0.0).then(|| along / square.sqrt())?;
+                Some(Headings { start: along, end: along })
+            }
+            Element::Arc { from, to, center, sweep } => {
+                let heading = |p: Point2| super::arc::tangent_at(p, center, sweep > 0.0);
+                Some(Headings { start: heading(from)?, end: heading(to)? })
+            }
+        }
+    }
+}
+
+/// The parallel of an element. A hollow arc of the radius `d` becomes a line of no length in its centre; `None` for an arc
+/// in which the parallel has no room.
+#[inline(always)]
+pub fn parallel(element: &Element, headings: &Headings, d: f64) -> Option<Element> {
     match *element {
         Element::Line { from, to } => {
-            let by = left(direction(to - from, 0.0)?) * d;
+            let by = left(headings.start) * d;
             Some(Element::Line { from: from + by, to: to + by })
         }
-        Element::Arc { from, to, center, sweep } => {
-            let radius = distance(from, center);
-            let other = radius - sweep.signum() * d;
+        Element::Arc { from, center, sweep, .. } => {
+            let other = distance(from, center) - sweep.signum() * d;
             if other.abs() <= SAME_POINT {
                 return Some(Element::Line { from: center, to: center });
             }
-            let place = |p: Point2| Some(center + direction(p - center, 0.0)? * other);
-            (other > 0.0).then_some(Element::Arc { from: place(from)?, to: place(to)?, center, sweep })
+            let place = |heading: Vec2| center - left(heading) * (sweep.signum() * other);
+            let (from, to) = (place(headings.start), place(headings.end));
+            (other > 0.0).then_some(Element::Arc { from, to, center, sweep })
         }
     }
 }
 
-/// By how much the contour turns between two elements, in rad: positive to the left, half a turn for a reversal.
-pub fn turn(before: &Element, after: &Element) -> Option<f64> {
-    let (a, b) = (before.end_direction()?, after.start_direction()?);
-    Some(libm::atan2(cross(a, b), a.dot(&b)))
+/// By how much the contour turns between two directions, in rad: positive to the left, half a turn for a reversal.
+pub fn turn(before: Vec2, after: Vec2) -> f64 {
+    libm::atan2(cross(before, after), before.dot(&after))
 }
 
-/// The joint of the parallels `a` and `b` of two neighbours between which the contour turns by `turn`. `a` may have lost
-/// its beginning, `b` is whole.
-pub fn joint(a: &Element, b: &Element, turn: f64, d: f64) -> Joint {
-    if turn.abs() <= SAME_DIRECTION || turn.abs() < NO_CORNER && distance(a.to(), b.from()) < MEETS {
+/// The joint of the parallels `a` and `b` of two neighbours, which end and begin in these directions. `a` may have lost its
+/// beginning, `b` is whole.
+#[inline(always)]
+pub fn joint(a: &Element, b: &Element, before: Vec2, after: Vec2, d: f64) -> Joint {
+    let (sin, goes_on) = (cross(before, after), before.dot(&after) > 0.0);
+    if goes_on && (sin.abs() <= SAME_DIRECTION || sin.abs() < NO_CORNER && distance(a.to(), b.from()) < MEETS) {
         return Joint::Tangential(between_ends(a, b));
     }
-    if PI - turn.abs() <= REVERSAL || turn * d < 0.0 {
-        let turn = if PI - turn.abs() <= REVERSAL { -turn.abs() * d.signum() } else { turn };
-        return Joint::Outside { turn };
+    if !goes_on && sin.abs() <= REVERSAL || sin * d < 0.0 {
+        return Joint::Outside;
     }
-    first_crossing(a, b).map_or(Joint::NoRoom, Joint::Inside)
+    let crossing = match (*a, *b) {
+        (Element::Line { from, to }, Element::Line { from: next, to: end }) if from != to && next != end => {
+            lines_crossing([from, to], before, [next, end], after)
+        }
+        _ => first_crossing(a, b),
+    };
+    crossing.map_or(Joint::NoRoom, Joint::Inside)
+}
+
+/// Where two lines cross that run in these directions.
+#[inline(always)]
+fn lines_crossing([from, to]: [Point2; 2], u: Vec2, [next, end]: [Point2; 2], w: Vec2) -> Option<Point2> {
+    let (of_a, of_b) = super::intersect::lines(from, u, next, w, SAME_DIRECTION)?;
+    let p = from + u * of_a;
+    let ways = [of_a, of_b, (to - p).dot(&u), (end - p).dot(&w)];
+    ways.iter().all(|way| *way >= -BEYOND).then_some(p)
 }
 
 /// The point in the middle of a tangential joint: on the smaller circle, where the other element misses it least.
+#[inline(never)]
 fn between_ends(a: &Element, b: &Element) -> Point2 {
     let middle = Point2::from((a.to().coords + b.from().coords) / 2.0);
     let circle = |element: &Element| match *element {
@@ -103,6 +146,7 @@ fn is_point(element: &Element) -> bool {
 }
 
 /// Where `a` and `b` cross; of two points the one nearest to the start of `b`.
+#[inline(never)]
 pub fn first_crossing(a: &Element, b: &Element) -> Option<Point2> {
     let on_both = |p: &Point2| {
         let (of_a, of_b) = (way_to_end(a, *p), way_from_start(b, *p));
@@ -260,8 +304,13 @@ mod tests {
         distance(p, Point2::new(x, y)) < 6e-5
     }
 
+    fn beside(element: &Element, d: f64) -> Option<Element> {
+        parallel(element, &Headings::of(element)?, d)
+    }
+
     fn made(a: &Element, b: &Element, d: f64) -> Joint {
-        joint(&parallel(a, d).unwrap(), &parallel(b, d).unwrap(), turn(a, b).unwrap(), d)
+        let (before, after) = (Headings::of(a).unwrap().end, Headings::of(b).unwrap().start);
+        joint(&beside(a, d).unwrap(), &beside(b, d).unwrap(), before, after, d)
     }
 
     #[test]
@@ -278,7 +327,7 @@ mod tests {
                 let (Joint::Tangential(p), Joint::Tangential(q)) = (made(&a, &circle, d), made(&circle, &b, d)) else {
                     panic!("{missed}");
                 };
-                let own = parallel(&circle, d).unwrap();
+                let own = beside(&circle, d).unwrap();
                 let left = up_to_point(&from_point(&own, p), q);
                 let Element::Arc { sweep, .. } = left else { panic!() };
                 assert!((sweep + TAU).abs() < 1e-4, "{missed} {d}: {sweep}");
@@ -302,42 +351,42 @@ mod tests {
     #[test]
     fn outside_corners_prolonged() {
         let (a, b) = (line((0.0, 0.0), (40.0, 0.0)), line((40.0, 0.0), (60.0, -34.6410)));
-        assert!(matches!(made(&a, &b, 5.0), Joint::Outside { turn } if (turn + PI / 3.0).abs() < 1e-5));
-        let p = prolonged(&parallel(&a, 5.0).unwrap(), &parallel(&b, 5.0).unwrap()).unwrap();
+        assert_eq!(made(&a, &b, 5.0), Joint::Outside);
+        let p = prolonged(&beside(&a, 5.0).unwrap(), &beside(&b, 5.0).unwrap()).unwrap();
         assert!(at(p, 42.8868, 5.0));
         let (a, b) = (line((0.0, 0.0), (30.0, 0.0)), arc((30.0, 0.0), (51.9904, 19.5), (39.0, 12.0), true));
-        let (pa, pb) = (parallel(&a, 4.0).unwrap(), parallel(&b, 4.0).unwrap());
+        let (pa, pb) = (beside(&a, 4.0).unwrap(), beside(&b, 4.0).unwrap());
         let p = prolonged(&pa, &pb).unwrap();
         assert!(at(p, 31.4502, 4.0));
         let longer = prolonged_from(&pb, p);
         assert!(longer.length() > pb.length() && longer.length() < 2.0 * pb.length());
         let (a, b) =
             (arc((12.0, -16.0), (12.0, 16.0), (0.0, 0.0), true), arc((12.0, 16.0), (12.0, -16.0), (24.0, 0.0), true));
-        let p = prolonged(&parallel(&a, -5.0).unwrap(), &parallel(&b, -5.0).unwrap()).unwrap();
+        let p = prolonged(&beside(&a, -5.0).unwrap(), &beside(&b, -5.0).unwrap()).unwrap();
         assert!(at(p, 12.0, 21.9317));
         let (a, b) = (
             arc((-5.0, 0.0), (42.6667, 10.5462), (20.0, 0.0), false),
             arc((42.6667, 10.5462), (73.0, 0.0), (56.0, 0.0), false),
         );
-        assert_eq!(prolonged(&parallel(&a, -6.0).unwrap(), &parallel(&b, -6.0).unwrap()), None);
+        assert_eq!(prolonged(&beside(&a, -6.0).unwrap(), &beside(&b, -6.0).unwrap()), None);
     }
 
     #[test]
     fn reversals_are_outside_on_either_side() {
         let (a, b) = (line((0.0, 0.0), (40.0, 0.0)), line((40.0, 0.0), (0.0, 0.0)));
-        assert!(matches!(made(&a, &b, 5.0), Joint::Outside { turn } if turn < 0.0));
-        assert!(matches!(made(&a, &b, -5.0), Joint::Outside { turn } if turn > 0.0));
+        assert_eq!(made(&a, &b, 5.0), Joint::Outside);
+        assert_eq!(made(&a, &b, -5.0), Joint::Outside);
     }
 
     #[test]
     fn a_hollow_arc_of_the_radius_is_a_point() {
         let round = arc((32.0, 0.0), (40.0, 8.0), (32.0, 8.0), true);
-        let point = parallel(&round, 8.0).unwrap();
+        let point = beside(&round, 8.0).unwrap();
         assert_eq!(point.length(), 0.0);
         let before = line((0.0, 0.0), (32.0, 0.0));
         assert!(matches!(made(&before, &round, 8.0), Joint::Tangential(p) if at(p, 32.0, 8.0)));
-        assert_eq!(parallel(&round, 9.0), None);
-        assert!(parallel(&round, -9.0).is_some());
+        assert_eq!(beside(&round, 9.0), None);
+        assert!(beside(&round, -9.0).is_some());
     }
 
     #[test]
@@ -348,7 +397,7 @@ mod tests {
             center: Point2::new(30.0, 30.0),
             sweep: TAU,
         };
-        let inner = parallel(&circle, 5.0).unwrap();
+        let inner = beside(&circle, 5.0).unwrap();
         assert_eq!(inner.from(), Point2::new(45.0, 30.0));
         assert_eq!(up_to_point(&inner, inner.to()), inner);
         assert_eq!(from_point(&inner, inner.from()), inner);
@@ -360,8 +409,8 @@ mod tests {
         let long = arc((10.0, 0.0), (0.0, -10.0), (0.0, 0.0), true);
         let after = line((0.0, -10.0), (20.0, -10.002));
         for d in [5.0, -5.0] {
-            let (a, b) = (parallel(&long, d).unwrap(), parallel(&after, d).unwrap());
-            let Joint::Tangential(p) = joint(&a, &b, turn(&long, &after).unwrap(), d) else { panic!("a corner") };
+            let (a, b) = (beside(&long, d).unwrap(), beside(&after, d).unwrap());
+            let Joint::Tangential(p) = made(&long, &after, d) else { panic!("a corner") };
             let made = up_to_point(&a, p);
             let Element::Arc { from, center, sweep, .. } = made else { panic!("a line") };
             assert!((sweep - 1.5 * PI).abs() < 1e-3, "{sweep}");

@@ -76,6 +76,13 @@ impl Pos {
         self.values.iter().any(beyond) && self.iter().any(|(_, value)| beyond(&value))
     }
 
+    /// The same for the coordinates of a plane.
+    #[inline]
+    pub fn exceeds_in(&self, plane: Plane, most: f64) -> bool {
+        let beyond = |value: f64| value.is_nan() || value.abs() > most;
+        self.in_plane(plane).is_some_and(|p| beyond(p.x) || beyond(p.y))
+    }
+
     /// First and second coordinate of a plane, if both are known.
     #[inline]
     pub fn in_plane(&self, plane: Plane) -> Option<Point2> {

@@ -108,7 +108,9 @@ impl Step {
 /// O1002.
 #[cold]
 pub fn exact_far_out(start: &Pos, mv: &Move, origin: Origin) -> Result<(), Box<Diagnostic>> {
-    if !mv.end.exceeds(FARTHEST) && verify::element(start, mv).is_ok() {
+    // A line loses nothing.
+    let straight = matches!(mv.path, Path::Rapid | Path::Line(_));
+    if !mv.end.exceeds(FARTHEST) && (straight || verify::element(start, mv).is_ok()) {
         return Ok(());
     }
     Err(Box::new(at(codes::O1002, origin, TOO_LARGE).help(TOO_LARGE_HELP)))

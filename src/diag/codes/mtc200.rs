@@ -227,6 +227,10 @@ M8005 Note "mtc-m-functions" "M functions are taken in their standard meaning"
 "M0 to M9, M13, M14, M19 and M30 are taken as the standard has them. The machine builder may have given them another meaning. If they are as they should be, add \
 `[control] confirmed = [\"m-functions\"]`; those that differ belong into `[control] machine_words`."
 
+M8006 Warning "mtc-border-axes" "one axis only in the way to a compensated contour"
+"The first move under G41 or G42, and the move of G40, name both main axes of the plane, says the manual (page 5-34), and not what happens where one is missing. The axis that \
+is missing is taken to stay where it was programmed. Program both."
+
 M9050 Error "mtc-spindle-nose-refused" "move of the spindle nose is refused"
 "Without tool length compensation positions along the tool axis are those of the spindle nose, and `[control] spindle_nose = \"refuse\"` refuses them. Program G48 in front \
 of the move."

@@ -9,7 +9,7 @@ use std::rc::Rc;
 use super::super::step::plane_axes;
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
-use super::{Compensator, Out, Stage, moves_in_plane};
+use super::{Compensator, Out, Stage, Way};
 
 /// Lengths below this, in mm, are none.
 const NOTHING: f64 = 1e-9;
@@ -24,7 +24,7 @@ impl Compensator {
         origin: &Origin,
     ) -> Result<(), Refused> {
         reports::admit(mv, origin)?;
-        if matches!(mv.path, Path::Arc(..)) || !moves_in_plane(mv, start) {
+        if matches!(mv.path, Path::Arc(..)) || !Way::of(mv, start).moves() {
             return Err(reports::no_line(true, matches!(mv.path, Path::Arc(..)), rules, origin));
         }
         let Some(to) = mv.end.in_plane(mv.plane) else { return Err(reports::start_unknown(origin)) };
@@ -35,22 +35,15 @@ impl Compensator {
         (self.side, self.plane) = (mv.side, mv.plane);
         self.d = if mv.side == Side::Right { -rules.radius } else { rules.radius };
         let point = Element::Line { from: to, to };
-        self.entry = Some(Box::new(Piece {
-            kind: Kind::Entry,
-            index: 0,
-            contour: point,
-            curve: point,
-            stop: None,
-            mv: *mv,
-            origin: *origin,
-            rules: Rc::clone(rules),
-            items: Vec::new(),
-        }));
+        let mut entry = self.bench.spares.take(rules);
+        (entry.kind, entry.contour, entry.curve) = (Kind::Entry, point, point);
+        (entry.stop, entry.mv, entry.origin) = (None, *mv, *origin);
+        self.entry = Some(entry);
         Ok(())
     }
 
     /// The first element of the contour is known, and with it where the path begins.
-    pub(super) fn enter(&mut self, first: Piece, out: &mut Out<'_>) -> Result<(), Refused> {
+    pub(super) fn enter(&mut self, first: Box<Piece>, out: &mut Out<'_>) -> Result<(), Refused> {
         let Some(mut entry) = self.entry.take() else { return Ok(()) };
         self.stage = Stage::Contour;
         let edge = first.curve.from();
@@ -68,7 +61,7 @@ impl Compensator {
             && self.is_behind(start + rules.nose, edge, heading)
         {
             let from = start + rules.nose;
-            let border = Piece { rules: Rc::clone(&rules), ..first.clone() };
+            let border = Piece { rules: Rc::clone(&rules), ..(*first).clone() };
             around = Some(self.around(from, corner, edge, &border, false)?);
             if (from - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
                 out.diags.push(*reports::nearly_behind(false, &entry.origin));
@@ -86,16 +79,18 @@ impl Compensator {
                 entry.curve = Element::Line { from: edge - heading * LONG, to: edge };
             }
         }
-        self.damage.begin(&first);
-        if let Some(arc) = around {
+        self.damage.forget(&mut self.bench.spares);
+        self.damage.refuses = first.rules.search.bottlenecks;
+        if let Some(mut arc) = around {
             entry.curve = Element::Line { from: arc.curve.from(), to: arc.curve.from() };
-            let items = std::mem::take(&mut entry.items);
-            self.path.push_back(*entry);
-            self.path.push_back(Piece { items, ..arc });
+            arc.items = std::mem::take(&mut entry.items);
+            self.path.push_back(entry);
+            self.path.push_back(arc);
         } else {
-            self.path.push_back(*entry);
+            self.path.push_back(entry);
         }
         self.append(first);
+        self.watch_contour(out.diags);
         Ok(())
     }
 
@@ -112,7 +107,7 @@ impl Compensator {
         edge: Point2,
         border: &Piece,
         leaves: bool,
-    ) -> Result<Piece, Refused> {
+    ) -> Result<Box<Piece>, Refused> {
         let rules = &border.rules;
         let kind = if leaves { rules.retract } else { rules.approach };
         if kind == Border::AroundOtherwise {
@@ -191,7 +186,7 @@ impl Compensator {
 
     /// What the block says that ends the compensation.
     fn end_as(&mut self, rules: Option<&Rc<Compensation>>) {
-        if let (Some(rules), Some(last)) = (rules, self.ahead.back_mut().or(self.path.back_mut()))
+        if let (Some(rules), Some(last)) = (rules, self.last_mut())
             && (last.rules.retract, last.rules.ends) != (rules.retract, rules.ends)
         {
             let own = Rc::make_mut(&mut last.rules);
@@ -250,7 +245,7 @@ impl Compensator {
     }
 
     /// The end of the last element, prolonged as the control does.
-    fn prolonged_end(&self) -> Option<Piece> {
+    fn prolonged_end(&self) -> Option<Box<Piece>> {
         let last = self.ahead.back().filter(|last| last.kind == Kind::Element)?;
         let (edge, corner) = (last.curve.to(), last.contour.to());
         let curve = match last.rules.ends {
@@ -263,7 +258,7 @@ impl Compensator {
             },
             Ends::Tangent => Element::Line { from: edge, to: edge + last.contour.end_direction()? * LONG },
         };
-        Some(Piece { kind: Kind::Exit, curve, stop: None, items: Vec::new(), ..last.clone() })
+        Some(Box::new(Piece { kind: Kind::Exit, curve, stop: None, items: Vec::new(), ..(**last).clone() }))
     }
 
     /// The offset from now on: that of the end of the last element, which is printed.
@@ -276,7 +271,7 @@ impl Compensator {
     }
 
     /// The offset is computed again, from `first` on.
-    pub(super) fn resume(&mut self, first: Piece, by: Vec2, _: &mut Out<'_>) -> Result<(), Refused> {
+    pub(super) fn resume(&mut self, first: Box<Piece>, by: Vec2, out: &Out<'_>) -> Result<(), Refused> {
         let corner = first.contour.from();
         let (from, edge) = (corner + by + first.rules.nose, first.curve.from());
         if first.kind == Kind::Gone {
@@ -296,6 +291,7 @@ impl Compensator {
             self.path.push_back(made);
         }
         self.append(first);
+        self.watch_contour(out.diags);
         Ok(())
     }
 }

@@ -1,32 +1,39 @@
 //! Does the path damage the contour elsewhere? Neighbours are looked at when they are joined; here are the others.
+//!
+//! Most need no look: while the contour runs in directions that differ by no more than a right angle, and all joints are
+//! those of the plain parallel, the path keeps its distance from all of it. Proof: let p be a place of the path, c(s) the
+//! point of the contour beside the path at s, u its direction, n its normal and v the way from p along the path to s: then
+//! c - p = v - r·n. The path runs forward, so v and u differ by a right angle at most, and going on (ds·u) or about an outside
+//! corner (c stays) takes c no nearer to p. At an inside corner n turns towards -u: |v - r·n| does not fall either. What the
+//! corner cuts off: on the line in front of it the distance goes on growing; on the line behind, its least lies v·u
+//! behind the foot, which is in front of the corner wherever v leads to the left of the line, for then the path has turned
+//! back on circles of r at least, and v·u is no less than r·sin(turn).
+
+use std::collections::VecDeque;
 
 use crate::diag::Diags;
-use crate::geo::{Element, Point2, Vec2, cross, distance, gap};
+use crate::geo::{Element, Point2, Vec2, cross, direction, distance, gap};
 use crate::ir::Origin;
 
-use super::piece::{Kind, Piece};
-use super::reports;
+use super::piece::{Kind, Piece, Spares};
+use super::{Compensator, reports};
 
 /// Elements looked back upon.
 const DEPTH: usize = 16;
 /// How much nearer than the radius a path may come, in mm: what a source rounded to three decimals loses.
 const NEARER: f64 = 2e-3;
+/// Cosine of a bit less than half a right angle: how far a direction may lie from that of its window.
+const HALF: f64 = 0.7072;
 
+/// A box about an element.
 #[derive(Debug, Clone, Copy)]
-struct Known {
-    element: Element,
-    /// Least and largest coordinates.
+struct Bounds {
     least: Vec2,
     most: Vec2,
-    /// Place in the contour.
-    index: u32,
-    /// A piece about the corner behind this place.
-    corner: bool,
-    origin: Origin,
 }
 
-impl Known {
-    fn new(element: &Element, index: u32, origin: Origin) -> Known {
+impl Bounds {
+    fn of(element: &Element) -> Bounds {
         let (from, to) = (element.from().coords, element.to().coords);
         let (mut least, mut most) = (from.inf(&to), from.sup(&to));
         if let Element::Arc { center, sweep, .. } = *element {
@@ -36,42 +43,76 @@ impl Known {
             least.add_scalar_mut(-bulge);
             most.add_scalar_mut(bulge);
         }
-        Known { element: *element, least, most, index, corner: false, origin }
+        Bounds { least, most }
+    }
+
+    #[inline]
+    fn is_far(&self, other: &Bounds, r: f64) -> bool {
+        self.least.x > other.most.x + r
+            || other.least.x > self.most.x + r
+            || self.least.y > other.most.y + r
+            || other.least.y > self.most.y + r
+    }
+}
+
+/// What was looked at has its boxes.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Seen {
+    way: Option<Bounds>,
+    contour: Option<Bounds>,
+}
+
+/// A piece of the path, or an element of the contour.
+struct Looked<'p> {
+    element: &'p Element,
+    bounds: Bounds,
+    /// Place in the contour.
+    index: u32,
+    /// A piece about the corner behind this place.
+    corner: bool,
+}
+
+impl Looked<'_> {
+    fn is_line(&self) -> bool {
+        matches!(self.element, Element::Line { .. })
     }
 
     /// Does this piece of the path keep its distance from `contour` because of how it was made? A line that was joined to
     /// its neighbour meets it once; an arc may come back.
-    fn is_joined(&self, contour: &Known) -> bool {
-        let is_line = |known: &Known| matches!(known.element, Element::Line { .. });
+    fn is_joined(&self, contour: &Looked<'_>) -> bool {
         if self.corner {
-            return is_line(contour) && contour.index.wrapping_sub(self.index) <= 1;
+            return contour.is_line() && contour.index.wrapping_sub(self.index) <= 1;
         }
         match self.index.abs_diff(contour.index) {
             0 => true,
-            1 => is_line(self) && is_line(contour),
+            1 => self.is_line() && contour.is_line(),
             _ => false,
         }
     }
 
     /// Does this piece of the path come nearer than `r` to `contour`?
     #[inline]
-    fn damages(&self, contour: &Known, r: f64) -> bool {
-        !self.is_far(contour, r) && !self.is_joined(contour) && self.hits(contour, r)
+    fn damages(&self, contour: &Looked<'_>, r: f64) -> bool {
+        !self.bounds.is_far(&contour.bounds, r) && !self.is_joined(contour) && self.hits(contour, r)
     }
 
-    #[inline]
-    fn is_far(&self, other: &Known, r: f64) -> bool {
-        self.least.x > other.most.x + r
-            || other.least.x > self.most.x + r
-            || self.least.y > other.most.y + r
-            || other.least.y > self.most.y + r
-    }
-
-    fn hits(&self, other: &Known, r: f64) -> bool {
-        match (self.element, other.element) {
+    fn hits(&self, other: &Looked<'_>, r: f64) -> bool {
+        match (*self.element, *other.element) {
             (Element::Line { from: a, to: b }, Element::Line { from: c, to: d }) => lines_are_near(a, b, c, d, r),
             (a, b) => gap::between(&a, &b) < r,
         }
+    }
+}
+
+impl Piece {
+    fn way(&mut self) -> Looked<'_> {
+        let bounds = *self.seen.way.get_or_insert_with(|| Bounds::of(&self.curve));
+        Looked { element: &self.curve, bounds, index: self.index, corner: self.kind == Kind::Joint }
+    }
+
+    fn element(&mut self) -> Looked<'_> {
+        let bounds = *self.seen.contour.get_or_insert_with(|| Bounds::of(&self.contour));
+        Looked { element: &self.contour, bounds, index: self.index, corner: false }
     }
 }
 
@@ -88,11 +129,35 @@ fn lines_are_near(a: Point2, b: Point2, c: Point2, d: Point2, r: f64) -> bool {
     cross_over || near(a, c, w) || near(b, c, w) || near(c, a, u) || near(d, a, u)
 }
 
-/// The last elements of the contour and of the path.
+/// The newest elements whose path needs no look: they run in directions about one, and their joints are regular.
+#[derive(Debug, Default)]
+struct Window {
+    towards: Vec2,
+    /// Place of its first element.
+    since: u32,
+}
+
+impl Window {
+    #[inline]
+    fn admits(&self, piece: &Piece) -> bool {
+        let headings = &piece.headings;
+        let turns = match piece.contour {
+            Element::Line { .. } => 0.0,
+            Element::Arc { sweep, .. } => sweep.abs(),
+        };
+        turns < 3.0 && self.towards.dot(&headings.start) > HALF && self.towards.dot(&headings.end) > HALF
+    }
+}
+
+/// What lies behind: the pieces that were printed, and elements that were left out.
 #[derive(Debug, Default)]
 pub struct Damage {
-    contour: Ring,
-    path: Ring,
+    behind: VecDeque<Box<Piece>>,
+    /// How many of them are elements.
+    kept: usize,
+    window: Window,
+    /// How many are no part of the plain parallel.
+    irregular: usize,
     /// Elements of the contour so far.
     elements: u32,
     reported: bool,
@@ -100,46 +165,10 @@ pub struct Damage {
     pub refuses: bool,
 }
 
-#[derive(Debug, Default)]
-struct Ring {
-    known: Vec<Known>,
-    next: usize,
-}
-
-impl Ring {
-    fn add(&mut self, known: Known) {
-        if self.known.len() < DEPTH {
-            self.known.push(known);
-        } else if let Some(oldest) = self.known.get_mut(self.next % DEPTH) {
-            *oldest = known;
-        }
-        self.next = (self.next + 1) % DEPTH;
-    }
-
-    fn first(&self, fits: impl Fn(&Known) -> bool) -> Option<Origin> {
-        self.known.iter().find(|known| fits(known)).map(|known| known.origin)
-    }
-
-    fn forget(&mut self) {
-        self.known.clear();
-        self.next = 0;
-    }
-}
-
 impl Damage {
-    pub fn forget(&mut self) {
-        self.contour.forget();
-        self.path.forget();
-        self.elements = 0;
-        self.reported = false;
-    }
-
-    /// A contour begins with this element.
-    pub fn begin(&mut self, first: &Piece) {
-        self.forget();
-        self.elements = first.index;
-        self.refuses = first.rules.search.bottlenecks;
-        self.contour.add(Known::new(&first.contour, first.index, first.origin));
+    pub fn forget(&mut self, spares: &mut Spares) {
+        self.behind.drain(..).for_each(|piece| spares.put(piece));
+        *self = Damage { behind: std::mem::take(&mut self.behind), ..Damage::default() };
     }
 
     /// The control itself goes beyond the contour.
@@ -147,37 +176,109 @@ impl Damage {
         self.reported = true;
     }
 
-    /// An element of the contour.
-    pub fn contour(&mut self, element: &Element, origin: &Origin, d: f64, diags: &Diags) {
-        self.elements += 1;
-        let known = Known::new(element, self.elements, *origin);
-        if !self.reported
-            && let Some(of) = self.path.first(|path| path.damages(&known, d.abs() - NEARER))
-        {
-            self.report(&of, origin, d, diags);
-        }
-        self.contour.add(known);
-    }
-
-    /// A settled piece of the path.
-    pub fn path(&mut self, piece: &Piece, way: &Element, d: f64, diags: &Diags) {
-        let known = Known { corner: piece.kind == Kind::Joint, ..Known::new(way, piece.index, piece.origin) };
-        if !self.reported
-            && let Some(of) = self.contour.first(|contour| known.damages(contour, d.abs() - NEARER))
-        {
-            self.report(&piece.origin, &of, d, diags);
-        }
-        self.path.add(known);
-    }
-
     /// The place in the contour of the element that comes.
     pub fn next_index(&self) -> u32 {
         self.elements + 1
     }
 
+    /// A piece that was printed, or left out.
+    #[inline]
+    pub fn keep(&mut self, piece: Box<Piece>, spares: &mut Spares) {
+        self.irregular += usize::from(!piece.regular);
+        self.kept += usize::from(piece.kind.is_of_contour());
+        self.behind.push_back(piece);
+        while self.kept > DEPTH {
+            let Some(oldest) = self.behind.pop_front() else { return };
+            self.kept -= usize::from(oldest.kind.is_of_contour());
+            self.irregular -= usize::from(!oldest.regular);
+            spares.put(oldest);
+        }
+    }
+
+    #[cold]
     fn report(&mut self, path: &Origin, contour: &Origin, d: f64, diags: &Diags) {
         self.reported = true;
         diags.push(*reports::damaged(path, contour, d.abs(), self.refuses));
+    }
+}
+
+impl Compensator {
+    /// The contour has a new element.
+    #[inline(always)]
+    pub(super) fn watch_contour(&mut self, diags: &Diags) {
+        self.damage.elements += 1;
+        let Some(newest) = self.ahead.back().or(self.path.back()) else { return };
+        let window = &self.damage.window;
+        let goes_on = newest.joined && window.since < newest.index && window.admits(newest);
+        if !goes_on {
+            self.open_window();
+        }
+        let since = if self.damage.irregular > 0 { u32::MAX } else { self.damage.window.since };
+        if self.damage.behind.front().is_some_and(|oldest| oldest.index < since) {
+            self.look_at_path(since, diags);
+        }
+    }
+
+    /// A window about the direction of the newest element, as far back as it goes.
+    #[inline(never)]
+    fn open_window(&mut self) {
+        let Some(newest) = self.ahead.back().or(self.path.back()) else { return };
+        let towards = direction(newest.headings.start + newest.headings.end, 0.0).unwrap_or_default();
+        let mut window = Window { towards, since: newest.index + 1 };
+        let pieces = self.ahead.iter().rev().chain(self.path.iter().rev()).chain(self.damage.behind.iter().rev());
+        for element in pieces.filter(|piece| piece.kind.is_of_contour()) {
+            if element.kind == Kind::Gone || !window.admits(element) {
+                break;
+            }
+            window.since = element.index;
+            if !element.joined {
+                break;
+            }
+        }
+        self.damage.window = window;
+    }
+
+    /// Do older pieces of the path damage the newest element?
+    #[inline(never)]
+    fn look_at_path(&mut self, since: u32, diags: &Diags) {
+        if self.damage.reported {
+            return;
+        }
+        let Some(newest) = self.ahead.back_mut().or(self.path.back_mut()) else { return };
+        let (d, origin, newest) = (self.d, newest.origin, newest.element());
+        let pieces = self.damage.behind.iter_mut();
+        let hit = pieces
+            .filter(|piece| piece.kind != Kind::Gone && piece.index < since)
+            .find_map(|piece| piece.way().damages(&newest, d.abs() - NEARER).then_some(piece.origin));
+        if let Some(path) = hit {
+            self.damage.report(&path, &origin, d, diags);
+        }
+    }
+
+    /// A piece of the path is settled.
+    #[inline]
+    pub(super) fn watch_path(&mut self, piece: &mut Piece, diags: &Diags) {
+        let window = self.damage.window.since;
+        let in_window = piece.regular && piece.index >= window;
+        if !in_window || self.damage.behind.front().is_some_and(|oldest| oldest.index < window) {
+            self.look_at_contour(piece, if in_window { window } else { u32::MAX }, diags);
+        }
+    }
+
+    /// Does a piece of the path damage elements of the contour?
+    #[inline(never)]
+    fn look_at_contour(&mut self, piece: &mut Piece, since: u32, diags: &Diags) {
+        if self.damage.reported {
+            return;
+        }
+        let (d, origin, way) = (self.d, piece.origin, piece.way());
+        let pieces = self.damage.behind.iter_mut().chain(&mut self.path).chain(&mut self.ahead);
+        let hit = pieces
+            .filter(|piece| piece.kind.is_of_contour() && piece.index < since)
+            .find_map(|piece| way.damages(&piece.element(), d.abs() - NEARER).then_some(piece.origin));
+        if let Some(contour) = hit {
+            self.damage.report(&origin, &contour, d, diags);
+        }
     }
 }
 

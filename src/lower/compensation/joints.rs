@@ -1,10 +1,10 @@
 //! What is put between two elements.
 
 use crate::geo::joint::Joint;
-use crate::geo::{Element, Point2, arc, distance, joint};
+use crate::geo::{Deg, Element, Point2, arc, joint};
 use crate::ir::compensation::Inside;
 
-use super::piece::{Kind, Piece};
+use super::piece::{Kind, Piece, Spares};
 use super::reports::{self, Refused};
 use super::{Compensator, Out};
 
@@ -20,9 +20,21 @@ pub enum Made {
     NoRoom,
 }
 
+/// What comes between two elements while they are joined, and what it is made of.
+#[derive(Debug, Default)]
+pub struct Bench {
+    // They go from hand to hand, as they are.
+    #[allow(clippy::vec_box)]
+    pub made: Vec<Box<Piece>>,
+    pub spares: Spares,
+    /// The last joint is one of the plain parallel: tangential, at the crossing of two lines, or about the corner.
+    pub regular: bool,
+}
+
 impl Compensator {
     /// The next element of the contour.
-    pub(super) fn join(&mut self, mut next: Piece, out: &mut Out<'_>) -> Result<(), Refused> {
+    #[inline]
+    pub(super) fn join(&mut self, mut next: Box<Piece>, out: &mut Out<'_>) -> Result<(), Refused> {
         if !self.ahead.is_empty() {
             self.look_ahead(next)?;
             return self.search(out);
@@ -31,21 +43,22 @@ impl Compensator {
             self.append(next);
             return Ok(());
         };
-        match between(last, &mut next, self.d, &mut self.made)? {
+        match between(last, &mut next, self.d, &mut self.bench)? {
             Made::At(p) => {
                 last.stop = Some(p);
-                next.curve = joint::from_point(&next.curve, p);
+                next.begin_at(p);
             }
             Made::Between => {
                 if last.rules.inside == Inside::Open {
                     self.damage.is_wanted();
                 }
                 reports::open_turn(last, &next, out.diags);
-                let arc = self.made.iter().any(|piece| matches!(piece.curve, Element::Arc { .. }));
-                if arc && !last.rules.joints_are_documented {
+                if !last.rules.joints_are_documented
+                    && self.bench.made.iter().any(|piece| matches!(piece.curve, Element::Arc { .. }))
+                {
                     reports::reading(last, &next, out.diags);
                 }
-                self.path.extend(self.made.drain(..));
+                self.path.extend(self.bench.made.drain(..));
             }
             Made::NoRoom => {
                 if next.rules.search.elements == 0 && !next.may_grow() {
@@ -55,41 +68,52 @@ impl Compensator {
                 return self.search(out);
             }
         }
+        next.joined = self.bench.regular;
         self.append(next);
         Ok(())
     }
 
-    pub(super) fn append(&mut self, piece: Piece) {
+    #[inline]
+    pub(super) fn append(&mut self, piece: Box<Piece>) {
         self.elements += u32::from(piece.kind.is_of_contour());
         self.path.push_back(piece);
     }
 }
 
-/// Joins two neighbours; both may get longer. What comes between them is added to `made`.
-pub fn between(last: &mut Piece, next: &mut Piece, d: f64, made: &mut Vec<Piece>) -> Result<Made, Refused> {
+/// Joins two neighbours; both may get longer. What comes between them is added to what is made.
+#[inline(always)]
+pub fn between(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Result<Made, Refused> {
+    bench.regular = false;
     if last.kind == Kind::Gone || next.kind == Kind::Gone {
         return Ok(Made::NoRoom);
     }
-    let Some(turn) = joint::turn(&last.contour, &next.contour) else { return Ok(Made::NoRoom) };
-    match joint::joint(&last.curve, &next.curve, turn, d) {
-        Joint::Tangential(p) => Ok(Made::At(p)),
+    match joint::joint(&last.curve, &next.curve, last.headings.end, next.headings.start, d) {
+        Joint::Tangential(p) => {
+            bench.regular = true;
+            Ok(Made::At(p))
+        }
         Joint::Inside(_) | Joint::NoRoom if last.rules.inside == Inside::Open => {
             let curve = Element::Line { from: last.curve.to(), to: next.curve.from() };
-            made.push(last.joint_to(next, curve));
+            bench.made.push(bench.spares.joint(last, next, curve));
             Ok(Made::Between)
         }
-        Joint::Inside(p) => Ok(Made::At(p)),
+        Joint::Inside(p) => {
+            bench.regular = matches!((&last.contour, &next.contour), (Element::Line { .. }, Element::Line { .. }));
+            Ok(Made::At(p))
+        }
         Joint::NoRoom => Ok(Made::NoRoom),
-        Joint::Outside { turn } => outside(last, next, turn, d, made),
+        Joint::Outside => outside(last, next, d, bench),
     }
 }
 
-fn outside(last: &mut Piece, next: &mut Piece, turn: f64, d: f64, made: &mut Vec<Piece>) -> Result<Made, Refused> {
+#[inline(never)]
+fn outside(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Result<Made, Refused> {
     let rules = last.rules.outside;
     if let Some(by) = rules.by {
-        return shortened(last, next, turn, (d, by), made);
+        return shortened(last, next, (d, by), bench);
     }
-    if turn.abs() <= rules.prolonged.radians()
+    if rules.prolonged > Deg(0.0)
+        && turn(last, next) <= rules.prolonged.radians()
         && let Some(p) = joint::prolonged(&last.curve, &next.curve)
     {
         last.curve = joint::prolonged_to(&last.curve, p);
@@ -97,54 +121,60 @@ fn outside(last: &mut Piece, next: &mut Piece, turn: f64, d: f64, made: &mut Vec
         return Ok(Made::Between);
     }
     let (from, to) = (last.curve.to(), next.curve.from());
-    made.extend(about(last, next, from, to, last.contour.to(), turn > 0.0)?);
+    let mut about = about(last, next, [from, to], last.contour.to(), d < 0.0, bench)?;
+    about.regular = true;
+    bench.made.push(about);
+    bench.regular = true;
     Ok(Made::Between)
 }
 
-/// An arc about `center`, if it is long enough to be one.
+/// By how much the contour turns, in rad.
+fn turn(last: &Piece, next: &Piece) -> f64 {
+    joint::turn(last.headings.end, next.headings.start).abs()
+}
+
+/// An arc about `center`, or a line where it is too short to be one.
 fn about(
     last: &Piece,
-    next: &mut Piece,
-    from: Point2,
-    to: Point2,
+    next: &Piece,
+    [from, to]: [Point2; 2],
     center: Point2,
     ccw: bool,
-) -> Result<Option<Piece>, Refused> {
-    let chord = distance(from, to);
+    bench: &mut Bench,
+) -> Result<Box<Piece>, Refused> {
     let sweep = arc::sweep(from, to, center, ccw);
-    if chord < NO_ARC && sweep.abs() < 1.0 {
-        return Ok(Some(last.joint_to(next, Element::Line { from, to })));
+    if sweep.abs() < 1.0 && (to - from).norm_squared() < NO_ARC * NO_ARC {
+        return Ok(bench.spares.joint(last, next, Element::Line { from, to }));
     }
-    let piece = last.joint_to(next, Element::Arc { from, to, center, sweep });
-    if piece.has_feed() { Ok(Some(piece)) } else { Err(reports::no_feed(last, next)) }
+    let piece = bench.spares.joint(last, next, Element::Arc { from, to, center, sweep });
+    if piece.has_feed() { Ok(piece) } else { Err(reports::no_feed(last, next)) }
 }
 
 /// M197: both are prolonged by a length along their tangents, and a smaller arc touches both.
-fn shortened(
-    last: &mut Piece,
-    next: &mut Piece,
-    turn: f64,
-    (d, by): (f64, f64),
-    made: &mut Vec<Piece>,
-) -> Result<Made, Refused> {
-    let half = libm::tan(turn.abs() / 2.0);
+fn shortened(last: &mut Piece, next: &mut Piece, (d, by): (f64, f64), bench: &mut Bench) -> Result<Made, Refused> {
+    let half = libm::tan(turn(last, next) / 2.0);
     let whole = d.abs() * half;
     if !whole.is_finite() || by > whole + 1e-9 {
         return Err(reports::too_long(last, next, by, whole));
     }
-    let (Some(t), Some(u)) = (last.contour.end_direction(), next.contour.start_direction()) else {
-        return Ok(Made::NoRoom);
-    };
+    let (t, u) = (last.headings.end, next.headings.start);
     let (from, to) = (last.curve.to() + t * by, next.curve.from() - u * by);
     match last.curve {
         Element::Line { .. } => last.curve = joint::prolonged_to(&last.curve, from),
-        Element::Arc { .. } => made.push(last.joint_to(next, Element::Line { from: last.curve.to(), to: from })),
+        Element::Arc { .. } => {
+            let line = Element::Line { from: last.curve.to(), to: from };
+            bench.made.push(bench.spares.joint(last, next, line));
+        }
     }
     let center = from - joint::towards(t, d) * (d.abs() - by / half);
-    made.extend(about(last, next, from, to, center, turn > 0.0)?);
+    let arc = about(last, next, [from, to], center, d < 0.0, bench)?;
+    bench.made.push(arc);
     match next.curve {
         Element::Line { .. } => next.curve = joint::prolonged_from(&next.curve, to),
-        Element::Arc { .. } => made.push(last.joint_to(next, Element::Line { from: to, to: next.curve.from() })),
+        Element::Arc { .. } => {
+            let line = Element::Line { from: to, to: next.curve.from() };
+            bench.made.push(bench.spares.joint(last, next, line));
+        }
     }
     Ok(Made::Between)
 }

@@ -19,14 +19,16 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, Diags};
-use crate::geo::{Element, Plane, SAME_POINT, Vec2, distance, joint};
+use crate::geo::joint::Headings;
+use crate::geo::{Element, Plane, SAME_POINT, Vec2, joint};
 use crate::ir::compensation::Compensation;
 use crate::ir::motion::{self, Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::Machine;
 
 use super::{limits, step};
-use damage::Damage;
+use damage::{Damage, Seen};
+use joints::Bench;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
 pub use reports::cycle_beside;
@@ -77,11 +79,10 @@ pub struct Compensator {
     /// The way to the contour, and what happens at its end.
     entry: Option<Box<Piece>>,
     /// Pieces whose start is settled; all but the last element end at their joint.
-    path: VecDeque<Piece>,
+    path: VecDeque<Box<Piece>>,
     /// Elements behind one that the path does not meet.
-    ahead: VecDeque<Piece>,
-    /// What comes between two elements, while they are joined.
-    made: Vec<Piece>,
+    ahead: VecDeque<Box<Piece>>,
+    bench: Bench,
     /// Elements of the contour in `path`.
     elements: u32,
     /// Where the printed path stands.
@@ -129,10 +130,10 @@ impl Compensator {
         self.entry = None;
         self.path.clear();
         self.ahead.clear();
-        self.made.clear();
+        self.bench.made.clear();
         self.elements = 0;
         self.at.clear();
-        self.damage.forget();
+        self.damage.forget(&mut self.bench.spares);
         self.stage = Stage::Off;
     }
 
@@ -186,9 +187,7 @@ impl Compensator {
     fn item(&mut self, item: Item, origin: &Origin) -> Result<(), Refused> {
         let last = match self.stage {
             Stage::Entering => self.entry.as_deref_mut(),
-            Stage::Off | Stage::Contour | Stage::Constant(_) | Stage::Leaving | Stage::Refused => {
-                self.ahead.back_mut().or(self.path.back_mut())
-            }
+            Stage::Off | Stage::Contour | Stage::Constant(_) | Stage::Leaving | Stage::Refused => self.last_mut(),
         };
         let Some(last) = last else { return Ok(()) };
         if last.items.len() >= MOST_ITEMS {
@@ -223,15 +222,21 @@ impl Compensator {
         }
     }
 
+    /// The newest piece.
+    fn last_mut(&mut self) -> Option<&mut Piece> {
+        self.ahead.back_mut().or(self.path.back_mut()).map(Box::as_mut)
+    }
+
     fn last_origin(&self) -> Origin {
-        let last = self.ahead.back().or(self.path.back()).or(self.entry.as_deref());
+        let last = self.ahead.back().or(self.path.back()).or(self.entry.as_ref());
         last.map(|piece| piece.origin).unwrap_or_default()
     }
 
     /// Sends `mv` and remembers where it ends.
+    #[inline]
     fn send(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) {
         if !mv.machine
-            && mv.end.exceeds(step::FAR)
+            && mv.end.exceeds_in(mv.plane, step::FAR)
             && let Err(found) = step::exact_far_out(&self.at, mv, *origin)
         {
             out.diags.push(*found);
@@ -275,29 +280,27 @@ impl Compensator {
             Stage::Entering | Stage::Contour | Stage::Constant(_) => {}
         }
         self.admit(mv, rules, origin)?;
-        if !moves_in_plane(mv, start) {
-            if let Stage::Constant(_) = self.stage {
-                let mv = aside(mv, &self.at, self.plane);
-                self.send(&mv, origin, out);
-                return Ok(());
-            }
-            // An element of no length has no direction, and no way.
-            return if leaves_others(mv, start) { Ok(()) } else { self.item(Item::Move(*mv, *origin), origin) };
-        }
-        let Some(contour) = element(mv, start) else { return Err(reports::start_unknown(origin)) };
+        let contour = match Way::of(mv, start) {
+            Way::Element(contour) => contour,
+            Way::Unknown => return Err(reports::start_unknown(origin)),
+            Way::Stays => return self.beside(mv, start, origin, out),
+        };
         out.sink.programmed(mv, start);
         match self.stage {
+            Stage::Contour if !rules.constant => {
+                let next = self.piece(mv, contour, rules, origin)?;
+                self.join(next, out)?;
+                self.damage.refuses = rules.search.bottlenecks;
+                self.watch_contour(out.diags);
+                self.settle(rules.search.elements, out);
+                Ok(())
+            }
             Stage::Entering => {
                 if rules.constant {
                     return Err(reports::constant_at_start(origin));
                 }
-                self.enter(self.piece(mv, contour, rules, origin)?, out)
-            }
-            Stage::Contour if rules.constant => {
-                let by = self.hold_offset(out)?;
-                self.stage = Stage::Constant(by);
-                self.send(&moved(mv, by), origin, out);
-                Ok(())
+                let first = self.piece(mv, contour, rules, origin)?;
+                self.enter(first, out)
             }
             Stage::Constant(by) if rules.constant => {
                 self.send(&moved(mv, by), origin, out);
@@ -305,20 +308,31 @@ impl Compensator {
             }
             Stage::Constant(by) => {
                 self.stage = Stage::Contour;
-                self.resume(self.piece(mv, contour, rules, origin)?, by, out)
+                let first = self.piece(mv, contour, rules, origin)?;
+                self.resume(first, by, out)
             }
             Stage::Off | Stage::Contour | Stage::Leaving | Stage::Refused => {
-                let next = self.piece(mv, contour, rules, origin)?;
-                self.join(next, out)?;
-                self.damage.refuses = rules.search.bottlenecks;
-                self.damage.contour(&contour, origin, self.d, out.diags);
-                self.settle(rules.search.elements, out);
+                let by = self.hold_offset(out)?;
+                self.stage = Stage::Constant(by);
+                self.send(&moved(mv, by), origin, out);
                 Ok(())
             }
         }
     }
 
+    /// A move that leaves the plane alone.
+    fn beside(&mut self, mv: &Move, start: &Pos, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
+        if let Stage::Constant(_) = self.stage {
+            let mv = aside(mv, &self.at, self.plane);
+            self.send(&mv, origin, out);
+            return Ok(());
+        }
+        // An element of no length has no direction, and no way.
+        if leaves_others(mv, start) { Ok(()) } else { self.item(Item::Move(*mv, *origin), origin) }
+    }
+
     /// What may not stand in a contour.
+    #[inline]
     fn admit(&self, mv: &Move, rules: &Rc<Compensation>, origin: &Origin) -> Result<(), Refused> {
         if mv.plane != self.plane {
             return Err(reports::plane_changes(rules, origin));
@@ -330,23 +344,32 @@ impl Compensator {
     }
 
     /// The element with its path, before it is joined to anything.
-    fn piece(&self, mv: &Move, contour: Element, rules: &Rc<Compensation>, origin: &Origin) -> Result<Piece, Refused> {
-        let (kind, curve) = match joint::parallel(&contour, self.d) {
+    #[inline(always)]
+    fn piece(
+        &mut self,
+        mv: &Move,
+        contour: Element,
+        rules: &Rc<Compensation>,
+        origin: &Origin,
+    ) -> Result<Box<Piece>, Refused> {
+        let headings = Headings::of(&contour);
+        let parallel = headings.and_then(|headings| joint::parallel(&contour, &headings, self.d));
+        let (kind, curve) = match parallel {
             Some(curve) => (Kind::Element, curve),
             None if rules.search.elements > 0 => (Kind::Gone, contour),
             None => return Err(reports::arc_too_small(&contour, rules, origin)),
         };
-        Ok(Piece {
-            kind,
-            index: self.damage.next_index(),
-            contour,
-            curve,
-            stop: None,
-            mv: *mv,
-            origin: *origin,
-            rules: Rc::clone(rules),
-            items: Vec::new(),
-        })
+        let mut piece = self.bench.spares.take(rules);
+        piece.kind = kind;
+        piece.index = self.damage.next_index();
+        piece.contour = contour;
+        piece.headings = headings.unwrap_or_default();
+        piece.curve = curve;
+        piece.stop = None;
+        (piece.regular, piece.joined, piece.seen) = (true, false, Seen::default());
+        piece.mv = *mv;
+        piece.origin = *origin;
+        Ok(piece)
     }
 
     /// Prints what no search reaches any more.
@@ -363,36 +386,41 @@ impl Compensator {
     }
 
     fn print_first(&mut self, out: &mut Out<'_>) {
-        let Some(first) = self.path.front_mut() else { return };
-        let items = std::mem::take(&mut first.items);
-        let (kind, origin) = (first.kind, first.origin);
-        if kind.is_of_contour() {
-            self.elements -= 1;
+        let Some(mut first) = self.path.pop_front() else { return };
+        self.elements -= u32::from(first.kind.is_of_contour());
+        if self.leads_somewhere(&mut first, out) {
+            self.send(&first.mv, &first.origin, out);
         }
-        let mv = match kind {
-            // The way to the contour leads to where the path begins.
-            Kind::Entry => Some(first.printed(&Element::Line { from: first.end(), to: first.end() }, &self.at)),
-            Kind::Exit | Kind::Gone => None,
+        if !first.items.is_empty() {
+            self.send_items(std::mem::take(&mut first.items), out);
+        }
+        match first.kind {
+            Kind::Element | Kind::Joint | Kind::Gone => self.damage.keep(first, &mut self.bench.spares),
+            Kind::Entry | Kind::Exit => self.bench.spares.put(first),
+        }
+    }
+
+    /// Makes the move of a piece the one that is printed; there may be none.
+    #[inline]
+    fn leads_somewhere(&mut self, piece: &mut Piece, out: &Out<'_>) -> bool {
+        match piece.kind {
             Kind::Element | Kind::Joint => {
-                let way = first.travelled();
-                let mv = first.printed(&way, &self.at);
-                if is_nothing(&way) && leaves_others(&mv, &self.at) {
-                    None
-                } else {
-                    reports::feed_instead(first, out.diags);
-                    self.damage.path(first, &way, self.d, out.diags);
-                    Some(mv)
+                piece.settle();
+                piece.lead_along(&self.at);
+                if is_nothing(&piece.curve) && leaves_others(&piece.mv, &self.at) {
+                    return false;
                 }
+                reports::feed_instead(piece, out.diags);
+                self.watch_path(piece, out.diags);
+                true
             }
-        };
-        self.path.pop_front();
-        // An approach on an arc has brought the tool beside the contour already.
-        let mv = mv.filter(|mv| kind != Kind::Entry || !self.stands_at_end(mv));
-        if let Some(mv) = mv {
-            self.send(&mv, &origin, out);
-        }
-        if !items.is_empty() {
-            self.send_items(items, out);
+            // The way to the contour leads to where the path begins, if an approach on an arc has not done so.
+            Kind::Entry => {
+                piece.curve = Element::Line { from: piece.end(), to: piece.end() };
+                piece.lead_along(&self.at);
+                !self.stands_at_end(&piece.mv)
+            }
+            Kind::Exit | Kind::Gone => false,
         }
     }
 }
@@ -410,26 +438,32 @@ fn leaves_others(mv: &Move, at: &Pos) -> bool {
     others.iter().all(|axis| at.get(axis) == mv.end.get(axis))
 }
 
-/// Does `mv` change the place in its plane?
-fn moves_in_plane(mv: &Move, start: &Pos) -> bool {
-    if let Path::Arc(arc, _) = &mv.path {
-        return arc.plane == mv.plane || distance_in_plane(mv, start).is_none_or(|way| way > SAME_POINT);
+/// What a move does in its plane.
+enum Way {
+    Stays,
+    Element(Element),
+    /// It moves, nobody knows from where.
+    Unknown,
+}
+
+impl Way {
+    #[inline(always)]
+    fn of(mv: &Move, start: &Pos) -> Way {
+        let (Some(from), Some(to)) = (start.in_plane(mv.plane), mv.end.in_plane(mv.plane)) else {
+            let named = !step::plane_axes(mv.plane).common(mv.axes).is_empty();
+            return if named || matches!(mv.path, Path::Arc(..)) { Way::Unknown } else { Way::Stays };
+        };
+        let moves = (to - from).norm_squared() > SAME_POINT * SAME_POINT;
+        match &mv.path {
+            Path::Arc(arc, _) if moves || arc.plane == mv.plane => {
+                Way::Element(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
+            }
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } if moves => Way::Element(Element::Line { from, to }),
+            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } => Way::Stays,
+        }
     }
-    distance_in_plane(mv, start).unwrap_or_else(|| {
-        let named = step::plane_axes(mv.plane).common(mv.axes);
-        if named.is_empty() { 0.0 } else { f64::INFINITY }
-    }) > SAME_POINT
-}
 
-fn distance_in_plane(mv: &Move, start: &Pos) -> Option<f64> {
-    Some(distance(start.in_plane(mv.plane)?, mv.end.in_plane(mv.plane)?))
-}
-
-/// The element in its plane.
-fn element(mv: &Move, start: &Pos) -> Option<Element> {
-    let (from, to) = (start.in_plane(mv.plane)?, mv.end.in_plane(mv.plane)?);
-    Some(match &mv.path {
-        Path::Arc(arc, _) => Element::Arc { from, to, center: arc.center, sweep: arc.sweep },
-        Path::Rapid | Path::Line(_) | Path::Thread { .. } => Element::Line { from, to },
-    })
+    fn moves(&self) -> bool {
+        !matches!(self, Way::Stays)
+    }
 }

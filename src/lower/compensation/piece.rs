@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use crate::geo::joint::Headings;
 use crate::geo::{Element, Plane, Point2, Vec2, distance, joint};
 use crate::ir::compensation::{Compensation, FeedAt, Outside};
 use crate::ir::motion::{Arc, Move, Path};
@@ -9,6 +10,7 @@ use crate::ir::{Function, Origin, Pos};
 use crate::machine::AxisSet;
 
 use super::super::step::plane_axes;
+use super::damage::Seen;
 
 /// What a piece is of the contour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,10 +48,18 @@ pub struct Piece {
     pub index: u32,
     /// The programmed element; a joint has its corner.
     pub contour: Element,
+    /// Directions of the programmed element.
+    pub headings: Headings,
     /// The path of the centre: its start is settled.
     pub curve: Element,
     /// Where the path leaves it; `None` for its end.
     pub stop: Option<Point2>,
+    /// Part of the plain parallel: an element, or the arc about a corner.
+    pub regular: bool,
+    /// Joined to the one before as the plain parallel is: tangentially, at the crossing of lines, or by an arc about the
+    /// corner.
+    pub joined: bool,
+    pub seen: Seen,
     /// The move that is printed, with the curve put in.
     pub mv: Move,
     pub origin: Origin,
@@ -58,11 +68,23 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// What is travelled of it.
-    pub fn travelled(&self) -> Element {
-        match self.stop {
-            Some(p) => joint::up_to_point(&self.curve, p),
-            None => self.curve,
+    /// Its path ends where it was left.
+    #[inline]
+    pub fn settle(&mut self) {
+        if let Some(p) = self.stop.take() {
+            match &mut self.curve {
+                Element::Line { to, .. } => *to = p,
+                Element::Arc { .. } => self.curve = joint::up_to_point(&self.curve, p),
+            }
+        }
+    }
+
+    /// Its path begins at `p`.
+    #[inline]
+    pub fn begin_at(&mut self, p: Point2) {
+        match &mut self.curve {
+            Element::Line { from, .. } => *from = p,
+            Element::Arc { .. } => self.curve = joint::from_point(&self.curve, p),
         }
     }
 
@@ -70,25 +92,25 @@ impl Piece {
         self.stop.unwrap_or_else(|| self.curve.to())
     }
 
-    /// The printed move from `at` along `curve`.
-    pub fn printed(&self, curve: &Element, at: &Pos) -> Move {
+    /// Makes the move the one that is printed, from `at` along its settled path.
+    #[inline]
+    pub fn lead_along(&mut self, at: &Pos) {
         let (plane, shift) = (self.mv.plane, self.rules.nose);
-        let mut mv = self.mv;
         if self.kind == Kind::Joint {
-            mv.end = *at;
+            self.mv.end = *at;
         }
-        mv.end.set_in_plane(plane, curve.to() - shift);
-        mv.axes = mv.axes.union(plane_axes(plane));
-        mv.side = crate::ir::Side::None;
-        let feed = self.mv.path.feed().map(|feed| feed.with_value(feed.value() * self.feed_factor()));
-        mv.path = match (*curve, feed) {
-            (Element::Arc { from, center, sweep, .. }, Some(feed)) => {
-                Path::Arc(Arc { plane, from: from - shift, center: center - shift, sweep }, feed)
+        self.mv.end.set_in_plane(plane, self.end() - shift);
+        self.mv.axes = self.mv.axes.union(plane_axes(plane));
+        self.mv.side = crate::ir::Side::None;
+        match (self.curve, self.mv.path) {
+            (Element::Line { .. }, Path::Rapid | Path::Line(_)) => {}
+            (Element::Arc { from, center, sweep, .. }, Path::Line(feed) | Path::Arc(_, feed)) => {
+                let feed = feed.with_value(feed.value() * self.feed_factor());
+                self.mv.path = Path::Arc(Arc { plane, from: from - shift, center: center - shift, sweep }, feed);
             }
             // An arc without a feed is refused before it becomes a piece.
-            _ => Path::straight(feed),
-        };
-        mv
+            (_, path) => self.mv.path = Path::straight(path.feed()),
+        }
     }
 
     /// How much faster than the contour the centre travels.
@@ -104,23 +126,48 @@ impl Piece {
         }
     }
 
-    /// A piece between this one and `next`, which it takes its feed from.
-    pub fn joint_to(&self, next: &Piece, curve: Element) -> Piece {
-        let corner = self.contour.to();
-        let plane = self.mv.plane;
-        let feed = next.mv.path.feed().or(self.mv.path.feed());
-        let mv = Move { axes: plane_axes(plane), path: Path::straight(feed), ..self.mv };
-        Piece {
+    /// Nothing yet, to be filled in.
+    pub fn blank(rules: &Rc<Compensation>) -> Box<Piece> {
+        let nowhere = Element::Line { from: Point2::origin(), to: Point2::origin() };
+        Box::new(Piece {
             kind: Kind::Joint,
-            index: self.index,
-            contour: Element::Line { from: corner, to: corner },
-            curve,
+            index: 0,
+            contour: nowhere,
+            headings: Headings::default(),
+            curve: nowhere,
             stop: None,
-            mv,
-            origin: next.origin,
-            rules: Rc::clone(&next.rules),
+            regular: false,
+            joined: false,
+            seen: Seen::default(),
+            mv: Move::default(),
+            origin: Origin::default(),
+            rules: Rc::clone(rules),
             items: Vec::new(),
-        }
+        })
+    }
+
+    /// Makes this a piece between `last` and `next`, which it takes its feed from.
+    fn lead_between(&mut self, last: &Piece, next: &Piece, curve: Element) {
+        let corner = last.contour.to();
+        self.kind = Kind::Joint;
+        self.index = last.index;
+        self.contour = Element::Line { from: corner, to: corner };
+        self.headings = Headings::default();
+        self.curve = curve;
+        self.stop = None;
+        (self.regular, self.joined, self.seen) = (false, false, Seen::default());
+        self.mv.plane = last.mv.plane;
+        self.mv.axes = plane_axes(last.mv.plane);
+        self.mv.path = Path::straight(next.mv.path.feed().or(last.mv.path.feed()));
+        self.mv.machine = false;
+        self.origin = next.origin;
+    }
+
+    /// A piece between this one and `next`, which it takes its feed from.
+    pub fn joint_to(&self, next: &Piece, curve: Element) -> Box<Piece> {
+        let mut made = Piece::blank(&next.rules);
+        made.lead_between(self, next, curve);
+        made
     }
 
     /// What is left of an element that is left out: the motion of the axes outside of its plane.
@@ -137,6 +184,39 @@ impl Piece {
 
     pub fn has_feed(&self) -> bool {
         self.mv.path.feed().is_some()
+    }
+}
+
+/// Pieces that were printed, to be filled in again: none is allocated for each block.
+#[derive(Debug, Default)]
+pub struct Spares {
+    // They go from hand to hand, as they are.
+    #[allow(clippy::vec_box)]
+    pieces: Vec<Box<Piece>>,
+}
+
+impl Spares {
+    /// A piece to be filled in, all but its rules.
+    #[inline]
+    pub fn take(&mut self, rules: &Rc<Compensation>) -> Box<Piece> {
+        let Some(mut piece) = self.pieces.pop() else { return Piece::blank(rules) };
+        if !Rc::ptr_eq(&piece.rules, rules) {
+            piece.rules = Rc::clone(rules);
+        }
+        piece
+    }
+
+    /// A piece between two others, as [`Piece::joint_to`] makes it.
+    pub fn joint(&mut self, last: &Piece, next: &Piece, curve: Element) -> Box<Piece> {
+        let mut made = self.take(&next.rules);
+        made.lead_between(last, next, curve);
+        made
+    }
+
+    /// A piece without items.
+    #[inline]
+    pub fn put(&mut self, piece: Box<Piece>) {
+        self.pieces.push(piece);
     }
 }
 

@@ -119,6 +119,7 @@ pub fn too_much_between(origin: &Origin) -> Refused {
 }
 
 /// What may not stand in a contour at all.
+#[inline]
 pub fn admit(mv: &Move, origin: &Origin) -> Result<(), Refused> {
     let what = match &mv.path {
         _ if mv.machine => "a block in machine coordinates",
@@ -126,8 +127,13 @@ pub fn admit(mv: &Move, origin: &Origin) -> Result<(), Refused> {
         Path::Arc(arc, _) if arc.plane != mv.plane => "an arc outside the working plane",
         Path::Rapid | Path::Line(_) | Path::Arc(..) => return Ok(()),
     };
+    Err(stands_inside(what, origin))
+}
+
+#[cold]
+fn stands_inside(what: &str, origin: &Origin) -> Refused {
     let message = format!("{what} stands inside a contour with radius compensation");
-    Err(Box::new(at(codes::G3205, *origin, message).help("end the compensation in front of this block")))
+    Box::new(at(codes::G3205, *origin, message).help("end the compensation in front of this block"))
 }
 
 pub fn plane_changes(rules: &Compensation, origin: &Origin) -> Refused {
@@ -229,7 +235,7 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
 /// Says once that a machine datum decides the corner which nobody gave.
 pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
     let Some((above, up_to)) = last.rules.outside.open else { return };
-    let Some(turn) = joint::turn(&last.contour, &next.contour).map(f64::abs) else { return };
+    let turn = joint::turn(last.headings.end, next.headings.start).abs();
     if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215) {
         return;
     }
@@ -285,11 +291,18 @@ pub fn cycle_beside(origin: &Origin) -> Option<Refused> {
 }
 
 /// F counts at the contour on the control, and is printed for the centre.
+#[inline]
 pub fn feed_instead(piece: &Piece, diags: &Diags) {
+    if piece.rules.feed == FeedAt::CentreInstead {
+        feed_of_centre(piece, diags);
+    }
+}
+
+fn feed_of_centre(piece: &Piece, diags: &Diags) {
     let (Element::Arc { from, center, .. }, Element::Arc { from: own, .. }) = (piece.contour, piece.curve) else {
         return;
     };
-    if piece.kind != Kind::Element || piece.rules.feed != FeedAt::CentreInstead || !diags.first_time(codes::G3216) {
+    if piece.kind != Kind::Element || !diags.first_time(codes::G3216) {
         return;
     }
     let message = format!(

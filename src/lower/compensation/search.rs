@@ -12,17 +12,19 @@ const NEARER: f64 = 1e-5;
 
 impl Compensator {
     /// Adds an element behind those that wait.
-    pub(super) fn look_ahead(&mut self, mut next: Piece) -> Result<(), Refused> {
+    #[cold]
+    pub(super) fn look_ahead(&mut self, mut next: Box<Piece>) -> Result<(), Refused> {
         if let Some(last) = self.ahead.back_mut()
-            && let Made::Between = between(last, &mut next, self.d, &mut self.made)?
+            && let Made::Between = between(last, &mut next, self.d, &mut self.bench)?
         {
-            self.ahead.extend(self.made.drain(..));
+            self.ahead.extend(self.bench.made.drain(..));
         }
         self.ahead.push_back(next);
         Ok(())
     }
 
     /// Does the path meet one of the pieces that wait?
+    #[cold]
     pub(super) fn search(&mut self, out: &mut Out<'_>) -> Result<(), Refused> {
         let Some(most) = self.ahead.back().map(|last| last.rules.search.elements) else { return Ok(()) };
         let Some((of_path, of_ahead, p)) = self.meeting(most) else {
@@ -39,9 +41,9 @@ impl Compensator {
     /// Everything between the two pieces is left out.
     fn go_on_at(&mut self, of_path: usize, of_ahead: usize, p: Point2, out: &mut Out<'_>) -> Result<(), Refused> {
         let mut waiting = std::mem::take(&mut self.ahead);
-        let mut left_out: Vec<Piece> = self.path.drain(of_path + 1..).collect();
+        let mut left_out = self.path.split_off(of_path + 1);
         left_out.extend(waiting.drain(..of_ahead));
-        let gone = left_out.iter().filter(|piece| piece.kind.is_of_contour());
+        let gone = left_out.iter().map(Box::as_ref).filter(|piece| piece.kind.is_of_contour());
         self.elements = self.path.iter().filter(|piece| piece.kind.is_of_contour()).count() as u32;
         if let (Some(last), Some(next)) = (self.path.back(), waiting.front())
             && gone.clone().next().is_some()
@@ -50,9 +52,13 @@ impl Compensator {
         }
         if let Some(last) = self.path.back_mut() {
             last.stop = Some(p);
-            for piece in left_out {
+            for mut piece in left_out {
                 last.items.extend(piece.other_axes());
-                last.items.extend(piece.items);
+                last.items.append(&mut piece.items);
+                if piece.kind.is_of_contour() {
+                    piece.kind = Kind::Gone;
+                    self.damage.keep(piece, &mut self.bench.spares);
+                }
             }
         }
         let mut at_start = true;
@@ -60,7 +66,7 @@ impl Compensator {
             if at_start {
                 let first = self.path.len() == of_path + 1;
                 if first {
-                    piece.curve = joint::from_point(&piece.curve, p);
+                    piece.begin_at(p);
                 }
                 // Behind a joint comes the element that it leads to.
                 at_start = piece.kind == Kind::Joint;
@@ -99,7 +105,7 @@ impl Compensator {
         }
         let p = joint::first_crossing(&last.curve, &next.curve)?;
         let r = self.d.abs() - NEARER;
-        let clear = |way: &Element, pieces: &mut dyn Iterator<Item = &Piece>| {
+        let clear = |way: &Element, pieces: &mut dyn Iterator<Item = &Box<Piece>>| {
             pieces.filter(|piece| piece.kind.is_of_contour()).all(|piece| gap::between(way, &piece.contour) >= r)
         };
         let (before, behind) = (joint::up_to_point(&last.curve, p), joint::from_point(&next.curve, p));

@@ -4,11 +4,11 @@
 //! Source: K 2.12, 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Deg;
+use crate::geo::{Deg, Point2};
 use crate::ir::compensation::{Inside, Outside, Search};
-use crate::ir::contour::{Arc, ArcShape, Path};
+use crate::ir::contour::Path;
 use crate::ir::{Pos, Side};
-use crate::machine::Compensation;
+use crate::machine::{Axis, Compensation};
 use crate::text::Span;
 
 use super::contour::{Contour, LastMove, OwnCorner};
@@ -26,17 +26,29 @@ const EVERY_TURN: Deg = Deg(180.0);
 impl State {
     /// Does a move to `after` change the place in the working plane?
     pub fn moves_in_plane(&self, after: &Pos, path: &Path) -> bool {
-        let plane = self.plane();
-        let mut end = *self.position.at();
-        end.update(after);
-        match (self.position.in_plane(plane), end.in_plane(plane)) {
-            (Some(from), Some(to)) => from != to || matches!(path, Path::Arc(arc, _) if arc.plane == plane),
-            _ => !after.known().common(plane_axes(plane)).is_empty(),
+        match self.way_in_plane(after) {
+            Some([from, to]) => self.goes(from, to, path),
+            None => !after.known().common(plane_axes(self.plane())).is_empty(),
         }
     }
 
+    /// Where a move to `after` begins and ends in the working plane.
+    #[inline]
+    fn way_in_plane(&self, after: &Pos) -> Option<[Point2; 2]> {
+        let (first, second, _) = self.plane().axes();
+        let at = self.position.at();
+        let (first, second) = (Axis::ALL[first], Axis::ALL[second]);
+        let from = Point2::new(at.get(first)?, at.get(second)?);
+        Some([from, Point2::new(after.get(first).unwrap_or(from.x), after.get(second).unwrap_or(from.y))])
+    }
+
+    #[inline]
+    fn goes(&self, from: Point2, to: Point2, path: &Path) -> bool {
+        from != to || matches!(path, Path::Arc(arc, _) if arc.plane == self.plane())
+    }
+
     /// Notes a move of a contour, or the move that leads away from it. Called before the position is taken over.
-    fn follow_contour(&mut self, after: &Pos, path: Path) {
+    fn follow_contour(&mut self, after: &Pos, path: &Path) {
         let side = self.compensation.side();
         if side == Side::None && self.contour.is_some_and(|contour| contour.side != Side::None) {
             // A block that names the plane leads to its end, even from beside it.
@@ -45,26 +57,31 @@ impl State {
             }
             return;
         }
-        if !self.moves_in_plane(after, &path) {
+        let way = self.way_in_plane(after);
+        let moves = match way {
+            Some([from, to]) => self.goes(from, to, path),
+            None => !after.known().common(plane_axes(self.plane())).is_empty(),
+        };
+        if !moves {
             return;
         }
         if self.own_corner == OwnCorner::Waits {
             self.own_corner = OwnCorner::Sent;
         }
         let plane = self.plane();
-        let mut end = *self.position.at();
-        end.update(after);
         let begun = self.contour.is_some();
-        let mut contour = self.contour.unwrap_or(Contour::new(side));
-        let before = contour.last.take();
-        if let (Some(from), Some(to)) = (self.position.in_plane(plane), end.in_plane(plane)) {
-            let mut last = LastMove::new(from, to, plane, path);
-            if matches!(path, Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _)) {
-                last.entering = before.and_then(|before| before.direction(false));
+        let contour = self.contour.get_or_insert(Contour::new(side));
+        contour.begun = begun;
+        match (way, path) {
+            (Some([from, to]), Path::Rapid | Path::Line(_)) => {
+                contour.last = Some(LastMove::straight(from, to, plane));
             }
-            contour.last = Some(last);
+            (Some([from, to]), Path::Arc(..) | Path::Thread(_)) => {
+                let before = contour.last.take();
+                contour.last = Some(LastMove::new(from, to, plane, *path, before));
+            }
+            (None, _) => contour.last = None,
         }
-        self.contour = Some(Contour { begun, ..contour });
     }
 
     /// The compensation ends, and what M120 says with it.
@@ -100,7 +117,7 @@ impl Run<'_> {
 
     /// Takes note of a move that is about to be sent.
     #[inline]
-    pub(super) fn note_contour(&mut self, end: &Pos, path: Path) {
+    pub(super) fn note_contour(&mut self, end: &Pos, path: &Path) {
         if self.st.compensation.is_on() || self.st.contour.is_some() {
             self.st.follow_contour(end, path);
         }

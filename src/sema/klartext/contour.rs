@@ -12,7 +12,7 @@ pub(super) struct LastMove {
     plane: Plane,
     path: Path,
     /// Where a tangential arc begins: the direction of the element before.
-    pub entering: Option<Vec2>,
+    entering: Option<Vec2>,
 }
 
 /// The contour under way, or the one that the tool still stands beside.
@@ -36,8 +36,23 @@ pub(super) enum OwnCorner {
 }
 
 impl LastMove {
-    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path) -> LastMove {
-        LastMove { from, to, plane, path, entering: None }
+    /// Behind `before`, which a tangential arc goes on from.
+    pub fn new(from: Point2, to: Point2, plane: Plane, path: Path, before: Option<LastMove>) -> LastMove {
+        let entering = match path {
+            Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _) => before.and_then(|before| before.direction(false)),
+            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Thread(_) => None,
+        };
+        LastMove::entered(from, to, plane, path, entering)
+    }
+
+    /// With the direction in which a tangential arc begins.
+    pub fn entered(from: Point2, to: Point2, plane: Plane, path: Path, entering: Option<Vec2>) -> LastMove {
+        LastMove { from, to, plane, path, entering }
+    }
+
+    #[inline]
+    pub fn straight(from: Point2, to: Point2, plane: Plane) -> LastMove {
+        LastMove { from, to, plane, path: Path::Rapid, entering: None }
     }
 
     /// Direction of travel at the start or the end.

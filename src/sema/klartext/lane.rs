@@ -72,7 +72,7 @@ impl Run<'_> {
         let side = self.st.compensation.side();
         self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);
         if side != Side::None {
-            self.note_contour(&end, path);
+            self.note_contour(&end, &path);
         }
         self.st.last_path = path;
         self.st.feed.last_rapid = line.rapid;

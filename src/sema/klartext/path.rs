@@ -190,7 +190,7 @@ impl Run<'_> {
         if self.approach.is_none() || !self.wait_for_contour(&mv) {
             self.movement(&mv);
         }
-        self.note_contour(end, path);
+        self.note_contour(end, &path);
         if matches!(path, Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _)) {
             self.st.last_entry = self.last_direction();
         }

@@ -9,7 +9,7 @@ use crate::ir::contour::{
 };
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::options::mtc200::{Reading, ShiftedIncrement};
-use crate::machine::{Axis, AxisSet};
+use crate::machine::{Axis, AxisSet, Compensation};
 use crate::sema::common::corner::OpenCorner;
 use crate::sema::common::position::Missing;
 use crate::text::Span;
@@ -263,11 +263,25 @@ impl Run<'_> {
         let in_plane = plane_axes(self.st.plane).iter().any(|i| end.known().contains(Axis::ALL[*i]));
         self.waits_in_contour(in_plane, w.axes_span)?;
         let switches = self.st.compensation.changes() && self.moves_in_plane(&end, w.axes_span)?;
+        if switches {
+            self.border_axes(&end, w.axes_span);
+        }
         self.send(end, Path::straight(feed));
         if switches {
             self.st.compensation.moves();
         }
         Ok(())
+    }
+
+    /// Both axes of the plane belong into the way to a contour, and from it.
+    #[cold]
+    fn border_axes(&self, end: &Pos, span: Span) {
+        let named = plane_axes(self.st.plane).iter().filter(|i| end.known().contains(Axis::ALL[**i])).count();
+        let computed = self.job.settings.output.compensation == Compensation::Resolve;
+        if named < 2 && computed && self.job.diags.first_time(codes::M8006) {
+            let message = "the way to the contour or from it names one axis of the plane only; the other one stays";
+            self.report(Diagnostic::new(codes::M8006, self.loc(span), message).help("program both axes of the plane"));
+        }
     }
 
     /// Does the move have a length in the plane, so that compensation can start or end on it?

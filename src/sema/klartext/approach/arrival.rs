@@ -170,7 +170,7 @@ impl Run<'_> {
         let (first, second, _) = plane.axes();
         let coordinate = |axis: usize, old: f64| mv.end.get(Axis::ALL[axis]).unwrap_or(old);
         let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
-        let element = LastMove::new(approach.to, to, plane, mv.path);
+        let element = LastMove::new(approach.to, to, plane, mv.path, None);
         let here = std::mem::replace(&mut self.here, approach.here);
         let made = match element.direction(true) {
             Some(heading) => self.make_approach(&approach, heading),

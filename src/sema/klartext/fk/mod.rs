@@ -316,9 +316,7 @@ impl Run<'_> {
         }
         let plane = self.st.plane();
         let (from, to) = (self.st.position.move_began(plane)?, self.st.position.in_plane(plane)?);
-        let mut last = LastMove::new(from, to, plane, self.st.last_path);
-        last.entering = self.st.last_entry;
-        last.direction(false)
+        LastMove::entered(from, to, plane, self.st.last_path, self.st.last_entry).direction(false)
     }
 
     /// CCA has two readings: says so where both fit and end in different places.
