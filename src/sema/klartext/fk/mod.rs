@@ -51,6 +51,7 @@ struct Waiting {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "most of what waits are elements")]
 enum Kind {
     Element { serial: Serial, item: Item },
     Corner { rounding: bool },
