@@ -12,7 +12,7 @@ fn blocks_behind_the_end_are_looked_at() {
         1 L X+1 Y+0 R0 F100 M30\n\
         2 L X+Q1 M77\n\
         3 CALL LBL 99\n\
-        4 FL X+10\n\
+        4 SPL X+10\n\
         5 LBL 5\n\
         6 LBL 5\n\
         7 CYCL DEF 4711 FOO\n\
@@ -41,7 +41,7 @@ fn blocks_behind_the_end_are_looked_at() {
 #[test]
 fn blocks_that_run_are_left_alone() {
     let text = "0 BEGIN PGM A MM\n1 L X+1 Y+0 R0 F100\n2 FL X+10\n3 LBL 1\n4 LBL 1\n5 CALL LBL 9\n6 END PGM A MM\n";
-    assert_eq!(codes(text), [(3, "K9002"), (5, "K2201"), (6, "K2202")]);
+    assert_eq!(codes(text), [(3, "K3001"), (5, "K2201"), (6, "K2202")]);
     assert!(check_klartext(text).iter().all(|found| found.times == 1));
 }
 

@@ -196,7 +196,7 @@ const STATEMENTS: &[(&str, &str)] = &[
     ("SECTION MONITORING START AS \"A\"", ""),
     ("APPR LT X+0 Y+10 LEN15 RL F300", ""),
     ("DEP LT LEN20", ""),
-    ("FPOL X+0 Y+0", ""),
+    ("FPOL X+0 Y+0", "FL PR+10 PA+20"),
     ("FL X+10 CLSD+", ""),
     ("FSELECT 1", ""),
     ("LN X+1 Y+1 NX0 NY0 NZ1", ""),

@@ -29,6 +29,7 @@ mod fuzz;
 mod golden;
 mod grbl_reader;
 mod hostile;
+mod hostile_fk;
 mod hostile_turning;
 mod idle;
 mod klartext_bounds;

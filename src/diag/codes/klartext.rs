@@ -411,9 +411,9 @@ the text names says why."
 K9001 Error "cycle-unsupported" "machining cycle is not supported yet"
 "The cycle is read, but partc cannot compute its path yet, and a path without it would leave out material removal. Nothing is written."
 
-K9002 Error "fk-unsupported" "free contour programming (FK) is not supported yet"
-"FL, FLT, FC, FCT, FPOL and FSELECT describe a contour by partial data. partc reads them but does not solve them yet. \
-Most controls can convert an FK program to conventional blocks (CONVERT PROGRAM)."
+K9002 Error "fk-unsupported" "free contour (FK) that partc cannot construct"
+"The data of a free contour may be enough, but partc finds no element that it can construct from what is known, or too many elements or solutions wait for each other (64). Write an \
+end point more. Most controls can also convert an FK program to conventional blocks (CONVERT PROGRAM)."
 
 K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
 "All eight forms are compiled onto a contour with RL or RR, and from it. Its first element has to have a direction of its own: a line, or an arc by centre or \

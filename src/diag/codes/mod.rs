@@ -7,6 +7,7 @@ mod compensation;
 mod general;
 mod geometry;
 mod klartext;
+mod klartext_free_contours;
 mod klartext_readings;
 mod mtc200;
 mod output;
@@ -19,6 +20,7 @@ pub use compensation::*;
 pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
+pub use klartext_free_contours::*;
 pub use klartext_readings::*;
 pub use mtc200::*;
 pub use output::*;
@@ -95,6 +97,7 @@ pub fn all() -> Vec<&'static Code> {
     let mut list: Vec<_> = [
         general::GENERAL,
         klartext::KLARTEXT,
+        klartext_free_contours::KLARTEXT_FREE_CONTOURS,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
         compensation::COMPENSATION,

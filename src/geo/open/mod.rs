@@ -4,14 +4,15 @@
 //! In: numbers, and how exact they are. Out: solutions, each tagged with the choices that lead to it; which one is meant
 //! is for the language that wrote the element. Angles are directions here, increments count from the start.
 //!
-//! What a later kind of contour needs is a field of [`Data`] and a rule in `lines` or `arcs`: a length, an auxiliary
-//! point, a distance from a point. A window of elements that balances only together keeps the solutions of each and
-//! goes on with all of them.
+//! [`solve`] completes an element from up to two others behind it, by the rules of a language that writes most of each
+//! element. Contours of which every element may be open, in any number, are a [`window`]: there data of any kind counts
+//! for any unknown, forwards and backwards.
 
 mod arcs;
 mod lines;
 #[cfg(test)]
 mod tests;
+pub mod window;
 
 use super::{Element, Point2, SAME_POINT, Vec2, arc, direction, distance, turned};
 

@@ -13,7 +13,7 @@ use self::words::{
 use crate::text::Span;
 
 pub use self::tokens::Tokens;
-pub use self::words::{AxisWord, CycleNumber, FnTail, NameQ, QKind, QRef, Value, ValueWord};
+pub use self::words::{AxisWord, CycleNumber, FkHead, FnTail, NameQ, QKind, QRef, Value, ValueWord};
 
 type Lex<'s> = Lexer<'s, Tok>;
 
@@ -115,13 +115,13 @@ pub enum Tok {
     Appr,
     #[token("DEP", ignore(case))]
     Dep,
-    #[token("FL", ignore(case))]
-    #[token("FLT", ignore(case))]
-    #[token("FC", ignore(case))]
-    #[token("FCT", ignore(case))]
-    #[token("FPOL", ignore(case))]
-    #[token("FSELECT", ignore(case))]
-    Fk,
+    #[token("FL", |_| FkHead::Line { smooth: false }, ignore(case))]
+    #[token("FLT", |_| FkHead::Line { smooth: true }, ignore(case))]
+    #[token("FC", |_| FkHead::Arc { smooth: false }, ignore(case))]
+    #[token("FCT", |_| FkHead::Arc { smooth: true }, ignore(case))]
+    #[token("FPOL", |_| FkHead::Pole, ignore(case))]
+    #[token("FSELECT", |_| FkHead::Select, ignore(case))]
+    Fk(FkHead),
     /// 3-D block with normal vectors, or the natural logarithm.
     #[token("LN", ignore(case))]
     Ln,

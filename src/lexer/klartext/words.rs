@@ -87,6 +87,19 @@ pub struct CycleNumber {
     pub rest: Span,
 }
 
+/// What a block of a free contour is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FkHead {
+    /// `FPOL`
+    Pole,
+    /// `FL`, or tangential `FLT`.
+    Line { smooth: bool },
+    /// `FC`, or tangential `FCT`.
+    Arc { smooth: bool },
+    /// `FSELECT`
+    Select,
+}
+
 /// An FN block that is read by its number only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FnTail {

@@ -124,6 +124,20 @@ pub const KEYS: &[Key] = &[
             )
         },
     ),
+    key(
+        "fk_cca",
+        Kind::Choice(&["end-angle", "sweep"]),
+        "CCA of FC and FCT: direction of the end seen from the centre, or the angle that the arc sweeps",
+        |s, v| put(&mut s.control.klartext_choices.fk_cca_swept, Some(is(v, "sweep"))),
+    )
+    .or_warn(r#""end-angle""#),
+    key(
+        "fselect",
+        Kind::Choice(&["observed", "refuse"]),
+        "FSELECT where several solutions are left: in the order observed in printed programs, or refused",
+        |s, v| put(&mut s.control.klartext_choices.fselect_refused, is(v, "refuse")),
+    )
+    .or(r#""observed""#),
     key("scaling", Kind::Choice(&["all", "plane"]), "axes that cycle 11 scales (MP 7410)", |s, v| {
         put(&mut s.control.scaling_in_plane, is(v, "plane"))
     })
@@ -221,6 +235,10 @@ pub struct KlartextChoices {
     pub rounded_approach: bool,
     /// How the tool axis moves in APPR and DEP; `None` for what the control generation does.
     pub approach_depth: Option<ApproachDepth>,
+    /// CCA of a free contour is the swept angle; `None` where nobody said.
+    pub fk_cca_swept: Option<bool>,
+    /// FSELECT decides nothing.
+    pub fselect_refused: bool,
 }
 
 /// Klartext: further readings that manuals leave open.

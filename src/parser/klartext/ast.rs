@@ -5,6 +5,7 @@ use crate::machine::{Axis, Unit};
 use crate::text::Span;
 
 pub use crate::lexer::formula::{Function, Operator};
+pub use crate::lexer::klartext::FkHead;
 
 /// One block. Reused from block to block, so that reading allocates nothing.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -65,7 +66,7 @@ pub enum Stmt {
     Rounding,
     Chamfer,
     Approach,
-    Fk,
+    Fk(FkHead),
     /// `LN` or `SPL`.
     Surface,
     Iso,

@@ -16,6 +16,8 @@ pub struct Position {
     /// Numbers that the program wrote last, of axes that stand elsewhere in the programmed system: the frame moved
     /// under them, or the tool was left beside them.
     programmed: Pos,
+    /// Where the last move of a block began; nothing where the position comes from elsewhere.
+    from: Pos,
     lost: AxisSet,
     start: Start,
 }
@@ -32,7 +34,7 @@ pub enum Missing {
 impl Position {
     /// The axes stand where `[start]` says.
     pub fn new(start: Start) -> Position {
-        Position { at: start.position(), programmed: Pos::UNKNOWN, lost: AxisSet::EMPTY, start }
+        Position { at: start.position(), programmed: Pos::UNKNOWN, from: Pos::UNKNOWN, lost: AxisSet::EMPTY, start }
     }
 
     // Questions.
@@ -52,6 +54,11 @@ impl Position {
     #[inline]
     pub fn in_plane(&self, plane: Plane) -> Option<Point2> {
         self.at.in_plane(plane)
+    }
+
+    /// Where the last move of a block began in a plane, if both axes are known.
+    pub fn move_began(&self, plane: Plane) -> Option<Point2> {
+        self.from.in_plane(plane)
     }
 
     /// Where an axis stands, or why that is not known.
@@ -95,13 +102,20 @@ impl Position {
     /// The axes that `end` names move there.
     #[inline]
     pub fn move_to(&mut self, end: &Pos) {
+        self.from = self.at;
         self.at.update(end);
         self.arrived(end.known());
+    }
+
+    /// What led to the position is no move of one block.
+    pub fn forget_way(&mut self) {
+        self.from.clear();
     }
 
     /// The tool moves to a point of a plane.
     #[inline]
     pub fn move_in_plane(&mut self, plane: Plane, to: Point2) {
+        self.forget_way();
         self.at.set_in_plane(plane, to);
         let (first, second, _) = plane.axes();
         self.arrived([Axis::ALL[first], Axis::ALL[second]].into_iter().collect());
@@ -109,6 +123,7 @@ impl Position {
 
     /// A cycle leaves the tool at `end` after moving these axes.
     pub fn cycle_leaves(&mut self, end: &Pos, moved: AxisSet) {
+        self.forget_way();
         self.at = *end;
         self.arrived(moved);
     }
@@ -126,6 +141,7 @@ impl Position {
 
     /// The tool was left beside the number that the program wrote.
     pub fn leave_beside(&mut self, axis: Axis, programmed: f64) {
+        self.forget_way();
         self.programmed.set(axis, programmed);
     }
 
@@ -133,6 +149,7 @@ impl Position {
 
     /// Forgets where these axes are, because of a reported error.
     pub fn lose(&mut self, axes: AxisSet) {
+        self.forget_way();
         for axis in axes.iter() {
             self.at.forget(axis);
             self.programmed.forget(axis);
@@ -142,6 +159,7 @@ impl Position {
 
     /// Forgets where these axes are: they moved to where the program cannot say, or their tip is another one.
     pub fn forget(&mut self, axes: AxisSet) {
+        self.forget_way();
         for axis in axes.iter() {
             self.at.forget(axis);
             self.programmed.forget(axis);
@@ -151,6 +169,7 @@ impl Position {
 
     /// Forgets where these axes are, but not the numbers that the program wrote last.
     pub fn forget_place(&mut self, axes: AxisSet) {
+        self.forget_way();
         self.keep_programmed();
         for axis in axes.iter() {
             self.at.forget(axis);
@@ -159,6 +178,7 @@ impl Position {
 
     /// Forgets everything but what was lost; `[start]` still says where axes stand that never moved.
     pub fn clear(&mut self) {
+        self.forget_way();
         self.at.clear();
         self.programmed.clear();
     }
@@ -181,6 +201,7 @@ impl Position {
 
     /// The frame changes under the tool, which stays where it is. A lost axis takes those with it that it turns into.
     pub fn through_frame(&mut self, from: &Frame, to: &Frame) {
+        self.forget_way();
         let known = self.at.known();
         self.at = to.unapply(&from.apply(&self.at));
         if !self.lost.is_empty() {
@@ -190,6 +211,7 @@ impl Position {
 
     /// Forgets every axis that was left beside its number.
     pub fn forget_beside(&mut self) {
+        self.forget_way();
         for axis in self.programmed.known().iter() {
             self.at.forget(axis);
         }
@@ -198,6 +220,7 @@ impl Position {
 
     /// These axes went to machine coordinates: what of `frame` depends on them is unknown.
     pub fn moved_by_machine(&mut self, axes: AxisSet, frame: &Frame) {
+        self.forget_way();
         let mut at = frame.apply(&self.at);
         for axis in axes.iter() {
             at.forget(axis);
@@ -222,6 +245,7 @@ impl Position {
 
     /// A work offset was selected: axes that never moved stand in it where `[start]` says.
     pub fn take_start(&mut self, frame: &Frame) {
+        self.forget_way();
         let start = self.start.position();
         if start.known().is_empty() {
             return;
@@ -232,6 +256,7 @@ impl Position {
 
     /// A new system: nothing is known but where axes stand that never moved.
     pub fn stand_at_start(&mut self) {
+        self.forget_way();
         self.at = self.start.position();
         self.programmed.clear();
         self.lost = AxisSet::EMPTY;

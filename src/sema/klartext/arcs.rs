@@ -179,6 +179,13 @@ impl Run<'_> {
         })
     }
 
+    /// An arc of a free contour; its end is in the words.
+    pub(super) fn solved_arc(&mut self, w: &Words, center: Point2, ccw: bool) -> Outcome {
+        self.st.polar.set_turn(ccw);
+        self.st.polar.forget_last();
+        self.send_arc(w, self.st.plane(), ArcShape::Center { center, ccw, tol: CIRCLE_TOLERANCE }, w.axes)
+    }
+
     pub(super) fn circle(&mut self, w: &Words) -> Outcome {
         let pole = self.pole("C")?;
         let ccw = self.turn(w, "C")?;

@@ -42,6 +42,11 @@ impl LastMove {
             Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _) => before.and_then(|before| before.direction(false)),
             Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Thread(_) => None,
         };
+        LastMove::entered(from, to, plane, path, entering)
+    }
+
+    /// With the direction in which a tangential arc begins.
+    pub fn entered(from: Point2, to: Point2, plane: Plane, path: Path, entering: Option<Vec2>) -> LastMove {
         LastMove { from, to, plane, path, entering }
     }
 

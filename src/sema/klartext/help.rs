@@ -22,7 +22,7 @@ pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
         "K2401" => "put CYCL DEF of the machining cycle in front",
         "K2402" => "program all parts of the cycle, one after the other",
         "K9001" => "program the moves of the cycle as blocks",
-        "K9002" => "have the control convert the contour to conventional blocks",
+        "K9002" => "write the end point of an element more",
         "K9003" => "program the approach and the departure as L and C blocks",
         "K9004" => "have the CAM system put out the tilted work for the target machine",
         "K9005" => {

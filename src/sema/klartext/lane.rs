@@ -28,6 +28,7 @@ impl Run<'_> {
             && !st.feed.is_per_revolution()
             && self.contour_is_plain()
             && !st.compensation.is_lost()
+            && !self.contour_waits()
     }
 
     /// Executes the next block where it stands, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.
@@ -73,6 +74,7 @@ impl Run<'_> {
         if side != Side::None {
             self.note_contour(&end, &path);
         }
+        self.st.last_path = path;
         self.st.feed.last_rapid = line.rapid;
         self.st.position.move_to(&end);
         self.st.moved = true;

@@ -18,6 +18,7 @@ mod cycles;
 mod drilling;
 mod eval;
 mod feed;
+mod fk;
 mod flow;
 mod frames;
 mod help;
@@ -77,6 +78,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         cycles: Cycles::default(),
         defined: tool::Defined::default(),
         approach: None,
+        free: None,
         places: None,
         places_lost: false,
         selected: None,
@@ -192,6 +194,8 @@ struct Run<'a> {
     defined: tool::Defined,
     /// An approach that waits for the first element of its contour.
     approach: Option<Box<approach::Approach>>,
+    /// A free contour, and what is known of those in front.
+    free: Option<Box<fk::Free>>,
     /// Places of PATTERN DEF.
     places: Option<pattern_def::Places>,
     /// The last PATTERN DEF was refused.
@@ -243,11 +247,13 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     fn end_of_file(&mut self) {
         self.plain = false;
+        let _ = self.close_contour();
         self.file_over();
     }
 
     fn unread_block(&mut self) {
         self.plain = false;
+        self.abandon_contour();
         self.lose_all();
     }
 
@@ -281,6 +287,7 @@ impl Run<'_> {
         match block.stmt {
             Stmt::Empty => return,
             Stmt::Bad => {
+                self.abandon_contour();
                 self.bad_block(block, text);
                 return;
             }
@@ -289,7 +296,14 @@ impl Run<'_> {
         if self.cycles.is_open() && !self.continues_cycle(block) {
             self.finish_cycle();
         }
-        if self.approach.is_some() && !goes_on_with_contour(block.stmt) && self.forbid_open_approach().is_err() {
+        if self.contour_waits() && !fk::goes_on(block) && self.close_contour().is_err() {
+            self.lose_feed(block);
+        }
+        if self.approach.is_some()
+            && !self.contour_waits()
+            && !goes_on_with_contour(block.stmt)
+            && self.forbid_open_approach().is_err()
+        {
             return;
         }
         // What went wrong was reported; the next block may show more.
@@ -329,11 +343,7 @@ impl Run<'_> {
             Stmt::PatternDef(rest) => self.pattern_def(rest, text),
             Stmt::PlaneReset(_) => self.plane_block(block, text),
             Stmt::Approach => self.approach_block(block, text),
-            Stmt::Fk => {
-                let (name, span) = self.block_name(block, text, 1);
-                let message = format!("{name}: free contour programming is not supported yet");
-                self.refuse_motion(codes::K9002, span, &message)
-            }
+            Stmt::Fk(head) => self.fk_block(head, block, text),
             Stmt::Surface => {
                 let (name, span) = self.block_name(block, text, 1);
                 self.refuse_motion(codes::K9015, span, &format!("{name} blocks are not supported"))
@@ -432,6 +442,7 @@ impl Run<'_> {
 
     /// End of the whole run: what is still open is worth a word.
     fn report_open(&mut self) {
+        let _ = self.close_contour();
         let _ = self.forbid_open_approach();
         if self.cycles.is_open() {
             self.finish_cycle();
@@ -461,7 +472,7 @@ impl Run<'_> {
 /// May the block stand between an approach and the first element of its contour, or is it that element?
 fn goes_on_with_contour(stmt: Stmt) -> bool {
     use Stmt::{
-        Assign, AssignText, BlkForm, CallLabel, Empty, Fn, FnOther, Functions, If, Label, Paraxial, Path, Pole,
+        Assign, AssignText, BlkForm, CallLabel, Empty, Fk, Fn, FnOther, Functions, If, Label, Paraxial, Path, Pole,
         SystemRead,
     };
     matches!(
@@ -469,6 +480,7 @@ fn goes_on_with_contour(stmt: Stmt) -> bool {
         Empty
             | Path(_)
             | Paraxial
+            | Fk(_)
             | Functions
             | Pole
             | Label(_)

@@ -3,7 +3,8 @@
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
+use crate::geo::Point2;
+use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
@@ -13,6 +14,24 @@ use super::m_table::Args;
 use super::state::CornerMade;
 use super::words::{Admits, Comp, FeedWord, MWord, Words};
 use super::{Outcome, Reported, Run};
+
+/// What a path block does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Motion {
+    /// As its function and its words say.
+    Programmed(PathFn),
+    /// An arc of a free contour to the end that the words hold.
+    Solved { center: Point2, ccw: bool },
+}
+
+impl Motion {
+    fn is_arc(self) -> bool {
+        match self {
+            Motion::Programmed(function) => function.is_arc(),
+            Motion::Solved { .. } => true,
+        }
+    }
+}
 
 impl Run<'_> {
     pub(super) fn path_block(&mut self, function: PathFn, block: &Block) -> Outcome {
@@ -46,11 +65,16 @@ impl Run<'_> {
     }
 
     pub(super) fn run_path(&mut self, function: PathFn, w: &Words) -> Outcome {
-        let result = self.run_words(function, w);
+        self.run_motion(Motion::Programmed(function), w)
+    }
+
+    pub(super) fn run_motion(&mut self, motion: Motion, w: &Words) -> Outcome {
+        let result = self.run_words(motion, w);
         if self.st.own_corner != OwnCorner::No { result.and(self.end_own_corner(w)) } else { result }
     }
 
-    fn run_words(&mut self, function: PathFn, w: &Words) -> Outcome {
+    fn run_words(&mut self, motion: Motion, w: &Words) -> Outcome {
+        let is_line = motion == Motion::Programmed(PathFn::Line);
         self.check_m(w)?;
         let machine = w.has_m(91);
         if machine && matches!(w.comp, Some(Comp::Paraxial(_))) {
@@ -61,7 +85,7 @@ impl Run<'_> {
                 "program workpiece coordinates, or the corrected machine coordinate without R+",
             );
         }
-        if machine && (function != PathFn::Line || !w.incremental.is_empty()) {
+        if machine && (!is_line || !w.incremental.is_empty()) {
             return self.fail_help(
                 codes::K9008,
                 w.axes_span,
@@ -69,10 +93,10 @@ impl Run<'_> {
                 "write `L Z+0 R0 FMAX M91`",
             );
         }
-        self.switch_side(w, function.is_arc())?;
+        self.switch_side(w, motion.is_arc())?;
         self.shape_corners(w)?;
         // M functions and the feed act before the end point is computed: M94 and M126 change what it means.
-        let moves = function != PathFn::Line || !w.axes.known().is_empty();
+        let moves = !is_line || !w.axes.known().is_empty();
         if w.m().is_empty() {
             self.set_feed(w)?;
         } else {
@@ -98,23 +122,28 @@ impl Run<'_> {
         } else if machine {
             w.any_m(&[91]).into_iter().for_each(|m| self.note_m(m));
         } else if moves {
-            match function {
-                PathFn::Line => match w.comp {
-                    Some(Comp::Paraxial(longer)) => self.lengthened(w, longer)?,
-                    _ => self.line(w)?,
-                },
-                PathFn::Circle => self.circle(w)?,
-                PathFn::CircleRadius => self.circle_by_radius(w)?,
-                PathFn::CircleTangent => self.tangent(w)?,
-                PathFn::LinePolar => self.polar_line(w)?,
-                PathFn::TangentPolar => self.tangent_polar(w)?,
-                PathFn::CirclePolar => self.polar_arc(w)?,
-            }
+            self.go(motion, w)?;
         }
         if w.m().is_empty() && !self.cycles.modal() {
             return Ok(());
         }
         self.after_motion(w, moves)
+    }
+
+    fn go(&mut self, motion: Motion, w: &Words) -> Outcome {
+        match motion {
+            Motion::Programmed(PathFn::Line) => match w.comp {
+                Some(Comp::Paraxial(longer)) => self.lengthened(w, longer),
+                _ => self.line(w),
+            },
+            Motion::Programmed(PathFn::Circle) => self.circle(w),
+            Motion::Programmed(PathFn::CircleRadius) => self.circle_by_radius(w),
+            Motion::Programmed(PathFn::CircleTangent) => self.tangent(w),
+            Motion::Programmed(PathFn::LinePolar) => self.polar_line(w),
+            Motion::Programmed(PathFn::TangentPolar) => self.tangent_polar(w),
+            Motion::Programmed(PathFn::CirclePolar) => self.polar_arc(w),
+            Motion::Solved { center, ccw } => self.solved_arc(w, center, ccw),
+        }
     }
 
     /// M functions at the end of the block, then the cycle call of M99 and M89.
@@ -147,6 +176,10 @@ impl Run<'_> {
     /// A block that holds M functions or a feed only.
     pub(super) fn functions_block(&mut self, block: &Block) -> Outcome {
         let w = self.gather(block, "", Admits::PATH)?;
+        if self.contour_waits() {
+            self.functions_later(w);
+            return Ok(());
+        }
         self.run_path(PathFn::Line, &w)
     }
 
@@ -158,6 +191,10 @@ impl Run<'_> {
             self.movement(&mv);
         }
         self.note_contour(end, &path);
+        if matches!(path, Path::Arc(Arc { shape: ArcShape::Tangent, .. }, _)) {
+            self.st.last_entry = self.last_direction();
+        }
+        self.st.last_path = path;
         self.st.feed.last_rapid = path.is_rapid();
         self.st.position.move_to(end);
         self.st.moved = true;
@@ -268,6 +305,17 @@ impl Run<'_> {
         let rounding = block.stmt == Stmt::Rounding;
         let head = if rounding { "RND" } else { "CHF" };
         let w = self.gather(block, head, corner_words(rounding))?;
+        if self.contour_waits() {
+            self.corner_later(rounding, w);
+            return Ok(());
+        }
+        let result = self.make_corner(rounding, &w);
+        self.put_back(w);
+        result
+    }
+
+    pub(super) fn make_corner(&mut self, rounding: bool, w: &Words) -> Outcome {
+        let head = if rounding { "RND" } else { "CHF" };
         let mm = self.level().frame.unit.mm();
         let size = w.radius.or(w.number.map(|n| n * mm));
         let Some(size) = size.filter(|size| *size > 0.0) else {
@@ -276,7 +324,7 @@ impl Run<'_> {
             } else {
                 ("CHF needs a length above zero", "write the length cut off along each side: `CHF 5`")
             };
-            return self.fail_help(codes::K1006, block.span, what, help);
+            return self.fail_help(codes::K1006, self.block_span(), what, help);
         };
         let feed = match w.feed {
             FeedWord::None => match self.st.feed.word() {

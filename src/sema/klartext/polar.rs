@@ -87,6 +87,11 @@ impl PolarState {
         (self.pole, self.lost) = (None, true);
     }
 
+    /// A free contour follows: a pole in front of it does not hold behind it.
+    pub fn forget_pole(&mut self) {
+        self.pole = None;
+    }
+
     /// Something else moved: radius and angle of the last polar block do not count.
     #[inline]
     pub fn forget_last(&mut self) {

@@ -2,9 +2,9 @@
 
 use std::rc::Rc;
 
-use crate::geo::Plane;
+use crate::geo::{Plane, Vec2};
 use crate::ir::Side;
-use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::contour::{Ctx, CtxRef, Path};
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::position::Position;
@@ -40,6 +40,10 @@ pub(super) struct State {
     pub spindle: SpindleState,
     pub coolant: bool,
     pub rotary: RotaryState,
+    /// How the last move led to where it ends.
+    pub last_path: Path,
+    /// Direction of a tangential arc at its start, if that was the last move.
+    pub last_entry: Option<Vec2>,
     /// Something moved already.
     pub moved: bool,
     pub blank: Blank,
@@ -78,6 +82,8 @@ impl State {
             spindle: SpindleState::default(),
             coolant: false,
             rotary: RotaryState::default(),
+            last_path: Path::Rapid,
+            last_entry: None,
             moved: false,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),

@@ -134,7 +134,6 @@ fn excludes(first: &Word, second: &Word) -> bool {
 /// Why partc would refuse the block.
 fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     let code = match block.stmt {
-        Stmt::Fk => Some(codes::K9002),
         Stmt::Surface => Some(codes::K9015),
         Stmt::Iso => Some(codes::K9009),
         Stmt::Refused(what, _) => match what {

@@ -105,6 +105,7 @@ impl Run<'_> {
         self.st.compensation.found();
         self.st.contour = Some(Contour { begun: true, ..Contour::new(side) });
         self.st.position.move_to(&after);
+        self.st.position.forget_way();
         Ok(())
     }
 

@@ -92,6 +92,7 @@ impl Run<'_> {
             after.set(Axis::ALL[plane.axes().2], depth);
         }
         self.st.position.move_to(&after);
+        self.st.position.forget_way();
         if !polar {
             self.st.polar.forget_last();
         }

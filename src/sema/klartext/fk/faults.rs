@@ -1,0 +1,212 @@
+//! What is said of a free contour that has no solution, or more than one.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::open::Solved;
+use crate::geo::open::window::{Fault, Item, Serial, Shape};
+use crate::geo::{Point2, distance};
+use crate::machine::Axis;
+
+use super::super::{Reported, Run};
+use super::{Free, Kind, Waiting};
+
+/// Solutions that are printed.
+const MOST_SHOWN: usize = 6;
+/// A word that tells two solutions apart differs by this at least, in mm.
+const APART: f64 = 0.01;
+
+fn item(waiting: &Waiting) -> Item {
+    match waiting.kind {
+        Kind::Element { item, .. } => item,
+        Kind::Corner { .. } | Kind::Functions => Item::default(),
+    }
+}
+
+fn name(item: &Item) -> &'static str {
+    match (item.shape, item.smooth) {
+        (Shape::Line, false) => "FL",
+        (Shape::Line, true) => "FLT",
+        (Shape::Arc(_), false) => "FC",
+        (Shape::Arc(_), true) => "FCT",
+    }
+}
+
+impl Run<'_> {
+    /// A point as a program writes it, in the unit of the program.
+    pub(super) fn shown(&self, p: Point2) -> String {
+        let [first, second] = self.letters();
+        let mm = self.levels.last().map_or(1.0, |level| level.frame.unit.mm());
+        // No minus in front of nothing.
+        let digits = |value: f64| format!("{:.4}", (value / mm * 1e4).round() / 1e4 + 0.0);
+        format!("{first}{} {second}{}", digits(p.x), digits(p.y))
+    }
+
+    /// Letters of the working plane.
+    pub(super) fn letters(&self) -> [char; 2] {
+        let (first, second, _) = self.st.plane().axes();
+        [first, second].map(|axis| Axis::ALL[axis].letter())
+    }
+
+    fn say(&self, free: &Free, waiting: &Waiting, found: Diagnostic) {
+        let first = free.queue.iter().find(|waiting| matches!(waiting.kind, Kind::Element { .. }));
+        let found = match first {
+            Some(first) if !std::ptr::eq(first, waiting) => {
+                found.also(first.here.loc(&self.job, first.span), "solved together with the blocks from here on")
+            }
+            _ => found,
+        };
+        self.report_at(found.called(waiting.here.origin.call));
+    }
+
+    fn report_at(&self, found: Diagnostic) {
+        self.job.diags.push(found);
+    }
+
+    /// Reports why the contour has no solution.
+    pub(super) fn fk_fault(&self, free: &Free, fault: &Fault) -> Reported {
+        let waiting = free.waiting(fault.serial()).or(free.queue.back());
+        let Some(waiting) = waiting else { return Reported };
+        let item = item(waiting);
+        let (name, loc) = (name(&item), waiting.here.loc(&self.job, waiting.span));
+        let found = match *fault {
+            Fault::Open { missing: 0, .. } => Diagnostic::new(
+                codes::K9002,
+                loc,
+                format!("{name} and the blocks behind have data enough, and partc knows no way to construct them"),
+            )
+            .help(self.wanted(&item)),
+            Fault::Open { missing, .. } => {
+                let (data, is) = if missing == 1 { ("one datum", "is") } else { ("data", "are") };
+                let message = match missing {
+                    1 => format!("{name} is not determined: {data} {is} missing in this block or in those behind"),
+                    _ => format!(
+                        "{name} is not determined: {missing} {data} {is} missing in this block or in those behind"
+                    ),
+                };
+                Diagnostic::new(codes::K3001, loc, message).help(self.wanted(&item))
+            }
+            Fault::Impossible { why, miss, .. } => {
+                let by = miss.map(|miss| format!(", by {} mm", rounded(miss))).unwrap_or_default();
+                Diagnostic::new(
+                    codes::K3003,
+                    loc,
+                    format!("no {name} fits its data and that of its neighbours: {why}{by}"),
+                )
+                .help("check the words of this block and of the blocks that it is solved with")
+            }
+            Fault::TooMany { .. } => Diagnostic::new(
+                codes::K9002,
+                loc,
+                format!("too many blocks from this {name} on, or too many solutions, are still open"),
+            )
+            .help("write the end point of an element between them"),
+        };
+        self.say(free, waiting, found);
+        Reported
+    }
+
+    /// The words that are missing in the element.
+    fn wanted(&self, item: &Item) -> String {
+        let [first, second] = self.letters();
+        let mut words: Vec<String> = Vec::new();
+        let mut offer = |missing: bool, word: String| {
+            if missing {
+                words.push(word);
+            }
+        };
+        offer(item.end.x.is_none(), format!("{first} of the end"));
+        offer(item.end.y.is_none(), format!("{second} of the end"));
+        offer(item.angle.is_none() && !item.smooth, "AN".to_owned());
+        if item.shape == Shape::Line {
+            offer(item.length.is_none(), "LEN".to_owned());
+        } else {
+            offer(item.radius.is_none(), "R".to_owned());
+            offer(item.center.x.is_none() && item.center.radius.is_none(), format!("CC{first} and CC{second}"));
+        }
+        match words.pop() {
+            Some(last) if words.is_empty() => format!("write {last}"),
+            Some(last) => format!("write {} or {last}", words.join(", ")),
+            None => "write a datum into one of the blocks behind".to_owned(),
+        }
+    }
+
+    /// Reports that the data leaves several solutions.
+    pub(super) fn ambiguous(&self, free: &Free, serial: Serial, candidates: &[Solved]) {
+        let Some(waiting) = free.waiting(serial) else { return };
+        let item = item(waiting);
+        let mut ends: Vec<String> = Vec::new();
+        let same_end = candidates.windows(2).all(|pair| distance(pair[0].to, pair[1].to) <= APART);
+        for one in candidates.iter().take(MOST_SHOWN) {
+            let about = |(center, ccw): (Point2, bool)| {
+                format!("{} about {}, DR{}", self.shown(one.to), self.shown(center), if ccw { '+' } else { '-' })
+            };
+            ends.push(match one.arc.filter(|_| same_end) {
+                Some(arc) => about(arc),
+                None => self.shown(one.to),
+            });
+        }
+        if candidates.len() > MOST_SHOWN {
+            ends.push("further ones".to_owned());
+        }
+        let chosen = match item.select {
+            Some(number) => format!("; which of them FSELECT {number} means is not documented"),
+            None => String::new(),
+        };
+        let found = Diagnostic::new(
+            codes::K3002,
+            waiting.here.loc(&self.job, waiting.span),
+            format!(
+                "{} has {} solutions that fit all data up to the end of the contour; it ends in {}{chosen}",
+                name(&item),
+                candidates.len(),
+                ends.join(", or ")
+            ),
+        )
+        .help(format!("write {} into this block", self.deciding(&item, candidates)));
+        self.say(free, waiting, found);
+    }
+
+    /// The word that tells the solutions apart.
+    fn deciding(&self, item: &Item, candidates: &[Solved]) -> String {
+        let [first, second] = self.letters();
+        let differs = |of: fn(&Solved) -> Option<f64>| {
+            candidates.iter().enumerate().all(|(i, a)| {
+                candidates[..i].iter().all(|b| of(a).zip(of(b)).is_some_and(|(a, b)| (a - b).abs() > APART))
+            })
+        };
+        if item.end.x.is_none() && differs(|one| Some(one.to.x)) {
+            format!("{first} of its end")
+        } else if item.end.y.is_none() && differs(|one| Some(one.to.y)) {
+            format!("{second} of its end")
+        } else if differs(|one| one.arc.map(|(center, _)| center.x)) {
+            format!("CC{first}")
+        } else if differs(|one| one.arc.map(|(center, _)| center.y)) {
+            format!("CC{second}")
+        } else if item.shape == Shape::Arc(None) {
+            "DR+ or DR-".to_owned()
+        } else {
+            format!("{first} and {second} of its end")
+        }
+    }
+
+    /// Says that a choice of the program was taken as controls were seen to take it.
+    pub(super) fn warn_of_choice(&self, free: &Free, serial: Serial) {
+        let Some(waiting) = free.waiting(serial) else { return };
+        let item = item(waiting);
+        let found = Diagnostic::new(
+            codes::K8022,
+            waiting.here.loc(&self.job, waiting.span),
+            format!(
+                "{} has several solutions; FSELECT {} is taken as printed programs count them",
+                name(&item),
+                item.select.unwrap_or_default()
+            ),
+        )
+        .help("compare the path with the drawing, or write a word that leaves one solution");
+        self.report_at(found.called(waiting.here.origin.call));
+    }
+}
+
+/// A deviation with the digits that say something.
+fn rounded(miss: f64) -> String {
+    if miss < 0.01 { format!("{miss:.4}") } else { format!("{miss:.3}") }
+}

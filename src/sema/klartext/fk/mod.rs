@@ -1,0 +1,360 @@
+//! Free contours: FPOL, FL, FLT, FC, FCT and FSELECT.
+//!
+//! An element goes out as soon as it is the same in every solution that is left; until then it waits, and with it the
+//! chamfers, roundings and M functions between the elements. A block that is not of the contour ends it: what is still
+//! open then is an error. Source: K 2.11 and FK part A (docs/sources.md).
+
+mod faults;
+mod words;
+
+use std::collections::VecDeque;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::open::window::{Closed, EndAngle, Item, MOST_BACK, Serial, Settled, Window};
+use crate::geo::{Point2, Vec2, distance};
+use crate::ir::Pos;
+use crate::parser::klartext::ast::{Addr, Block, FkHead, PathFn, Stmt};
+use crate::sema::run::Site;
+use crate::text::Span;
+
+use super::contour::LastMove;
+use super::path::Motion;
+use super::words::{Admits, Words};
+use super::{Outcome, Reported, Run};
+
+/// Chamfers, roundings and blocks of M functions that may wait with the elements.
+const MOST_BETWEEN: usize = 256;
+/// How far apart two readings of CCA end that are one, in mm.
+const SAME_READING: f64 = 0.001;
+
+/// What is known of free contours from block to block.
+#[derive(Debug)]
+pub(super) struct Free {
+    window: Window,
+    /// Blocks that wait, in their order.
+    queue: VecDeque<Waiting>,
+    /// Block numbers of the elements that data can refer to.
+    numbers: VecDeque<(u32, Serial)>,
+    pole: Option<Point2>,
+    /// The element with CLSD+.
+    closes: Option<Serial>,
+    /// The coordinate system that all this counts in.
+    system: u32,
+}
+
+#[derive(Debug)]
+struct Waiting {
+    kind: Kind,
+    words: Box<Words>,
+    here: Site,
+    span: Span,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "most of what waits are elements")]
+enum Kind {
+    Element { serial: Serial, item: Item },
+    Corner { rounding: bool },
+    Functions,
+}
+
+impl Free {
+    fn new(system: u32) -> Free {
+        Free {
+            window: Window::new(Point2::origin(), None),
+            queue: VecDeque::new(),
+            numbers: VecDeque::new(),
+            pole: None,
+            closes: None,
+            system,
+        }
+    }
+
+    fn serial_of(&self, number: u32) -> Option<Serial> {
+        let found = self.numbers.iter().rev().find(|(of, _)| *of == number);
+        found.map(|(_, serial)| *serial).filter(|serial| self.window.knows(*serial))
+    }
+
+    /// The block of an element that waits.
+    fn waiting(&self, serial: Serial) -> Option<&Waiting> {
+        self.queue.iter().find(|waiting| matches!(waiting.kind, Kind::Element { serial: of, .. } if of == serial))
+    }
+
+    /// The next block that waits, if no element of it is open.
+    fn next_between(&mut self) -> Option<Waiting> {
+        match self.queue.front()?.kind {
+            Kind::Element { .. } => None,
+            Kind::Corner { .. } | Kind::Functions => self.queue.pop_front(),
+        }
+    }
+}
+
+/// May the block stand between elements of a free contour that wait for each other?
+pub(super) fn goes_on(block: &Block) -> bool {
+    match block.stmt {
+        Stmt::Functions => !block.words.iter().any(|word| matches!(word.addr, Addr::M(2 | 6 | 30 | 89 | 99))),
+        Stmt::Empty
+        | Stmt::Fk(_)
+        | Stmt::Rounding
+        | Stmt::Chamfer
+        | Stmt::Label(_)
+        | Stmt::CallLabel { .. }
+        | Stmt::Assign(_)
+        | Stmt::AssignText(_)
+        | Stmt::Fn { .. }
+        | Stmt::If { .. }
+        | Stmt::FnOther { .. } => true,
+        _ => false,
+    }
+}
+
+impl Run<'_> {
+    /// Does an element of a free contour wait for others?
+    #[inline]
+    pub(super) fn contour_waits(&self) -> bool {
+        self.free.as_ref().is_some_and(|free| !free.queue.is_empty())
+    }
+
+    pub(super) fn fk_block(&mut self, head: FkHead, block: &Block, text: &[u8]) -> Outcome {
+        let mut free = match self.free.take() {
+            Some(free) if free.system == self.st.frames.system() => free,
+            _ => Box::new(Free::new(self.st.frames.system())),
+        };
+        let result = match head {
+            FkHead::Pole => self.set_fk_pole(&mut free, block),
+            FkHead::Select => self.select(&mut free, block),
+            FkHead::Line { .. } | FkHead::Arc { .. } => self.element(&mut free, head, block, text),
+        };
+        self.free = Some(free);
+        let ends = block.words.iter().any(|word| matches!(word.addr, Addr::M(2 | 30 | 89 | 99)));
+        let result = result.and_then(|()| if ends { self.close_contour() } else { self.flush() });
+        if result.is_err() {
+            self.abandon_contour();
+            self.lose_all();
+        }
+        result
+    }
+
+    /// An element: it waits, or goes out at once.
+    fn element(&mut self, free: &mut Free, head: FkHead, block: &Block, text: &[u8]) -> Outcome {
+        let name = words::name(head);
+        self.st.polar.forget_pole();
+        if free.queue.is_empty() {
+            let at = self.start_in(self.st.plane(), name)?;
+            free.window.restart(at, self.last_direction());
+        }
+        let (item, words) = self.fk_words(free, head, block, text)?;
+        let serial = free.window.next_serial();
+        if let Some(number) = block.number {
+            if free.numbers.len() == MOST_BACK {
+                free.numbers.pop_front();
+            }
+            free.numbers.push_back((number, serial));
+        }
+        let waiting = Waiting { kind: Kind::Element { serial, item }, words, here: self.here, span: self.block_span() };
+        free.queue.push_back(waiting);
+        free.window.push(item).map_err(|fault| self.fk_fault(free, &fault))
+    }
+
+    fn select(&mut self, free: &mut Free, block: &Block) -> Outcome {
+        let w = self.gather(block, "FSELECT", Admits::NUMBER)?;
+        let number = w.number.filter(|number| number.fract() == 0.0 && (1.0..=99.0).contains(number));
+        self.put_back(w);
+        let Some(number) = number else {
+            return self.fail_help(
+                codes::K1006,
+                self.block_span(),
+                "FSELECT needs the number of a solution",
+                "write it behind: `FSELECT 1`",
+            );
+        };
+        if free.window.next_serial() == 0 {
+            return self.fail_help(
+                codes::K3004,
+                self.block_span(),
+                "FSELECT chooses a solution of the element in front, and there is none",
+                "write it behind an FL, FLT, FC or FCT block",
+            );
+        }
+        free.window.select(number as u32);
+        let last = free.queue.iter_mut().rev().find_map(|waiting| match &mut waiting.kind {
+            Kind::Element { item, .. } => Some(item),
+            Kind::Corner { .. } | Kind::Functions => None,
+        });
+        if let Some(item) = last {
+            item.select = Some(number as u32);
+        }
+        Ok(())
+    }
+
+    fn set_fk_pole(&mut self, free: &mut Free, block: &Block) -> Outcome {
+        let w = self.gather(block, "FPOL", Admits::AXES)?;
+        let pole = w.axes.in_plane(self.st.plane());
+        let whole = w.axes.known().len() == 2 && w.incremental.is_empty();
+        self.put_back(w);
+        free.pole = pole.filter(|_| whole);
+        if free.pole.is_some() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K1006,
+            self.block_span(),
+            "FPOL needs both axes of the working plane, as absolute words",
+            "write `FPOL X+50 Y+20`",
+        )
+    }
+
+    /// A chamfer or rounding behind an element that waits.
+    pub(super) fn corner_later(&mut self, rounding: bool, words: Box<Words>) {
+        self.wait_between(Kind::Corner { rounding }, words);
+    }
+
+    /// M functions behind an element that waits.
+    pub(super) fn functions_later(&mut self, words: Box<Words>) {
+        self.wait_between(Kind::Functions, words);
+    }
+
+    fn wait_between(&mut self, kind: Kind, words: Box<Words>) {
+        let (here, span) = (self.here, self.block_span());
+        let Some(free) = &mut self.free else { return };
+        if free.queue.len() < MOST_BETWEEN {
+            free.queue.push_back(Waiting { kind, words, here, span });
+            return;
+        }
+        let _ = self.fail_help::<()>(
+            codes::K9002,
+            span,
+            "too many blocks stand between elements that are still open",
+            "write the end point of an element in front of them",
+        );
+        self.abandon_contour();
+        self.lose_all();
+    }
+
+    /// Carries out the elements that are settled, and what stands behind them.
+    fn flush(&mut self) -> Outcome {
+        self.warn_of_readings();
+        while let Some(free) = &mut self.free {
+            if let Some(between) = free.next_between() {
+                self.carry_out(between, None)?;
+                continue;
+            }
+            let Some(settled) = free.window.settle() else { break };
+            let Some(waiting) = free.queue.pop_front() else { break };
+            self.carry_out(waiting, Some(&settled))?;
+        }
+        Ok(())
+    }
+
+    /// Carries out a block that waited, at its place.
+    fn carry_out(&mut self, mut waiting: Waiting, settled: Option<&Settled>) -> Outcome {
+        let here = std::mem::replace(&mut self.here, waiting.here);
+        let w = &mut waiting.words;
+        let result = match (waiting.kind, settled) {
+            (Kind::Element { .. }, Some(Settled { solved, .. })) => {
+                w.axes = Pos::UNKNOWN;
+                w.axes.set_in_plane(self.st.plane(), solved.to);
+                w.incremental = crate::machine::AxisSet::EMPTY;
+                let motion = match solved.arc {
+                    Some((center, ccw)) => Motion::Solved { center, ccw },
+                    None => Motion::Programmed(PathFn::Line),
+                };
+                self.run_motion(motion, w)
+            }
+            (Kind::Corner { rounding }, _) => self.make_corner(rounding, w),
+            (Kind::Functions | Kind::Element { .. }, _) => self.run_path(PathFn::Line, w),
+        };
+        self.here = here;
+        self.put_back(waiting.words);
+        result
+    }
+
+    /// The contour ends here: what is open is decided now, or never.
+    pub(super) fn close_contour(&mut self) -> Outcome {
+        if !self.contour_waits() {
+            return Ok(());
+        }
+        let observed = !self.job.settings.control.klartext_choices.fselect_refused;
+        let Some(mut free) = self.free.take() else { return Ok(()) };
+        let result = match free.window.close(observed) {
+            Ok(Closed::One { observed }) => {
+                observed.iter().for_each(|serial| self.warn_of_choice(&free, *serial));
+                Ok(())
+            }
+            Ok(Closed::Several { serial, candidates }) => {
+                self.ambiguous(&free, serial, &candidates);
+                Err(Reported)
+            }
+            Err(fault) => {
+                self.fk_fault(&free, &fault);
+                Err(Reported)
+            }
+        };
+        self.free = Some(free);
+        let result = result.and_then(|()| self.flush());
+        if result.is_err() {
+            self.abandon_contour();
+            self.lose_all();
+        }
+        result
+    }
+
+    /// The contour is given up, which was reported: nobody knows where it leads.
+    pub(super) fn abandon_contour(&mut self) {
+        let Some(free) = &mut self.free else { return };
+        if free.queue.is_empty() {
+            return;
+        }
+        free.queue.clear();
+        free.window.restart(Point2::origin(), None);
+        self.lose_all();
+    }
+
+    /// The direction in which the last move ended, in the working plane.
+    pub(super) fn last_direction(&self) -> Option<Vec2> {
+        if self.approach.is_some() {
+            return None;
+        }
+        let plane = self.st.plane();
+        let (from, to) = (self.st.position.move_began(plane)?, self.st.position.in_plane(plane)?);
+        LastMove::entered(from, to, plane, self.st.last_path, self.st.last_entry).direction(false)
+    }
+
+    /// CCA has two readings: says so where both fit and end in different places.
+    fn warn_of_readings(&self) {
+        if self.job.settings.control.klartext_choices.fk_cca_swept.is_some() {
+            return;
+        }
+        let Some(free) = &self.free else { return };
+        let ready = free.window.ready();
+        let elements = free.queue.iter().filter_map(|waiting| match waiting.kind {
+            Kind::Element { serial, item } => Some((waiting, serial, item)),
+            Kind::Corner { .. } | Kind::Functions => None,
+        });
+        for (waiting, serial, item) in elements.take(ready) {
+            let Some(EndAngle::At(angle)) = item.end_angle else { continue };
+            let (Some(to), Some(other)) = (
+                free.window.ends_of(serial).first().copied(),
+                free.window.read_otherwise(serial, EndAngle::Swept(angle)),
+            ) else {
+                continue;
+            };
+            if angle <= 0.0 || angle > 360.0 || distance(to, other) <= SAME_READING {
+                continue;
+            }
+            let loc = waiting.here.loc(&self.job, waiting.span);
+            let found = Diagnostic::new(
+                codes::K8023,
+                loc,
+                format!(
+                    "CCA {angle} is read as the direction of the end from the centre, which leads to {}; as the angle that the \
+                     arc sweeps it would lead to {}",
+                    self.shown(to),
+                    self.shown(other)
+                ),
+            )
+            .help("choose with `[control] fk_cca = \"end-angle\"` or \"sweep\", or write the end point");
+            self.job.diags.push(found.called(waiting.here.origin.call));
+        }
+    }
+}

@@ -1,0 +1,458 @@
+//! The words of FL, FLT, FC and FCT.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Point2;
+use crate::geo::open::window::{Base, EndAngle, Given, Item, Serial, Shape};
+use crate::machine::Axis;
+use crate::parser::klartext::ast::{Addr, Block, FkHead, Word};
+use crate::sema::common::plane::plane_axes;
+use crate::text::Span;
+
+use super::super::words::{Admits, Words};
+use super::super::{Outcome, Run};
+use super::Free;
+
+/// A coordinate that a word says, or that another word refers to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    First,
+    Second,
+    Radius,
+    Angle,
+}
+
+/// A word that only free contours have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Key {
+    /// AN, IAN
+    Direction { incremental: bool },
+    /// LEN
+    Length,
+    /// CCA
+    EndAngle,
+    /// CCX, ICCPR, …
+    Center { part: Part, incremental: bool },
+    /// P1X: the point and its coordinate.
+    Through(usize, Part),
+    /// PDX
+    Beside(Part),
+    /// D
+    Distance,
+    /// PAR
+    Parallel,
+    /// DP
+    ParallelDistance,
+    /// RX, RPA: the block that the end counts from.
+    EndFrom(Part),
+    /// RCCX
+    CenterFrom(Part),
+    /// RAN
+    DirectionFrom,
+    /// CLSD+ (true), CLSD-
+    Closed(bool),
+}
+
+/// A word with what it says.
+#[derive(Debug, Clone, Copy)]
+struct Said {
+    key: Key,
+    value: f64,
+    span: Span,
+}
+
+/// The words of a block, but for those of every path block.
+#[derive(Debug, Default)]
+struct Data {
+    list: Vec<Said>,
+}
+
+pub(super) fn name(head: FkHead) -> &'static str {
+    match head {
+        FkHead::Pole => "FPOL",
+        FkHead::Select => "FSELECT",
+        FkHead::Line { smooth: false } => "FL",
+        FkHead::Line { smooth: true } => "FLT",
+        FkHead::Arc { smooth: false } => "FC",
+        FkHead::Arc { smooth: true } => "FCT",
+    }
+}
+
+/// The key that a word is, `None` for one that other blocks have as well or that nobody knows.
+fn key(text: &[u8], letters: [char; 2]) -> Option<Key> {
+    let upper = text.to_ascii_uppercase();
+    let part = |rest: &[u8]| match rest {
+        b"PR" => Some(Part::Radius),
+        b"PA" => Some(Part::Angle),
+        [letter] if char::from(*letter) == letters[0] => Some(Part::First),
+        [letter] if char::from(*letter) == letters[1] => Some(Part::Second),
+        _ => None,
+    };
+    let axis = |rest: &[u8]| part(rest).filter(|part| matches!(part, Part::First | Part::Second));
+    Some(match upper.as_slice() {
+        b"AN" => Key::Direction { incremental: false },
+        b"IAN" => Key::Direction { incremental: true },
+        b"LEN" => Key::Length,
+        b"CCA" => Key::EndAngle,
+        b"D" => Key::Distance,
+        b"PAR" => Key::Parallel,
+        b"DP" => Key::ParallelDistance,
+        b"RAN" => Key::DirectionFrom,
+        [b'C', b'L', b'S', b'D', .., b'+'] => Key::Closed(true),
+        [b'C', b'L', b'S', b'D', .., b'-'] => Key::Closed(false),
+        [b'R', b'C', b'C', rest @ ..] => Key::CenterFrom(part(rest)?),
+        [b'I', b'C', b'C', rest @ ..] => Key::Center { part: part(rest)?, incremental: true },
+        [b'C', b'C', rest @ ..] => Key::Center { part: part(rest)?, incremental: false },
+        [b'P', b'D', rest @ ..] => Key::Beside(axis(rest)?),
+        [b'P', point @ b'1'..=b'3', rest @ ..] => Key::Through(usize::from(*point - b'1'), axis(rest)?),
+        [b'R', rest @ ..] => Key::EndFrom(part(rest)?),
+        _ => return None,
+    })
+}
+
+impl Key {
+    /// Do lines have it?
+    fn is_of_lines(self) -> bool {
+        !matches!(self, Key::EndAngle | Key::Center { .. } | Key::CenterFrom(_) | Key::Through(2, _))
+    }
+
+    /// Do arcs have it?
+    fn is_of_arcs(self) -> bool {
+        !matches!(self, Key::Parallel | Key::ParallelDistance)
+    }
+
+    /// Is its value the number of a block?
+    fn is_reference(self) -> bool {
+        matches!(self, Key::Parallel | Key::EndFrom(_) | Key::CenterFrom(_) | Key::DirectionFrom)
+    }
+
+    /// Is its value a length?
+    fn is_length(self) -> bool {
+        match self {
+            Key::Length | Key::Through(..) | Key::Beside(_) | Key::Distance | Key::ParallelDistance => true,
+            Key::Center { part, .. } => part != Part::Angle,
+            _ => false,
+        }
+    }
+}
+
+impl Data {
+    fn get(&self, wanted: Key) -> Option<&Said> {
+        self.list.iter().find(|said| said.key == wanted)
+    }
+
+    fn value(&self, wanted: Key) -> Option<f64> {
+        self.get(wanted).map(|said| said.value)
+    }
+}
+
+impl Run<'_> {
+    /// What the block says of its element, and the words that every path block has.
+    pub(super) fn fk_words(
+        &mut self,
+        free: &mut Free,
+        head: FkHead,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<(Item, Box<Words>)> {
+        let (rest, said) = self.fk_keys(head, block, text)?;
+        let is_line = matches!(head, FkHead::Line { .. });
+        let admits = Admits::PATH.and(Admits::POLAR);
+        let admits = if is_line { admits } else { admits.and(Admits::RADIUS).and(Admits::TURN) };
+        let w = self.gather(&rest, name(head), admits)?;
+        self.forbid_m(&w, name(head), &[91])?;
+        let item = self.item(free, head, &w, &said)?;
+        Ok((item, w))
+    }
+
+    /// Takes the words of free contours out of the block.
+    fn fk_keys(&mut self, head: FkHead, block: &Block, text: &[u8]) -> Outcome<(Block, Data)> {
+        let mm = self.level().frame.unit.mm();
+        let letters = self.letters();
+        let is_line = matches!(head, FkHead::Line { .. });
+        let (mut rest, mut said) = (block.clone(), Data::default());
+        rest.words.clear();
+        let mut words = block.words.iter();
+        while let Some(&word) = words.next() {
+            let found = if word.addr == Addr::Name { key(word.span.of(text), letters) } else { None };
+            let Some(found) = found else {
+                rest.words.push(word);
+                continue;
+            };
+            if !(if is_line { found.is_of_lines() } else { found.is_of_arcs() }) {
+                return self.not_admitted(word, name(head));
+            }
+            if said.get(found).is_some() {
+                return self.fail_help(
+                    codes::K1004,
+                    word.span,
+                    format!("`{}` repeats a word of this block", self.word_text(word.span)),
+                    "remove one of the two",
+                );
+            }
+            let (mut value, mut span) = (0.0, word.span);
+            if !matches!(found, Key::Closed(_)) {
+                let Some(behind @ Word { addr: Addr::Value, .. }) = words.next() else {
+                    return self.fail_help(
+                        codes::K1006,
+                        word.span,
+                        format!("`{}` lacks its value", self.word_text(word.span)),
+                        "write the value behind the word",
+                    );
+                };
+                span = word.span.to(behind.span);
+                value = self.number(behind.value, behind.span)? * if found.is_length() { mm } else { 1.0 };
+            }
+            said.list.push(Said { key: found, value, span });
+        }
+        Ok((rest, said))
+    }
+
+    fn item(&mut self, free: &mut Free, head: FkHead, w: &Words, said: &Data) -> Outcome<Item> {
+        let plane = self.st.plane();
+        if !w.axes.known().without(plane_axes(plane)).is_empty() {
+            return self.fail_help(
+                codes::K1005,
+                w.axes_span,
+                format!("{} moves in the working plane only", name(head)),
+                "program the other axes in a block of their own, in front of the contour or behind it",
+            );
+        }
+        let (shape, smooth) = match head {
+            FkHead::Arc { smooth } => (Shape::Arc(w.turn), smooth),
+            FkHead::Line { smooth } => (Shape::Line, smooth),
+            FkHead::Pole | FkHead::Select => (Shape::Line, false),
+        };
+        let mut item = Item { shape, smooth, ..Item::default() };
+        self.sizes(&mut item, w, said)?;
+        self.end_of_element(&mut item, free, w, said)?;
+        self.center_of_element(&mut item, free, said)?;
+        self.direction_of_element(&mut item, free, said)?;
+        self.points(&mut item, said)?;
+        self.closing(&mut item, free, said)?;
+        let polar = [item.end.radius, item.end.angle, item.center.radius, item.center.angle];
+        match free.pole {
+            Some(pole) => item.pole = pole,
+            None if polar.iter().any(Option::is_some) => {
+                return self.fail_help(
+                    codes::K2101,
+                    self.block_span(),
+                    format!("the polar words of {} need the pole of free contours", name(head)),
+                    "program `FPOL X… Y…` before this block",
+                );
+            }
+            None => {}
+        }
+        Ok(item)
+    }
+
+    /// R, LEN, CCA, D and DP.
+    fn sizes(&mut self, item: &mut Item, w: &Words, said: &Data) -> Outcome {
+        item.length = said.value(Key::Length);
+        item.radius = w.radius;
+        let radius = w.radius.map(|radius| (radius, w.radius_span));
+        let other = |key| said.get(key).map(|said| (said.value, said.span));
+        for (value, span) in [radius, other(Key::Length)].into_iter().flatten() {
+            if value <= 0.0 {
+                return self.wrong(span, "is not above zero");
+            }
+        }
+        for (value, span) in [other(Key::Distance), other(Key::ParallelDistance)].into_iter().flatten() {
+            if value < 0.0 {
+                return self.wrong(span, "is below zero");
+            }
+        }
+        let Some(angle) = said.get(Key::EndAngle) else { return Ok(()) };
+        let swept = self.job.settings.control.klartext_choices.fk_cca_swept == Some(true);
+        if swept && !(angle.value > 0.0 && angle.value <= 360.0) {
+            return self.wrong(angle.span, "is no angle that an arc sweeps");
+        }
+        item.end_angle = Some(if swept { EndAngle::Swept(angle.value) } else { EndAngle::At(angle.value) });
+        Ok(())
+    }
+
+    fn wrong<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
+        let text = self.word_text(span);
+        self.fail_help(codes::K1006, span, format!("`{text}` {what}"), "correct the value")
+    }
+
+    fn end_of_element(&mut self, item: &mut Item, free: &Free, w: &Words, said: &Data) -> Outcome {
+        let (first, second, _) = self.st.plane().axes();
+        let axis = |index: usize| {
+            let axis = Axis::ALL[index];
+            w.axes.get(axis).map(|value| (value, w.incremental.contains(axis)))
+        };
+        let written = [
+            (Part::First, axis(first)),
+            (Part::Second, axis(second)),
+            (Part::Radius, w.polar_radius),
+            (Part::Angle, w.polar_angle),
+        ];
+        for (part, value) in written {
+            let from = said.get(Key::EndFrom(part));
+            let given = self.given(free, value, from, false)?;
+            match part {
+                Part::First => item.end.x = given,
+                Part::Second => item.end.y = given,
+                Part::Radius => item.end.radius = given,
+                Part::Angle => item.end.angle = given,
+            }
+        }
+        Ok(())
+    }
+
+    fn center_of_element(&mut self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
+        for part in [Part::First, Part::Second, Part::Radius, Part::Angle] {
+            let absolute = said.get(Key::Center { part, incremental: false });
+            let incremental = said.get(Key::Center { part, incremental: true });
+            if let (Some(_), Some(twice)) = (absolute, incremental) {
+                return self.wrong(twice.span, "says again what another word of the block says");
+            }
+            let value = absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true)));
+            let from = said.get(Key::CenterFrom(part));
+            let given = self.given(free, value, from, true)?;
+            if let (Some(Given { from: Base::Start, .. }), Some(said)) = (given, incremental) {
+                self.unconfirmed(said.span, "counts from the start of the arc", "name the block that it counts from");
+            }
+            match part {
+                Part::First => item.center.x = given,
+                Part::Second => item.center.y = given,
+                Part::Radius => item.center.radius = given,
+                Part::Angle => item.center.angle = given,
+            }
+        }
+        Ok(())
+    }
+
+    fn direction_of_element(&mut self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
+        let absolute = said.get(Key::Direction { incremental: false });
+        let incremental = said.get(Key::Direction { incremental: true });
+        if let (Some(_), Some(twice)) = (absolute, incremental) {
+            return self.wrong(twice.span, "says again what another word of the block says");
+        }
+        let value = absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true)));
+        item.angle = self.given(free, value, said.get(Key::DirectionFrom), false)?;
+        if (item.smooth || incremental.is_some_and(|_| said.get(Key::DirectionFrom).is_none()))
+            && free.queue.is_empty()
+            && self.last_direction().is_none()
+        {
+            let span = incremental.map_or(self.block_span(), |said| said.span);
+            return self.fail_help(
+                codes::K3004,
+                span,
+                "the direction of the element before is not known here",
+                "write AN, or program a line or an arc of the working plane directly in front",
+            );
+        }
+        let apart = said.get(Key::ParallelDistance);
+        match (said.get(Key::Parallel), apart) {
+            (Some(of), _) => item.parallel = Some((self.referred(free, of)?, apart.map(|said| said.value))),
+            (None, Some(apart)) => return self.incomplete(apart.span, "PAR and the number of a block"),
+            (None, None) => {}
+        }
+        Ok(())
+    }
+
+    /// P1 to P3 and PD.
+    fn points(&mut self, item: &mut Item, said: &Data) -> Outcome {
+        for point in 0..3 {
+            let coordinate = |part| said.get(Key::Through(point, part));
+            item.through[point] = match (coordinate(Part::First), coordinate(Part::Second)) {
+                (Some(x), Some(y)) => Some(Point2::new(x.value, y.value)),
+                (None, None) => None,
+                (Some(alone), None) | (None, Some(alone)) => {
+                    return self.incomplete(alone.span, "the other coordinate of the point");
+                }
+            };
+        }
+        let coordinate = |part| said.get(Key::Beside(part));
+        match (coordinate(Part::First), coordinate(Part::Second), said.get(Key::Distance)) {
+            (Some(x), Some(y), Some(apart)) => item.beside = Some((Point2::new(x.value, y.value), apart.value)),
+            (None, None, None) => {}
+            (x, y, apart) => {
+                let span = x.or(y).or(apart).map_or(self.block_span(), |said| said.span);
+                let [first, second] = self.letters();
+                return self.incomplete(span, &format!("PD{first}, PD{second} and D together"));
+            }
+        }
+        Ok(())
+    }
+
+    /// CLSD+ and CLSD-.
+    fn closing(&mut self, item: &mut Item, free: &mut Free, said: &Data) -> Outcome {
+        if let Some(ends) = said.get(Key::Closed(false)) {
+            item.closes = free.closes.take().filter(|serial| free.window.knows(*serial));
+            if item.closes.is_none() {
+                return self
+                    .incomplete(ends.span, "a block with CLSD+ where the contour begins, at most 64 elements before");
+            }
+        }
+        if said.get(Key::Closed(true)).is_some() {
+            free.closes = Some(free.window.next_serial());
+        }
+        Ok(())
+    }
+
+    fn incomplete<T>(&mut self, span: Span, needs: &str) -> Outcome<T> {
+        let text = self.word_text(span);
+        self.fail_help(codes::K1006, span, format!("`{text}` needs {needs}"), "complete the data, or remove the word")
+    }
+
+    /// A value, and what it counts from.
+    fn given(
+        &mut self,
+        free: &Free,
+        value: Option<(f64, bool)>,
+        from: Option<&Said>,
+        center: bool,
+    ) -> Outcome<Option<Given>> {
+        Ok(match (value, from) {
+            (None, None) => None,
+            (Some((value, false)), None) => Some(Given { value, from: Base::Zero }),
+            (Some((value, true)), None) => Some(Given { value, from: Base::Start }),
+            (Some((value, true)), Some(from)) => {
+                let serial = self.referred(free, from)?;
+                if center && free.window.is_arc(serial) {
+                    self.unconfirmed(
+                        from.span,
+                        "refers to an arc, and counts from its centre",
+                        "refer to a line, or write the centre without a reference",
+                    );
+                }
+                Some(Given { value, from: Base::Element(serial) })
+            }
+            (Some((_, false)) | None, Some(from)) => {
+                let text = self.word_text(from.span);
+                return self.fail_help(
+                    codes::K3004,
+                    from.span,
+                    format!("`{text}` belongs to an incremental word, and there is none in this block"),
+                    "write the word that it belongs to with I: `IX+20 RX 13`",
+                );
+            }
+        })
+    }
+
+    /// The element of a block number.
+    fn referred(&mut self, free: &Free, said: &Said) -> Outcome<Serial> {
+        debug_assert!(said.key.is_reference(), "a block number");
+        let number = Some(said.value).filter(|value| value.fract() == 0.0 && (0.0..1e6).contains(value));
+        if let Some(serial) = number.and_then(|number| free.serial_of(number as u32)) {
+            return Ok(serial);
+        }
+        let text = self.word_text(said.span);
+        self.fail_help(
+            codes::K3004,
+            said.span,
+            format!("`{text}` refers to a block that is no FL, FLT, FC or FCT block of the last 64 in front"),
+            "write the number of such a block; where it was removed or renumbered, write absolute values",
+        )
+    }
+
+    fn unconfirmed(&self, span: Span, what: &str, help: &str) {
+        let text = self.word_text(span);
+        self.report(
+            Diagnostic::new(codes::K8024, self.loc(span), format!("`{text}` {what}: no manual at hand says so"))
+                .help(help.to_owned()),
+        );
+    }
+}
