@@ -56,7 +56,8 @@ pub mod settings {
 pub mod diagnostics {
     pub use crate::diag::codes::{self, Code};
     pub use crate::diag::finding::{Finding, Related, Site};
-    pub use crate::diag::render::{JsonReport, concise};
+    pub use crate::diag::render::concise;
+    pub use crate::diag::report::{Checked, Counts, Document, Kind};
     pub use crate::diag::{Diagnostic, Diags, Severity, Trail};
 }
 

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, CommandFactory, Parser, Subcommand, ValueEnum};
 
+use crate::diag::{self, report::Kind};
+
 /// Compiles CNC part programs of control dialects into plain, fully resolved G-code, and lints them
 #[derive(Debug, Parser)]
 #[command(name = "partc", version, about, max_term_width = 100, propagate_version = true)]
@@ -35,17 +37,17 @@ pub(super) enum Command {
         /// Code such as K2101, or its name
         code: String,
         #[arg(long, value_enum, default_value = "human")]
-        format: Format,
+        format: ListFormat,
     },
     /// List all diagnostic codes
     Rules {
         #[arg(long, value_enum, default_value = "human")]
-        format: Format,
+        format: ListFormat,
     },
     /// List the targets and what each can say
     Targets {
         #[arg(long, value_enum, default_value = "human")]
-        format: Format,
+        format: ListFormat,
     },
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
@@ -55,13 +57,13 @@ pub(super) enum Command {
 
 #[derive(Debug, ClapArgs)]
 pub(super) struct Compile {
-    /// Part programs; `-` reads standard input
-    #[arg(required = true)]
+    /// Part programs and folders; `-` reads standard input
+    #[arg(required_unless_present = "files_from")]
     pub inputs: Vec<PathBuf>,
     /// Output file; `-` writes standard output. Default: beside the input, with the target's extension
     #[arg(short, long, value_name = "FILE", conflicts_with = "out_dir")]
     pub output: Option<PathBuf>,
-    /// Folder for the output files
+    /// Folder for the output files; the tree of a folder of programs is kept
     #[arg(long, value_name = "DIR")]
     pub out_dir: Option<PathBuf>,
     /// Write a source map: output line to input file, line and call stack
@@ -71,16 +73,52 @@ pub(super) struct Compile {
     #[arg(long)]
     pub force: bool,
     #[command(flatten)]
+    pub many: Many,
+    #[command(flatten)]
     pub common: Common,
 }
 
 #[derive(Debug, ClapArgs)]
 pub(super) struct Check {
     /// Part programs and folders; `-` reads standard input
-    #[arg(required = true)]
+    #[arg(required_unless_present = "files_from")]
     pub paths: Vec<PathBuf>,
+    /// File for the report, instead of the terminal or standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub many: Many,
     #[command(flatten)]
     pub common: Common,
+}
+
+/// Which programs, and how many at a time.
+#[derive(Debug, Default, ClapArgs)]
+pub(super) struct Many {
+    /// More programs and folders, one a line; `-` reads the list from standard input
+    #[arg(long, value_name = "FILE")]
+    pub files_from: Option<PathBuf>,
+    /// The i-th of n parts of all programs, told apart by their names: `--shard 1/4`
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub shard: Option<Shard>,
+    /// Programs at a time [default: one a core]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+}
+
+/// One of so many parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Shard {
+    /// From 1.
+    pub part: u32,
+    pub of: u32,
+}
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let (part, of) = text.split_once('/').ok_or("write which part of how many: `2/5`")?;
+    let number = |text: &str| text.parse::<u32>().map_err(|_| format!("`{text}` is no number of parts"));
+    let shard = Shard { part: number(part)?, of: number(of)? };
+    if (1..=shard.of).contains(&shard.part) { Ok(shard) } else { Err(format!("there is no part {text}")) }
 }
 
 #[derive(Debug, ClapArgs)]
@@ -150,24 +188,108 @@ pub(super) struct Common {
     /// Radius compensation: `resolve` or `control`
     #[arg(long, value_parser = ["resolve", "control"])]
     pub compensation: Option<String>,
-    /// How findings are written
-    #[arg(long, value_enum, default_value = "human")]
-    pub format: Format,
-    /// Show errors only
-    #[arg(short, long)]
-    pub quiet: bool,
-    #[arg(long, value_enum, default_value = "auto")]
-    pub color: Color,
+    #[command(flatten)]
+    pub report: Report,
     /// Name of what standard input holds
     #[arg(long, value_name = "NAME")]
     pub stdin_filename: Option<PathBuf>,
 }
 
+/// How findings are shown, and what they come to.
+#[derive(Debug, ClapArgs)]
+pub(super) struct Report {
+    /// How findings are written [default: human; github in a workflow of GitHub Actions]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+    /// One more report, in a file; may be given several times: `--report sarif=findings.sarif`
+    #[arg(long = "report", value_name = "FORMAT=FILE", value_parser = one_more)]
+    pub more: Vec<(Format, PathBuf)>,
+    /// The least severity of a finding that makes the run fail: exit code 1, and no output
+    #[arg(long, value_enum, default_value = "error")]
+    pub fail_on: Severity,
+    /// Exit code 0 whatever is found in programs
+    #[arg(long)]
+    pub exit_zero: bool,
+    /// How often each code was found, at the end
+    #[arg(long)]
+    pub statistics: bool,
+    /// Show errors only
+    #[arg(short, long)]
+    pub quiet: bool,
+    #[arg(long, value_enum, default_value = "auto")]
+    pub color: Color,
+}
+
+fn one_more(text: &str) -> Result<(Format, PathBuf), String> {
+    let (format, file) = text.split_once('=').ok_or("write the format and the file: `sarif=findings.sarif`")?;
+    let format = Format::from_str(format, false)?;
+    if file.is_empty() || file == "-" {
+        return Err("name a file; `--format` writes to standard output".to_owned());
+    }
+    Ok((format, PathBuf::from(file)))
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
+    /// With the block, for people
+    Human,
+    /// A line each
+    Concise,
+    /// One object
+    Json,
+    /// An object a line
+    Jsonl,
+    /// Annotations of GitHub Actions
+    Github,
+    /// Code Quality report of GitLab
+    Gitlab,
+    /// SARIF 2.1.0
+    Sarif,
+    /// JUnit XML, a test case a program
+    Junit,
+    /// Checkstyle XML
+    Checkstyle,
+}
+
+impl Format {
+    /// The document that is made, where it is none for people.
+    pub fn kind(self) -> Option<Kind> {
+        Some(match self {
+            Format::Human | Format::Concise => return None,
+            Format::Json => Kind::Json,
+            Format::Jsonl => Kind::JsonLines,
+            Format::Github => Kind::GitHub,
+            Format::Gitlab => Kind::GitLab,
+            Format::Sarif => Kind::Sarif,
+            Format::Junit => Kind::JUnit,
+            Format::Checkstyle => Kind::Checkstyle,
+        })
+    }
+}
+
+/// Forms of a list that holds no findings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ListFormat {
     Human,
     Concise,
     Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Severity {
+    Error,
+    Warning,
+    Note,
+}
+
+impl Severity {
+    pub fn of_findings(self) -> diag::Severity {
+        match self {
+            Severity::Error => diag::Severity::Error,
+            Severity::Warning => diag::Severity::Warning,
+            Severity::Note => diag::Severity::Note,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

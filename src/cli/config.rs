@@ -11,7 +11,7 @@ use crate::text::decode::escaped_json;
 
 use super::args::{Common, Config, Format};
 use super::disk::read_settings;
-use super::report::print;
+use super::listing::print;
 use super::{Exit, Trouble};
 
 /// Name of the configuration file.
@@ -43,9 +43,10 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
         let table = Value::Table(Table::from([(key.to_owned(), node)]));
         overlay(&mut tree, Table::from([(section.to_owned(), Node { value: table, spot })]));
     }
-    let text = match args.common.format {
-        Format::Json => format!("{}\n", show::json(&tree)),
-        Format::Human | Format::Concise => show::toml(&tree),
+    let text = match args.common.report.format {
+        Some(Format::Json) => format!("{}\n", show::json(&tree)),
+        None | Some(Format::Human | Format::Concise) => show::toml(&tree),
+        Some(_) => return Err("`partc config` writes human or json".to_owned()),
     };
     // Escapes of JSON are those of TOML, too.
     print(escaped_json(&text).as_bytes())

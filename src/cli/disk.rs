@@ -5,8 +5,6 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Component, Path, PathBuf};
 
-use walkdir::{DirEntry, WalkDir};
-
 use crate::machine::tree::did_you_mean;
 use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
@@ -321,26 +319,6 @@ fn like(folder: &Path, name: &str, extensions: &[&str]) -> Option<String> {
     let stems = names.iter().filter_map(|name| name.rsplit_once('.')).map(|(stem, _)| stem);
     let near = did_you_mean(stem, stems)?;
     names.iter().find(|name| name.rsplit_once('.').is_some_and(|(stem, _)| stem == near)).cloned()
-}
-
-/// Part programs at and below `path`, in order of their names.
-pub(super) fn walk(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec<PathBuf>> {
-    if !path.is_dir() {
-        return Ok(vec![path.to_path_buf()]);
-    }
-    let shown = |entry: &DirEntry| entry.depth() == 0 || !entry.file_name().to_string_lossy().starts_with('.');
-    let mut found = Vec::new();
-    for entry in WalkDir::new(path).into_iter().filter_entry(shown) {
-        // No link is followed, so none leads in circles.
-        let circle = || io::Error::other("links lead in circles");
-        let entry = entry.map_err(|error| error.into_io_error().unwrap_or_else(circle))?.into_path();
-        if entry.is_file() && takes(&entry) {
-            found.push(entry);
-        }
-    }
-    found.sort();
-    // What lies in `.` is called as the user would call it.
-    Ok(found.into_iter().map(|path| path.strip_prefix(".").map(Path::to_path_buf).unwrap_or(path)).collect())
 }
 
 #[cfg(test)]

@@ -13,11 +13,12 @@ use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Format, Test};
-use super::disk::walk;
+use super::inputs::{Ignored, walk};
+use super::listing::print;
 
-use super::output::{Destination, Made, is_foreign};
-use super::report::{Reporter, counted, print};
-use super::run::{Loaded, is_program, load};
+use super::output::Destination;
+use super::report::{Reporter, Stdout, counted};
+use super::run::{Loaded, is_output, is_program, load};
 use super::{Exit, Trouble};
 
 /// Lines of the head that name the version of partc and the hash of the source, not the path.
@@ -59,14 +60,19 @@ impl Result {
 /// `partc test`
 pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
     let walked = |takes: &dyn Fn(&Path) -> bool| {
-        walk(&args.dir, takes).map_err(|error| format!("{}: {error}", args.dir.display()))
+        walk(&args.dir, takes, Ignored::Taken).map_err(|error| format!("{}: {error}", args.dir.display()))
     };
     if !args.dir.is_dir() {
         return Err(format!("{}: is no folder", args.dir.display()));
     }
     let programs = walked(&|path| !is_golden(path) && !is_output(path) && is_program(path))?;
     let mut left = walked(&is_golden)?;
-    let mut run = Run { args, cases: Vec::new(), reporter: Reporter::new(&args.common), taken: BTreeMap::new() };
+    let format = args.common.report.format.unwrap_or(Format::Human);
+    if !matches!(format, Format::Human | Format::Concise | Format::Json) {
+        return Err("`partc test` writes human, concise or json".to_owned());
+    }
+    let reporter = Reporter::new(&args.common, Stdout::Taken, None)?;
+    let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new() };
     for program in &programs {
         if let Err(trouble) = run.one(program) {
             run.reporter.trouble(trouble);
@@ -78,11 +84,6 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
         run.show(&golden, Result::NoProgram, None)?;
     }
     run.finish()
-}
-
-/// Outputs that lie about are neither programs nor golden.
-fn is_output(path: &Path) -> bool {
-    path.metadata().is_ok_and(|meta| meta.len() > 0) && !is_foreign(path, Made::Program)
 }
 
 fn is_golden(path: &Path) -> bool {
@@ -105,6 +106,7 @@ fn golden_extension(target: &Target) -> String {
 
 struct Run<'a> {
     args: &'a Test,
+    format: Format,
     cases: Vec<(PathBuf, Result, Option<Value>)>,
     reporter: Reporter,
     /// Golden outputs, and the program each belongs to.
@@ -159,12 +161,12 @@ impl Run<'_> {
         let change = difference.map(|(_, before, now)| Change::between(before, now));
         let json = change.as_ref().map(Change::json);
         self.cases.push((path.to_path_buf(), result, json));
-        if self.args.common.format == Format::Json || (self.args.common.quiet && !result.fails()) {
+        if self.format == Format::Json || (self.args.common.report.quiet && !result.fails()) {
             return Ok(());
         }
         let mut text = format!("{:10} {}\n", result.word(), path.display());
         if let (Some((golden, before, now)), Some(change)) = (difference, change)
-            && self.args.common.format == Format::Human
+            && self.format == Format::Human
         {
             text += &text_difference(golden, before, now);
             text += &change.text();
@@ -177,7 +179,7 @@ impl Run<'_> {
         let failed = self.cases.iter().filter(|case| case.1.fails()).count() as u32;
         let (same, written) = (count(Result::Same), count(Result::Written));
         let nothing = failed + same + written == 0;
-        if self.args.common.format == Format::Json {
+        if self.format == Format::Json {
             let cases: Vec<Value> = self
                 .cases
                 .iter()
@@ -188,7 +190,7 @@ impl Run<'_> {
             let report =
                 json!({ "version": 1, "cases": cases, "failed": failed, "troubles": self.reporter.troubles() });
             print(escaped_json(&format!("{report}\n")).as_bytes())?;
-        } else if !self.args.common.quiet {
+        } else if !self.args.common.report.quiet {
             let mut parts = vec![format!("{same} same")];
             for (n, what) in [
                 (count(Result::Differs), "different"),

@@ -4,9 +4,12 @@ mod args;
 mod config;
 mod disk;
 mod golden;
+mod inputs;
+mod listing;
 mod output;
 mod pending;
 mod plot;
+mod pool;
 mod report;
 mod run;
 mod targets;
@@ -80,18 +83,18 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Plot(plot) => plot::plot(plot),
         Command::Test(test) => golden::test(test),
         Command::Config(show) => config::command(show),
-        Command::Explain { code, format } => report::explain(code, *format),
-        Command::Rules { format } => report::rules(*format),
+        Command::Explain { code, format } => listing::explain(code, *format),
+        Command::Rules { format } => listing::rules(*format),
         Command::Targets { format } => targets::list(*format),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut args::command(), "partc", &mut script);
-            report::print(&script)
+            listing::print(&script)
         }
         Command::Man => {
             let mut page = Vec::new();
             clap_mangen::Man::new(args::command()).render(&mut page).map_err(|error| error.to_string())?;
-            report::print(&page)
+            listing::print(&page)
         }
     }
 }

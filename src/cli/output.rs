@@ -152,8 +152,10 @@ pub(super) struct Progress<O> {
 }
 
 impl<O> Progress<O> {
-    pub(super) fn new(inner: O) -> Progress<O> {
-        Progress { inner, start: Instant::now(), shown: None, bytes: 0, terminal: io::stderr().is_terminal() }
+    /// Silent where it is not `alone` at work.
+    pub(super) fn new(inner: O, alone: bool) -> Progress<O> {
+        let terminal = alone && io::stderr().is_terminal();
+        Progress { inner, start: Instant::now(), shown: None, bytes: 0, terminal }
     }
 
     pub(super) fn into_inner(self) -> O {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::args::Plot;
 use super::disk::file_name;
 use super::output::{Destination, Made, Progress, is_foreign, set_aside};
-use super::report::Reporter;
+use super::report::{Reporter, Stdout};
 use super::run::{Loaded, ignore_closed_pipe, load, same_file};
 use super::{Exit, Trouble, say};
 
@@ -22,11 +22,12 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
         return Err(format!("{shown}: not drawn by partc; use --force to replace it, or another name"));
     }
     let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
-    let mut reporter = Reporter::new(&args.common);
-    let mut out = Progress::new(Destination::open(&target).map_err(trouble)?);
+    let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
+    let mut reporter = Reporter::new(&args.common, stdout, None)?;
+    let mut out = Progress::new(Destination::open(&target).map_err(trouble)?, true);
     let result = session.plot(dialect, &settings, &files, &mut out);
     let out = out.into_inner();
-    if session.diags.has_errors() {
+    if reporter.look().fails(&session) {
         drop(out);
         if let Some(stale) = set_aside(&target, Made::Picture).map_err(trouble)? {
             say(&format!("partc: the older {shown} was renamed to {}", stale.display()));

@@ -1,85 +1,226 @@
-//! Findings on the terminal, and the list of codes.
+//! The findings of a command: on the terminal, as documents, and as an exit code.
 
+use std::collections::BTreeMap;
 use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
-use serde_json::json;
-
+use crate::diag::render::concise;
 use crate::diag::render::terminal::Style;
-use crate::diag::render::{JsonReport, concise};
+use crate::diag::report::{Checked, Counts, Document};
 use crate::diag::{Severity, codes};
 use crate::driver::Session;
-use crate::machine::tree::did_you_mean;
+use crate::text::FileId;
 
 use super::args::{Color, Common, Format};
+use super::listing::print;
+use super::output::Destination;
 use super::{Exit, Trouble, say};
 
-/// Collects and prints the findings of a command.
-pub(super) struct Reporter {
-    format: Format,
+/// Characters in a line on the terminal.
+const WIDTH: usize = 100;
+/// Work shorter than this shows neither progress nor speed.
+const QUIET: Duration = Duration::from_secs(1);
+
+/// How findings shall look: all that a thread needs to know that makes them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Look {
+    /// Human or concise: the text of one program.
+    text: Option<Format>,
+    /// Some document wants them.
+    documents: bool,
     quiet: bool,
-    style: Style,
-    json: JsonReport,
-    errors: u32,
-    warnings: u32,
-    /// What is no finding in a program, such as a file that cannot be read.
-    troubles: Vec<Trouble>,
+    color: bool,
+    fails: Severity,
 }
 
-impl Reporter {
-    pub(super) fn new(common: &Common) -> Reporter {
-        let terminal = io::stderr().is_terminal();
-        let color = match common.color {
-            Color::Always => true,
-            Color::Never => false,
-            Color::Auto => terminal && std::env::var_os("NO_COLOR").is_none(),
-        };
-        Reporter {
-            format: common.format,
-            quiet: common.quiet,
-            style: Style::new(color, 100),
-            json: JsonReport::default(),
-            errors: 0,
-            warnings: 0,
-            troubles: Vec::new(),
-        }
+/// What one program came to, ready to be shown.
+#[derive(Debug)]
+pub(super) struct Presented {
+    checked: Checked,
+    text: String,
+    /// Codes of its findings, each with how often it was found.
+    codes: BTreeMap<&'static str, u32>,
+}
+
+impl Look {
+    /// Does a run that found so much give an output?
+    pub(super) fn fails(&self, session: &Session) -> bool {
+        Counts::of(&session.diags).at_least(self.fails) > 0 || session.diags.has_errors()
     }
 
-    /// Prints what a session found. Returns whether there were errors.
-    pub(super) fn session(&mut self, session: Session) -> bool {
+    /// Looks everything up in the session, which ends here.
+    pub(super) fn present(&self, session: Session) -> Presented {
         let Session { sources, diags, trail } = session;
-        let (errors, warnings, dropped) = (diags.errors(), diags.warnings(), diags.dropped());
+        let counts = Counts::of(&diags);
+        let file = sources.name(FileId(0));
         let mut list = diags.into_sorted();
+        let mut codes = BTreeMap::new();
+        for found in &list {
+            *codes.entry(found.code.id).or_default() += 1;
+        }
         if self.quiet {
             list.retain(|found| found.code.severity == Severity::Error);
         }
-        self.errors += errors;
-        self.warnings += warnings;
-        if self.format == Format::Json {
-            self.json.add(&list, [errors, warnings, dropped], &sources, &trail);
-            return errors > 0;
+        let mut text = String::new();
+        if let Some(format) = self.text {
+            let style = (format == Format::Human && !list.is_empty()).then(|| Style::new(self.color, WIDTH));
+            for found in &list {
+                text += &match &style {
+                    Some(style) => style.render(found, &sources, &trail),
+                    None => concise(found, &sources, &trail),
+                };
+                text.push('\n');
+            }
+            if counts.not_shown > 0 && (counts.errors > 0 || !self.quiet) {
+                let more = counted(counts.not_shown, "more finding is", "more findings are");
+                text += &format!("{}: {more} not shown\n", sources.shown(FileId(0)));
+            }
         }
-        let mut out = io::stderr().lock();
-        for found in &list {
-            let text = match self.format {
-                Format::Human => self.style.render(found, &sources, &trail),
-                _ => concise(found, &sources, &trail),
-            };
-            let _ = writeln!(out, "{text}");
+        let shown = if self.documents { list.as_slice() } else { &[] };
+        Presented { checked: Checked::new(&file, shown, counts, &sources, &trail), text, codes }
+    }
+}
+
+/// Where the findings of `--format` go.
+enum Main {
+    /// Text, to stderr as it comes.
+    Terminal,
+    /// Text, to a file in the end.
+    Text(String),
+    Document(Box<dyn Document>),
+}
+
+/// Collects and prints the findings of a command.
+pub(super) struct Reporter {
+    look: Look,
+    main: Main,
+    /// File of the report, instead of the terminal or standard output.
+    output: Option<PathBuf>,
+    /// Further documents, each with its file.
+    more: Vec<(Box<dyn Document>, PathBuf)>,
+    counts: Counts,
+    codes: BTreeMap<&'static str, u32>,
+    programs: u32,
+    bytes: u64,
+    statistics: bool,
+    exit_zero: bool,
+    /// What is no finding in a program, such as a file that cannot be read.
+    troubles: Vec<Trouble>,
+    started: Instant,
+    /// When progress was shown last.
+    shown: Option<Instant>,
+}
+
+/// Is somebody else using standard output?
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stdout {
+    Free,
+    Taken,
+}
+
+/// The format that holds: a workflow of GitHub Actions gets annotations unless the user says otherwise.
+fn format(common: &Common, stdout: Stdout) -> Format {
+    let in_workflow = || std::env::var_os("GITHUB_ACTIONS").is_some_and(|value| value == "true");
+    match common.report.format {
+        Some(format) => format,
+        None if stdout == Stdout::Free && in_workflow() => Format::Github,
+        None => Format::Human,
+    }
+}
+
+impl Reporter {
+    /// A reporter that has found nothing yet.
+    ///
+    /// # Errors
+    /// A format that needs a file and has none.
+    pub(super) fn new(common: &Common, stdout: Stdout, output: Option<&Path>) -> Result<Reporter, Trouble> {
+        let args = &common.report;
+        let fails = args.fail_on.of_findings();
+        let format = format(common, stdout);
+        if let Some((format, _)) = args.more.iter().find(|(format, _)| format.kind().is_none()) {
+            return Err(format!("--report writes documents; `{format:?}` is for people: use --format").to_lowercase());
         }
-        if dropped > 0 && (errors > 0 || !self.quiet) {
-            let name = sources.shown(crate::text::FileId(0));
-            let _ = writeln!(out, "{name}: {} not shown", counted(dropped, "more finding is", "more findings are"));
+        let kind = format.kind();
+        let output = output.filter(|path| *path != Path::new("-")).map(Path::to_path_buf);
+        let color = match args.color {
+            Color::Always => true,
+            Color::Never => false,
+            Color::Auto => output.is_none() && io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+        };
+        let main = match kind {
+            Some(kind) => Main::Document(kind.document(fails)),
+            None if output.is_some() => Main::Text(String::new()),
+            None => Main::Terminal,
+        };
+        let documents = kind.is_some() || !args.more.is_empty();
+        Ok(Reporter {
+            look: Look { text: kind.is_none().then_some(format), documents, quiet: args.quiet, color, fails },
+            main,
+            output,
+            more: args
+                .more
+                .iter()
+                .filter_map(|(format, file)| Some((format.kind()?.document(fails), file.clone())))
+                .collect(),
+            counts: Counts::default(),
+            codes: BTreeMap::new(),
+            programs: 0,
+            bytes: 0,
+            statistics: args.statistics,
+            exit_zero: args.exit_zero,
+            troubles: Vec::new(),
+            started: Instant::now(),
+            shown: None,
+        })
+    }
+
+    pub(super) fn look(&self) -> Look {
+        self.look
+    }
+
+    /// Takes what a session found.
+    pub(super) fn session(&mut self, session: Session) {
+        self.take(self.look.present(session));
+    }
+
+    /// Takes what one program came to, in the order of the inputs.
+    pub(super) fn take(&mut self, presented: Presented) {
+        let Presented { checked, text, codes } = presented;
+        self.programs += 1;
+        self.bytes += checked.bytes;
+        self.counts.add(&checked.counts);
+        for (code, times) in codes {
+            *self.codes.entry(code).or_default() += times;
         }
-        errors > 0
+        match &mut self.main {
+            Main::Document(document) => document.program(&checked),
+            Main::Text(report) => report.push_str(&text),
+            Main::Terminal if text.is_empty() => {}
+            Main::Terminal => {
+                self.clear_progress();
+                let _ = io::stderr().lock().write_all(text.as_bytes());
+            }
+        }
+        for (document, _) in &mut self.more {
+            document.program(&checked);
+        }
     }
 
     /// Prints trouble that is no finding; the command goes on with what is left.
     pub(super) fn trouble(&mut self, trouble: Trouble) {
         // One configuration may be at fault for many programs.
         if !self.troubles.contains(&trouble) {
+            self.clear_progress();
             say(&format!("partc: {trouble}"));
             self.troubles.push(trouble);
         }
+    }
+
+    /// A line about a file.
+    pub(super) fn say(&mut self, line: &str) {
+        self.clear_progress();
+        say(line);
     }
 
     /// What was no finding.
@@ -87,86 +228,96 @@ impl Reporter {
         &self.troubles
     }
 
+    /// Shows on a terminal that long work goes on.
+    pub(super) fn progress(&mut self, done: usize, all: usize) {
+        let now = Instant::now();
+        let due = self.shown.map_or(now - self.started > QUIET, |shown| now - shown > QUIET / 4);
+        if due && done < all && io::stderr().is_terminal() {
+            self.shown = Some(now);
+            let _ = write!(io::stderr(), "\r{done} of {all} programs");
+        }
+    }
+
+    fn clear_progress(&mut self) {
+        if self.shown.is_some() {
+            let _ = write!(io::stderr(), "\r\x1b[K");
+        }
+    }
+
     /// Prints the end of the report.
-    pub(super) fn finish(self) -> Result<Exit, Trouble> {
-        let exit = match (self.troubles.is_empty(), self.errors) {
+    ///
+    /// # Errors
+    /// A report that cannot be written.
+    pub(super) fn finish(mut self) -> Result<Exit, Trouble> {
+        self.clear_progress();
+        let failed = self.counts.at_least(self.look.fails) > 0 && !self.exit_zero;
+        let exit = match (self.troubles.is_empty(), failed) {
             (false, _) => Exit::Usage,
-            (true, 0) => Exit::Clean,
-            (true, _) => Exit::Errors,
+            (true, true) => Exit::Errors,
+            (true, false) => Exit::Clean,
         };
-        if self.format == Format::Json {
-            print(format!("{}\n", self.json.finish(&self.troubles)).as_bytes())?;
-        } else if self.errors + self.warnings > 0 && !self.quiet {
-            let errors = counted(self.errors, "error", "errors");
-            say(&format!("{errors}, {}", counted(self.warnings, "warning", "warnings")));
+        let for_people = matches!(self.main, Main::Terminal | Main::Text(_));
+        let statistics = if self.statistics { self.table() } else { String::new() };
+        let summary = self.summary();
+        match self.main {
+            Main::Terminal => {}
+            Main::Text(text) => write(self.output.as_deref(), &text)?,
+            Main::Document(document) => write(self.output.as_deref(), &document.finish(&self.troubles))?,
+        }
+        for (document, file) in self.more {
+            write(Some(&file), &document.finish(&self.troubles))?;
+        }
+        if !statistics.is_empty() {
+            say(statistics.trim_end());
+        }
+        if let Some(summary) = summary.filter(|_| for_people && !self.look.quiet) {
+            say(&summary);
         }
         Ok(exit)
     }
+
+    /// How much there was in one line; nothing for one clean program.
+    fn summary(&self) -> Option<String> {
+        let Counts { errors, warnings, .. } = self.counts;
+        if self.programs < 2 && errors + warnings == 0 {
+            return None;
+        }
+        let counts = format!("{}, {}", counted(errors, "error", "errors"), counted(warnings, "warning", "warnings"));
+        let time = self.started.elapsed();
+        let speed = if time > QUIET {
+            format!(", {:.1} MB/s", self.bytes as f64 / 1e6 / time.as_secs_f64())
+        } else {
+            String::new()
+        };
+        Some(if self.programs < 2 { counts } else { format!("{} programs, {counts}{speed}", self.programs) })
+    }
+
+    /// The codes, the most frequent first.
+    fn table(&self) -> String {
+        let mut rows: Vec<_> = self.codes.iter().collect();
+        rows.sort_by_key(|(code, times)| (std::cmp::Reverse(**times), **code));
+        let row = |(code, times): (&&str, &u32)| {
+            let (severity, name, title) =
+                codes::find(code).map_or(("", "", ""), |code| (code.severity.word(), code.name, code.title));
+            format!("{times:7} {code} {severity:7} {name}: {title}\n")
+        };
+        let mut text: String = rows.into_iter().map(row).collect();
+        if self.counts.not_shown > 0 {
+            text += &format!("{:7} not told apart: a program shows its first findings only\n", self.counts.not_shown);
+        }
+        text
+    }
+}
+
+/// Writes a report to its file, or to standard output.
+fn write(file: Option<&Path>, text: &str) -> Result<(), Trouble> {
+    let Some(file) = file else { return print(text.as_bytes()).map(drop) };
+    let written =
+        Destination::open(file).and_then(|mut out| out.write_all(text.as_bytes()).and_then(|()| out.commit()));
+    written.map_err(|error| format!("{}: {error}", file.display()))
 }
 
 /// A number with its word: `1 error`, `2 errors`.
 pub(super) fn counted(n: u32, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
-}
-
-/// `partc explain CODE`
-pub(super) fn explain(code: &str, format: Format) -> Result<Exit, Trouble> {
-    let Some(found) = codes::find(code) else {
-        let all = codes::all();
-        let like = did_you_mean(code, all.iter().map(|code| code.id).chain(all.iter().map(|code| code.name)));
-        let hint = like.map_or("`partc rules` lists all codes".to_owned(), |like| format!("did you mean `{like}`?"));
-        return Err(format!("no code `{code}`; {hint}"));
-    };
-    let text = if format == Format::Json {
-        let mut value = object(found);
-        value["example"] = json!(found.example());
-        format!("{value}\n")
-    } else {
-        let head = format!("{} {} ({})\n{}\n", found.id, found.name, found.severity.word(), found.title);
-        format!("{head}\n{}\n{}", found.explain, example(found))
-    };
-    print(text.as_bytes())
-}
-
-/// The example of a code, its programs indented.
-fn example(code: &codes::Code) -> String {
-    let lines = code.example().into_iter().flat_map(str::lines);
-    let shown = lines.map(|line| match line.strip_prefix("-- ") {
-        Some(name) => format!("\n{name}:\n\n"),
-        None => format!("    {line}").trim_end().to_owned() + "\n",
-    });
-    shown.collect()
-}
-
-/// `partc rules`
-pub(super) fn rules(format: Format) -> Result<Exit, Trouble> {
-    let all = codes::all();
-    let text = if format == Format::Json {
-        format!("{}\n", json!(all.iter().map(|code| object(code)).collect::<Vec<_>>()))
-    } else {
-        let width = all.iter().map(|code| code.name.len()).max().unwrap_or(0);
-        all.iter()
-            .map(|code| format!("{} {:7} {:width$}  {}\n", code.id, code.severity.word(), code.name, code.title))
-            .collect()
-    };
-    print(text.as_bytes())
-}
-
-fn object(code: &codes::Code) -> serde_json::Value {
-    json!({
-        "code": code.id,
-        "name": code.name,
-        "severity": code.severity.word(),
-        "title": code.title,
-        "explanation": code.explain,
-    })
-}
-
-/// Writes to standard output. `partc rules | head` is no trouble.
-pub(super) fn print(bytes: &[u8]) -> Result<Exit, Trouble> {
-    let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("stdout: {error}")),
-        _ => Ok(Exit::Clean),
-    }
 }

@@ -1,6 +1,6 @@
 //! The commands that work on programs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -15,11 +15,13 @@ use crate::machine::Settings;
 use crate::text::decode::escaped_json;
 use crate::text::{FileId, Span};
 
-use super::args::{Check, Common, Compile, Format, Trace};
-use super::disk::{IncludeRoots, file_name, open_main, walk};
+use super::args::{Check, Common, Compile, Trace};
+use super::disk::{IncludeRoots, file_name, open_main};
+use super::inputs::{Input, inputs};
 use super::output::{Destination, MAP_MARK, Made, Progress, is_foreign, set_aside};
-use super::report::Reporter;
-use super::{Exit, Trouble, config, say};
+use super::pool::in_order;
+use super::report::{Look, Presented, Reporter, Stdout};
+use super::{Exit, Trouble, config};
 
 /// A program with everything that is needed to run it.
 pub(super) struct Loaded {
@@ -57,51 +59,78 @@ pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
 
 /// `partc compile`
 pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
-    if args.inputs.len() > 1 && args.output.is_some() {
+    let takes = |path: &Path| is_program(path) && !is_output(path);
+    let found = inputs(&args.inputs, &args.many, &takes);
+    if found.list.len() > 1 && args.output.is_some() {
         return Err("several inputs cannot go to one output; use --out-dir".to_owned());
     }
-    if args.inputs.len() > 1 && args.map.is_some() {
+    if found.list.len() > 1 && args.map.is_some() {
         return Err("a source map belongs to one input".to_owned());
     }
-    let to_stdout = |input: &Path| match &args.output {
+    let to_stdout = |input: &Input| match &args.output {
         Some(output) => output == Path::new("-"),
-        None => input == Path::new("-") && args.out_dir.is_none(),
+        None => input.path == Path::new("-") && args.out_dir.is_none(),
     };
+    let program = found.list.iter().any(to_stdout);
+    let document = args.common.report.format.is_some_and(|format| format.kind().is_some());
     let streams = [
-        (args.inputs.iter().any(|input| to_stdout(input)), "the program"),
+        (program, "the program"),
         (args.map.as_deref() == Some(Path::new("-")), "the source map"),
-        (args.common.format == Format::Json, "the JSON findings"),
+        (document, "the findings"),
     ];
     let streams: Vec<&str> = streams.iter().filter(|(used, _)| *used).map(|(_, what)| *what).collect();
     if streams.len() > 1 {
         return Err(format!("{} cannot all go to standard output; name a file", streams.join(" and ")));
     }
-    different_outputs(args)?;
+    if found.list.is_empty() && found.troubles.is_empty() && args.many.shard.is_none() {
+        return Err("no part program lies in the folders that are named".to_owned());
+    }
+    different_outputs(args, &found.list)?;
     if let Some(folder) = &args.out_dir {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
-    let mut reporter = Reporter::new(&args.common);
-    for input in &args.inputs {
-        // One program that cannot be read does not stop the others.
-        if let Err(trouble) = compile_one(input, args, &mut reporter) {
-            reporter.trouble(trouble);
-        }
-    }
+    let stdout = if streams.is_empty() || document { Stdout::Free } else { Stdout::Taken };
+    let mut reporter = Reporter::new(&args.common, stdout, None)?;
+    found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
+    let (look, inputs) = (reporter.look(), found.list);
+    let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
+    let work = Work { args, look, read, alone: inputs.len() == 1 };
+    in_order(
+        args.many.jobs,
+        &inputs,
+        |input| work.one(input),
+        |done, result| {
+            reporter.progress(done, inputs.len());
+            // One program that cannot be read does not stop the others.
+            match result {
+                Ok(done) => {
+                    done.said.iter().for_each(|line| reporter.say(line));
+                    reporter.take(done.presented);
+                }
+                Err(trouble) => reporter.trouble(trouble),
+            }
+        },
+    );
     reporter.finish()
 }
 
+/// Outputs that lie in a folder of programs are none.
+pub(super) fn is_output(path: &Path) -> bool {
+    path.metadata().is_ok_and(|meta| meta.len() > 0) && !is_foreign(path, Made::Program)
+}
+
 /// Each input needs an output of its own.
-fn different_outputs(args: &Compile) -> Result<(), Trouble> {
-    if args.inputs.len() < 2 {
+fn different_outputs(args: &Compile, inputs: &[Input]) -> Result<(), Trouble> {
+    if inputs.len() < 2 {
         return Ok(());
     }
     let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
-    for input in &args.inputs {
+    for input in inputs {
         // A configuration that cannot be read is reported with its program.
-        let Ok(settings) = config::settings(input, &args.common) else { continue };
+        let Ok(settings) = config::settings(&input.path, &args.common) else { continue };
         let output = output_path(input, args, settings.output.target.extension);
-        if let Some(first) = taken.insert(real(&output), input) {
-            let (first, second) = (first.display(), input.display());
+        if let Some(first) = taken.insert(real(&output), &input.path) {
+            let (first, second) = (first.display(), input.path.display());
             return Err(format!("{first} and {second} would both be written to {}", output.display()));
         }
     }
@@ -117,64 +146,86 @@ fn real(path: &Path) -> PathBuf {
     fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf()).join(file_name(path))
 }
 
-/// Refuses to write over an input, or over a file of somebody else.
-fn may_write(path: &Path, made: Made, args: &Compile) -> Result<(), Trouble> {
-    let shown = path.display();
-    if args.inputs.iter().any(|input| same_file(input, path)) {
-        let what = if made == Made::Map { "source map" } else { "output" };
-        return Err(format!("{shown}: the {what} would replace the input"));
-    }
-    if is_foreign(path, made) && !args.force {
-        return Err(format!("{shown}: not written by partc; use --force to replace it, or another name"));
-    }
-    Ok(())
+/// What the threads of `partc compile` share.
+struct Work<'a> {
+    args: &'a Compile,
+    look: Look,
+    /// The files of the inputs, links followed.
+    read: BTreeSet<PathBuf>,
+    /// There is one input only.
+    alone: bool,
 }
 
-fn compile_one(input: &Path, args: &Compile, reporter: &mut Reporter) -> Result<(), Trouble> {
-    let Loaded { session, dialect, settings, files } = load(input, &args.common)?;
-    let target = output_path(input, args, settings.output.target.extension);
-    let shown = target.display().to_string();
-    let trouble = |error: io::Error| format!("{shown}: {error}");
-    may_write(&target, Made::Program, args)?;
-    if let Some(path) = &args.map {
-        if real(path) == real(&target) && path != Path::new("-") {
-            return Err(format!("{}: output and source map need different files", path.display()));
+/// What came of one program.
+struct Done {
+    presented: Presented,
+    /// Lines about files.
+    said: Vec<String>,
+}
+
+impl Work<'_> {
+    /// Refuses to write over an input, or over a file of somebody else.
+    fn may_write(&self, path: &Path, made: Made) -> Result<(), Trouble> {
+        let shown = path.display();
+        if path.is_file() && fs::canonicalize(path).is_ok_and(|path| self.read.contains(&path)) {
+            let what = if made == Made::Map { "source map" } else { "output" };
+            return Err(format!("{shown}: the {what} would replace the input"));
         }
-        may_write(path, Made::Map, args)?;
+        if is_foreign(path, made) && !self.args.force {
+            return Err(format!("{shown}: not written by partc; use --force to replace it, or another name"));
+        }
+        Ok(())
     }
-    let map_trouble = |error: io::Error| {
-        let path = args.map.as_deref().unwrap_or(Path::new("-"));
-        format!("{}: {error}", path.display())
-    };
-    let mut out = Progress::new(Destination::open(&target).map_err(trouble)?);
-    let mut map = match &args.map {
-        Some(path) => Some(SourceMap::create(path, &target, &session).map_err(map_trouble)?),
-        None => None,
-    };
-    let line_map = map.as_mut().map(|map| map as &mut dyn LineMap);
-    let result = session.compile(dialect, &settings, &files, &mut out, line_map);
-    let out = out.into_inner();
-    let failed = session.diags.has_errors();
-    let map = map.map(SourceMap::finish);
-    if !failed {
-        result.map_err(trouble)?;
-        if let Some(map) = map {
-            map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
+
+    fn one(&self, input: &Input) -> Result<Done, Trouble> {
+        let args = self.args;
+        let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+        let target = output_path(input, args, settings.output.target.extension);
+        let shown = target.display().to_string();
+        let trouble = |error: io::Error| format!("{shown}: {error}");
+        self.may_write(&target, Made::Program)?;
+        if let Some(path) = &args.map {
+            if real(path) == real(&target) && path != Path::new("-") {
+                return Err(format!("{}: output and source map need different files", path.display()));
+            }
+            self.may_write(path, Made::Map)?;
         }
-        out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
-    } else {
-        drop((out, map));
-        if let Some(stale) = set_aside(&target, Made::Program).map_err(trouble)? {
-            say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
+        let map_trouble = |error: io::Error| {
+            let path = args.map.as_deref().unwrap_or(Path::new("-"));
+            format!("{}: {error}", path.display())
+        };
+        if let Some(folder) = target.parent().filter(|_| args.out_dir.is_some()) {
+            fs::create_dir_all(folder).map_err(trouble)?;
         }
-        if let Some(path) = &args.map
-            && let Some(stale) = set_aside(path, Made::Map).map_err(map_trouble)?
-        {
-            say(&format!("partc: the older {} was renamed to {}", path.display(), stale.display()));
+        let mut out = Progress::new(Destination::open(&target).map_err(trouble)?, self.alone);
+        let mut map = match &args.map {
+            Some(path) => Some(SourceMap::create(path, &target, &session).map_err(map_trouble)?),
+            None => None,
+        };
+        let line_map = map.as_mut().map(|map| map as &mut dyn LineMap);
+        let result = session.compile(dialect, &settings, &files, &mut out, line_map);
+        let out = out.into_inner();
+        let map = map.map(SourceMap::finish);
+        let mut said = Vec::new();
+        if self.look.fails(&session) {
+            drop((out, map));
+            let places = [(Some(&target), Made::Program), (args.map.as_ref(), Made::Map)];
+            for (path, made) in places.into_iter().filter_map(|(path, made)| Some((path?, made))) {
+                let stale = set_aside(path, made).map_err(|error| format!("{}: {error}", path.display()))?;
+                said.extend(
+                    stale
+                        .map(|stale| format!("partc: the older {} was renamed to {}", path.display(), stale.display())),
+                );
+            }
+        } else {
+            result.map_err(trouble)?;
+            if let Some(map) = map {
+                map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
+            }
+            out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
         }
+        Ok(Done { presented: self.look.present(session), said })
     }
-    reporter.session(session);
-    Ok(())
 }
 
 /// A reader that has seen enough is no trouble.
@@ -182,21 +233,20 @@ pub(super) fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
     if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }
 
-fn output_path(input: &Path, args: &Compile, extension: &str) -> PathBuf {
+fn output_path(input: &Input, args: &Compile, extension: &str) -> PathBuf {
     if let Some(output) = &args.output {
         return output.clone();
     }
-    let stdin = input == Path::new("-");
-    let name = match &args.common.stdin_filename {
-        Some(name) if stdin => file_name(name),
-        _ if stdin => "stdin".to_owned(),
-        _ => file_name(input),
+    let stdin = input.path == Path::new("-");
+    let below = match &args.common.stdin_filename {
+        Some(name) if stdin => PathBuf::from(file_name(name)),
+        _ if stdin => PathBuf::from("stdin"),
+        _ => input.below.clone(),
     };
-    let name = Path::new(&name).with_extension(extension);
     match &args.out_dir {
-        Some(folder) => folder.join(name),
+        Some(folder) => folder.join(below).with_extension(extension),
         None if stdin => PathBuf::from("-"),
-        None => input.with_file_name(name),
+        None => input.path.with_extension(extension),
     }
 }
 
@@ -209,26 +259,26 @@ pub(super) fn same_file(a: &Path, b: &Path) -> bool {
 
 /// `partc check`
 pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
-    let mut reporter = Reporter::new(&args.common);
-    let takes = |path: &Path| is_program(path);
-    for path in &args.paths {
-        let inputs = if path == Path::new("-") { Ok(vec![path.clone()]) } else { walk(path, &takes) };
-        match inputs {
-            Ok(inputs) => inputs.iter().for_each(|input| check_one(input, &args.common, &mut reporter)),
-            Err(error) => reporter.trouble(format!("{}: {error}", path.display())),
-        }
+    let mut reporter = Reporter::new(&args.common, Stdout::Free, args.output.as_deref())?;
+    let found = inputs(&args.paths, &args.many, &is_program);
+    found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
+    if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
+        reporter.say("partc: no part program lies in the folders that are named");
     }
+    let (look, inputs) = (reporter.look(), found.list);
+    let work = |input: &Input| {
+        let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+        session.check(dialect, &settings, &files);
+        Ok(look.present(session))
+    };
+    in_order(args.many.jobs, &inputs, work, |done, result: Result<Presented, Trouble>| {
+        reporter.progress(done, inputs.len());
+        match result {
+            Ok(presented) => reporter.take(presented),
+            Err(trouble) => reporter.trouble(trouble),
+        }
+    });
     reporter.finish()
-}
-
-fn check_one(input: &Path, common: &Common, reporter: &mut Reporter) {
-    match load(input, common) {
-        Ok(Loaded { session, dialect, settings, files }) => {
-            session.check(dialect, &settings, &files);
-            reporter.session(session);
-        }
-        Err(trouble) => reporter.trouble(trouble),
-    }
 }
 
 /// A file whose extension or content some dialect knows.
@@ -242,17 +292,17 @@ pub(super) fn is_program(path: &Path) -> bool {
 
 /// `partc trace`
 pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
-    if args.common.format == Format::Json {
-        return Err("the moves and the JSON findings cannot both go to standard output".to_owned());
+    if args.common.report.format.is_some_and(|format| format.kind().is_some()) {
+        return Err("the moves and the findings cannot both go to standard output".to_owned());
     }
     let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
-    let mut reporter = Reporter::new(&args.common);
+    let mut reporter = Reporter::new(&args.common, Stdout::Taken, None)?;
     // Moves of a program with errors are not shown: they end where nobody knows.
     let mut held = Destination::open(Path::new("-")).map_err(|error| format!("stdout: {error}"))?;
     let mut writer = BufWriter::new(&mut held);
     let result = session.trace(dialect, &settings, &files, &mut writer).and_then(|()| writer.flush());
     drop(writer);
-    if !session.diags.has_errors() {
+    if !reporter.look().fails(&session) {
         result.and_then(|()| held.commit()).or_else(ignore_closed_pipe).map_err(|error| format!("stdout: {error}"))?;
     }
     reporter.session(session);

@@ -4,15 +4,15 @@ use serde_json::{Map, Value, json};
 
 use crate::target::{ALL, Target};
 
-use super::args::Format;
-use super::report::print;
+use super::args::ListFormat;
+use super::listing::print;
 use super::{Exit, Trouble};
 
 /// Blanks between two columns.
 const GAP: usize = 2;
 
-pub(super) fn list(format: Format) -> Result<Exit, Trouble> {
-    let text = if format == Format::Json {
+pub(super) fn list(format: ListFormat) -> Result<Exit, Trouble> {
+    let text = if format == ListFormat::Json {
         format!("{}\n", json!(ALL.iter().map(|target| object(target)).collect::<Vec<_>>()))
     } else {
         table()

@@ -35,6 +35,9 @@ pub struct Finding {
     /// Number of the alarm that the control shows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alarm: Option<u32>,
+    /// The line of the program, readable.
+    #[serde(skip)]
+    pub text: String,
 }
 
 /// A place that explains a finding.
@@ -86,6 +89,7 @@ impl Finding {
             related: related.collect(),
             stack: stack.collect(),
             alarm: found.alarm,
+            text: line.text,
         }
     }
 }

@@ -5,6 +5,7 @@
 pub mod codes;
 pub mod finding;
 pub mod render;
+pub mod report;
 pub mod trail;
 
 use std::borrow::Cow;
@@ -210,6 +211,11 @@ impl Diags {
             inner.once.push(code.id);
         }
         first
+    }
+
+    /// Notes, warnings and errors, also those that were only counted.
+    pub fn counts(&self) -> [u32; 3] {
+        self.inner.borrow().counts
     }
 
     pub fn errors(&self) -> u32 {

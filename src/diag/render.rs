@@ -1,13 +1,11 @@
-//! Findings as text: for people, one line each, or as JSON.
+//! Findings as text: for people, or one line each.
 
 use std::fmt::Write as _;
 
-use serde_json::json;
-
 use crate::text::Sources;
-use crate::text::decode::{escaped_json, harmless_lines};
+use crate::text::decode::harmless_lines;
 
-use super::{Diagnostic, Finding, Trail};
+use super::{Diagnostic, Trail};
 
 /// `file:line:column: error[K1001]: message`
 pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
@@ -32,47 +30,6 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
     }
     // Names of files stand in messages and helps, too.
     harmless_lines(&text)
-}
-
-/// The findings of several files as one document.
-#[derive(Debug, Default)]
-pub struct JsonReport {
-    diagnostics: Vec<Finding>,
-    files: u32,
-    errors: u32,
-    warnings: u32,
-    not_shown: u32,
-}
-
-impl JsonReport {
-    /// Adds the findings of one main program; how many errors and warnings there were, and how many findings
-    /// `list` lacks.
-    pub fn add(&mut self, list: &[Diagnostic], counts: [u32; 3], sources: &Sources, trail: &Trail) {
-        let [errors, warnings, not_shown] = counts;
-        self.files += 1;
-        self.errors += errors;
-        self.warnings += warnings;
-        self.not_shown += not_shown;
-        self.diagnostics.extend(list.iter().map(|found| Finding::new(found, sources, trail)));
-    }
-
-    /// The document, in one line. `troubles` are no findings: files that could not be read.
-    pub fn finish(self, troubles: &[String]) -> String {
-        let mut report = json!({
-            "version": 1,
-            "diagnostics": self.diagnostics,
-            "files": self.files,
-            "errors": self.errors,
-            "warnings": self.warnings,
-        });
-        if self.not_shown > 0 {
-            report["not_shown"] = json!(self.not_shown);
-        }
-        if !troubles.is_empty() {
-            report["troubles"] = json!(troubles);
-        }
-        escaped_json(&report.to_string()).into_owned()
-    }
 }
 
 /// Renders for a terminal through miette.

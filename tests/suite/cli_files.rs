@@ -305,7 +305,10 @@ fn human_findings_are_tidy() {
     assert!(ran.err.lines().all(|line| line == line.trim_end()), "trailing blanks:\n{}", ran.err);
     assert!(ran.err.ends_with("\n1 error, 0 warnings\n"), "{}", ran.err);
     folder.run(&["check", "WARNED.H"]).exits(0).says("0 errors, 1 warning\n");
-    folder.run(&["check", "WRONG.H", "WRONG.H"]).exits(1).says("2 errors, 0 warnings\n");
+    folder.write("AGAIN.H", WRONG);
+    folder.run(&["check", "WRONG.H", "AGAIN.H"]).exits(1).says("2 programs, 2 errors, 0 warnings\n");
+    // Who names a program twice means it once.
+    folder.run(&["check", "WRONG.H", "./", "WRONG.H"]).exits(1).says("3 programs, 2 errors, 1 warning\n");
 }
 
 #[test]

@@ -81,7 +81,7 @@ fn concise_findings_are_one_line_each() {
     assert_eq!(lines.len(), 3, "{}", ran.err);
     assert!(lines[0].starts_with("WRONG.H:2:14: error[K1005]: `R5` has no place in "), "{}", lines[0]);
     assert!(lines[1].starts_with("WARNED.H:3:3: warning[K2102]: "), "{}", lines[1]);
-    assert!(lines[2].starts_with("1 error") && lines[2].contains("1 warning"), "{}", lines[2]);
+    assert!(lines[2].starts_with("2 programs, 1 error") && lines[2].contains("1 warning"), "{}", lines[2]);
 }
 
 #[test]

@@ -87,6 +87,7 @@ impl Folder {
             .args(args)
             .current_dir(&self.0)
             .env_remove("NO_COLOR")
+            .env_remove("GITHUB_ACTIONS")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

@@ -10,6 +10,7 @@ mod cli_config;
 mod cli_files;
 mod cli_findings;
 mod cli_output;
+mod cli_reports;
 mod cli_run;
 mod common;
 mod compensation_entry;

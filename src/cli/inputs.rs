@@ -1,0 +1,154 @@
+//! Which programs a command works on: files, folders, patterns, lists.
+
+use std::collections::BTreeSet;
+use std::io::{self, Read};
+use std::path::{Component, Path, PathBuf};
+
+use globset::GlobBuilder;
+use ignore::WalkBuilder;
+use xxhash_rust::xxh3::xxh3_64;
+
+use super::Trouble;
+use super::args::{Many, Shard};
+use super::disk::file_name;
+
+/// Names files that nobody shall look at, as `.gitignore` does.
+const IGNORE_FILE: &str = ".partcignore";
+
+/// A program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Input {
+    pub path: PathBuf,
+    /// Its path below the folder that was named; its name where it was named itself.
+    pub below: PathBuf,
+}
+
+/// What was found, in order, and what could not be read.
+#[derive(Debug, Default)]
+pub(super) struct Inputs {
+    pub list: Vec<Input>,
+    pub troubles: Vec<Trouble>,
+}
+
+/// The programs that `paths` and `many` name; of folders those that `takes` takes.
+pub(super) fn inputs(paths: &[PathBuf], many: &Many, takes: &dyn Fn(&Path) -> bool) -> Inputs {
+    let mut found = Inputs::default();
+    let mut named = paths.to_vec();
+    match many.files_from.as_deref().map(list_from).transpose() {
+        Ok(list) => named.extend(list.unwrap_or_default()),
+        Err(trouble) => found.troubles.push(trouble),
+    }
+    let mut seen = BTreeSet::new();
+    for path in &named {
+        match expand(path, takes) {
+            Ok(list) => found.list.extend(list.into_iter().filter(|input| seen.insert(input.path.clone()))),
+            Err(error) => found.troubles.push(format!("{}: {error}", path.display())),
+        }
+    }
+    if let Some(shard) = many.shard {
+        found.list.retain(|input| is_in(shard, &input.path));
+    }
+    found
+}
+
+/// The names in a list, one a line.
+fn list_from(path: &Path) -> Result<Vec<PathBuf>, Trouble> {
+    let mut text = String::new();
+    let read = if path == Path::new("-") {
+        io::stdin().lock().read_to_string(&mut text).map(drop)
+    } else {
+        std::fs::read_to_string(path).map(|read| text = read)
+    };
+    read.map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(text.lines().map(str::trim_end).filter(|line| !line.is_empty()).map(PathBuf::from).collect())
+}
+
+fn expand(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec<Input>> {
+    if path == Path::new("-") {
+        return Ok(vec![Input { path: path.to_path_buf(), below: path.to_path_buf() }]);
+    }
+    if path.is_dir() {
+        return Ok(below(path, walk(path, takes, Ignored::LeftOut)?));
+    }
+    let pattern = path.to_string_lossy();
+    if !path.exists() && pattern.contains(['*', '?', '[', '{']) {
+        return matching(&pattern);
+    }
+    Ok(vec![Input { path: path.to_path_buf(), below: PathBuf::from(file_name(path)) }])
+}
+
+/// With their paths below `folder`.
+fn below(folder: &Path, files: Vec<PathBuf>) -> Vec<Input> {
+    let own = |path: &Path| path.strip_prefix(folder).unwrap_or(path).to_path_buf();
+    files.into_iter().map(|path| Input { below: own(&path), path }).collect()
+}
+
+/// The files that a pattern names; a shell that expands none passes it on.
+fn matching(pattern: &str) -> io::Result<Vec<Input>> {
+    let glob = GlobBuilder::new(pattern).literal_separator(true).build().map_err(io::Error::other)?.compile_matcher();
+    let fixed: PathBuf = Path::new(pattern)
+        .components()
+        .take_while(|part| !part.as_os_str().to_string_lossy().contains(['*', '?', '[', '{']))
+        .collect();
+    let folder = if fixed.as_os_str().is_empty() { Path::new(".") } else { fixed.as_path() };
+    let files = walk(folder, &|path| glob.is_match(path.strip_prefix(".").unwrap_or(path)), Ignored::LeftOut)?;
+    if files.is_empty() {
+        return Err(io::Error::other("no file has such a name"));
+    }
+    Ok(below(folder, files))
+}
+
+/// What becomes of files that `.gitignore`, `.ignore` or `.partcignore` name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ignored {
+    Taken,
+    LeftOut,
+}
+
+/// Files below `folder` that `takes` takes, in order of their names. Hidden ones are passed over, no link is followed, and
+/// nothing outside the tree decides: no ignore file of the user or of a repository.
+pub(super) fn walk(folder: &Path, takes: &dyn Fn(&Path) -> bool, ignored: Ignored) -> io::Result<Vec<PathBuf>> {
+    let mut walk = WalkBuilder::new(folder);
+    let ignores = ignored == Ignored::LeftOut;
+    walk.standard_filters(false).hidden(true).parents(ignores).ignore(ignores).git_ignore(ignores).require_git(false);
+    if ignores {
+        walk.add_custom_ignore_filename(IGNORE_FILE);
+    }
+    let mut found = Vec::new();
+    for entry in walk.build() {
+        let entry = entry.map_err(|error| match error.io_error() {
+            Some(inner) => io::Error::new(inner.kind(), error.to_string()),
+            None => io::Error::other(error.to_string()),
+        })?;
+        let is_file = entry.file_type().is_some_and(|kind| kind.is_file());
+        let path = entry.into_path();
+        if is_file && takes(&path) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    // What lies in `.` is called as the user would call it.
+    Ok(found.into_iter().map(|path| path.strip_prefix(".").map(Path::to_path_buf).unwrap_or(path)).collect())
+}
+
+/// Which part a program belongs to depends on its name alone: other programs may come and go.
+fn is_in(shard: Shard, path: &Path) -> bool {
+    let parts = path.components().filter(|part| !matches!(part, Component::CurDir));
+    let name: Vec<String> = parts.map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    xxh3_64(name.join("/").as_bytes()) % u64::from(shard.of) == u64::from(shard.part - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_program_is_in_one_shard() {
+        for n in 0..100 {
+            let path = PathBuf::from(format!("./a/P{n}.H"));
+            let parts: Vec<u32> = (1..=7).filter(|part| is_in(Shard { part: *part, of: 7 }, &path)).collect();
+            assert_eq!(parts.len(), 1, "{path:?}");
+            assert!(is_in(Shard { part: parts[0], of: 7 }, Path::new(&format!("a/P{n}.H"))));
+        }
+    }
+}
