@@ -308,7 +308,7 @@ impl Channel<'_> {
                 "the radius of T{number} D{edge} was written behind its selection, and no D stands behind it: whether it \
                  counts already is not documented"
             );
-            return self.fail_help(codes::S9010, span, message, &format!("program D{edge} behind the assignment"));
+            return self.fail_help(codes::S9010, span, message, format!("program D{edge} behind the assignment"));
         }
         if self.resolves() {
             return self.compute_compensation(number, edge, radius, span);
