@@ -4,6 +4,7 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod grooving;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -17,6 +18,7 @@ use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
+pub use grooving::Grooving;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
@@ -52,6 +54,7 @@ macro_rules! families {
     ($take:ident) => {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
+            Grooving(crate::ir::cycle::Grooving),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
