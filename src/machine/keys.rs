@@ -1,6 +1,6 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, klartext, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{control, cycles, klartext, machine, mtc200, output, sinumerik, turning, undercut};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -149,6 +149,12 @@ pub const SECTIONS: &[Section] = &[
         doc: "sizes of undercuts that differ from DIN 509 and DIN 76",
         entry: &[],
         keys: &[undercut::KEYS],
+    },
+    Section {
+        name: "cycles",
+        doc: "what a control decides inside its machining cycles",
+        entry: &[],
+        keys: &[cycles::KEYS],
     },
     Section {
         name: "start",

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use crate::target::{self, Target};
 
 use super::axis::{Axis, AxisSet};
+use super::options::cycles::Cycles;
 use super::options::klartext::{
     CcMissing, CpSign, Generation, KlartextChoices, KlartextReadings, Modulo, PolarMissing, RepeatCount, ShiftAxes,
 };
@@ -24,6 +25,7 @@ pub struct Settings {
     pub datums: Datums,
     pub include: Include,
     pub undercut: Undercuts,
+    pub cycles: Cycles,
     /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
     pub programs: BTreeMap<String, StandIn>,
     /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins

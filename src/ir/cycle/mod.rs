@@ -4,6 +4,7 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod milling;
 pub mod recess;
 pub mod roughing;
 pub mod thread;

@@ -241,6 +241,21 @@ impl Channel<'_> {
         Some(tool)
     }
 
+    /// The radius of the active edge with its wear: what the program wrote goes before the table.
+    pub(super) fn known_radius(&self) -> Option<f64> {
+        let (number, edge) = (self.st.tool.active?, self.st.tool.edge_or_first());
+        if self.st.system.is_written("$P_AD[6]") || self.st.system.is_written("$P_AD[15]") || self.st.tool.edge_in_doubt
+        {
+            return None;
+        }
+        let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
+        let listed = || {
+            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
+            Some(tool.radius? + tool.deltas[1])
+        };
+        Some(written(6).or_else(listed)? + written(15).unwrap_or(0.0))
+    }
+
     pub(super) fn compensation_code(&mut self, code: GCode, span: Span) -> Outcome {
         if code != GCode::G40 {
             if self.resolves() {
