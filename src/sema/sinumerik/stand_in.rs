@@ -6,7 +6,7 @@ use crate::text::Span;
 
 use super::calls::{Missing, called_name};
 use super::programs::without_extension;
-use super::value::{Val, whole};
+use super::value::Val;
 use super::vars::Argument;
 use super::{Channel, Outcome, Reported, Run};
 
@@ -71,11 +71,7 @@ impl Run<'_> {
             return None;
         }
         Some(match change {
-            Some(change) => {
-                let left = left_out(&change, arguments);
-                self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));
-                self.change_by_program(name, &change, span, arguments, passes)
-            }
+            Some(change) => self.change_by_program(name, &change, span, arguments, passes),
             None => {
                 self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
                 Ok(())
@@ -124,9 +120,17 @@ impl Channel<'_> {
         if passes != 1 {
             return self.fail(codes::S2043, span, format!("{name} changes the tool {passes} times"));
         }
-        if let Some(place) = change.tool {
-            let number = self.tool_of_argument(name, place, span, arguments)?;
-            self.st.tool.choose(number);
+        match change.tool {
+            Some(place) => {
+                let number = self.tool_of_argument(name, place, span, arguments)?;
+                self.st.tool.choose(number);
+            }
+            None if self.st.tool.next().is_none() => {
+                let message = format!("no tool is chosen for {name}");
+                let help = format!("program T in front of {name}, or name its argument: `{name} = {{ tool = 1 }}`");
+                return self.fail_help(codes::S2043, span, message, &help);
+            }
+            None => {}
         }
         self.change_tool()?;
         let edge = change.edge.and_then(|place| Some((place, &arguments.get(place - 1)?.value)));
@@ -142,6 +146,8 @@ impl Channel<'_> {
         }
         // Where it leaves the axes is not known.
         self.st.position.clear();
+        let left = left_out(change, arguments);
+        self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));
         Ok(())
     }
 
@@ -156,11 +162,9 @@ impl Channel<'_> {
                 let help = "count the arguments for `[programs]` from 1";
                 self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help)
             }
-            Some(value) => match value.number().and_then(whole).and_then(|n| u32::try_from(n).ok()) {
-                Some(number) => Ok(number),
-                None => {
-                    self.fail(codes::S2043.alarm(17190), span, format!("argument {place} of {name} is no tool"))
-                }
+            Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
+                Some(number) => Ok(number as u32),
+                None => self.fail(codes::S2043.alarm(17190), span, format!("argument {place} of {name} is no tool")),
             },
         }
     }
@@ -172,11 +176,8 @@ fn left_out(change: &ChangeCall, arguments: &[Argument]) -> String {
         let taken = [change.tool, change.edge].contains(&Some(at));
         !taken && argument.value != Val::Missing && argument.value.number() != Some(0.0)
     };
-    let others: Vec<String> = (1..)
-        .zip(arguments)
-        .filter(|(at, argument)| given(*at, argument))
-        .map(|(at, _)| at.to_string())
-        .collect();
+    let others: Vec<String> =
+        (1..).zip(arguments).filter(|(at, argument)| given(*at, argument)).map(|(at, _)| at.to_string()).collect();
     match &others[..] {
         [] => "whatever else it does is".to_owned(),
         [one] => format!("argument {one} and whatever else it does are"),
