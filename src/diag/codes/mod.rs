@@ -10,6 +10,7 @@ mod klartext;
 mod klartext_readings;
 mod mtc200;
 mod output;
+mod pockets;
 mod sinumerik;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
@@ -22,6 +23,7 @@ pub use klartext::*;
 pub use klartext_readings::*;
 pub use mtc200::*;
 pub use output::*;
+pub use pockets::*;
 pub use sinumerik::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
@@ -99,6 +101,7 @@ pub fn all() -> Vec<&'static Code> {
         geometry::GEOMETRY,
         compensation::COMPENSATION,
         output::OUTPUT,
+        pockets::POCKETS,
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,

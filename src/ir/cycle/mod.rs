@@ -5,6 +5,7 @@
 pub mod drilling;
 pub mod finishing;
 pub mod grooving;
+pub mod milling;
 pub mod recess;
 pub mod roughing;
 pub mod thread;

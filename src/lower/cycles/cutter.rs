@@ -1,66 +1,154 @@
-//! A recessing tool that works from a clear height.
+//! The cutter of a milling cycle: sends moves of a shape at its place, and knows where the tool stands.
 
-use crate::geo::Point2;
-use crate::geo::wall::Leg;
-use crate::ir::Feed;
+use crate::geo::{Element, Point2, distance};
+use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
+use crate::ir::cycle::milling::{Mill, Place};
+use crate::ir::{Feed, Pos, Side};
 
-use super::track::Track;
+use super::{CycleItem, Start};
 
-/// Moves the tool by its edge towards -x of the view.
-pub(super) struct Cutter<'t> {
-    pub track: Track<'t>,
-    /// From that edge to the programmed point.
-    pub shift: f64,
-    pub clear: f64,
+/// What arithmetic may lose at an arc that a cycle computed, mm.
+const ARC_TOLERANCE: f64 = 1e-6;
+/// Arcs with a shorter chord are lines, mm: what is printed would not tell them from full circles.
+const SHORTEST_ARC: f64 = 1e-3;
+/// Moves shorter than this are left out, mm.
+const NOTHING: f64 = 1e-9;
+
+/// Sends moves; points are those of the shape, heights those of the tool axis.
+pub struct Cutter<'a> {
+    mill: &'a Mill,
+    place: Place,
+    /// In the plane, not at the place.
+    at: Option<Point2>,
+    height: Option<f64>,
+    out: &'a mut dyn FnMut(CycleItem),
 }
 
-impl Cutter<'_> {
-    fn place(&self, p: Point2) -> Point2 {
-        Point2::new(p.x + self.shift, p.y)
+impl core::fmt::Debug for Cutter<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Cutter").field("at", &self.at).field("height", &self.height).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Cutter<'a> {
+    pub fn new(mill: &'a Mill, place: Place, start: &Start, out: &'a mut dyn FnMut(CycleItem)) -> Cutter<'a> {
+        let (at, height) = (start.at.in_plane(mill.plane), start.at.get(mill.axis()));
+        Cutter { mill, place, at, height, out }
     }
 
-    pub fn height(&self) -> f64 {
-        self.track.at().y
+    /// The shape lies at another place now.
+    pub fn go_on_at(&mut self, place: Place) {
+        self.place = place;
     }
 
-    /// To the clear height above `x`.
-    pub fn above(&mut self, x: f64) {
-        let height = self.height().max(self.clear);
-        self.track.rapid(self.place(Point2::new(x, height)));
-        self.track.rapid(self.place(Point2::new(x, self.clear)));
-    }
-
-    pub fn rapid_down(&mut self, y: f64) {
-        let at = self.track.at();
-        self.track.rapid(Point2::new(at.x, y.min(at.y)));
-    }
-
-    /// Straight out at rapid, up to `y`.
-    pub fn rapid_up(&mut self, y: f64) {
-        let at = self.track.at();
-        self.track.rapid(Point2::new(at.x, y.max(at.y)));
-    }
-
-    pub fn lift(&mut self) {
-        self.track.rapid(Point2::new(self.track.at().x, self.clear));
-    }
-
-    pub fn line(&mut self, to: Point2, feed: Feed) {
-        let to = self.place(to);
-        self.track.line(to, feed);
-    }
-
-    /// Along a wall; returns the position at its foot.
-    pub fn down(&mut self, (start, legs): (Point2, Vec<Leg>), feed: Feed) -> f64 {
-        self.above(start.x);
-        let mut foot = start.x;
-        for leg in legs {
-            match leg {
-                Leg::Line { to } => self.track.line(self.place(to), feed),
-                Leg::Arc { to, center, ccw } => self.track.arc(self.place(to), self.place(center), ccw, feed),
-            }
-            foot = leg.to().x;
+    /// How every milling cycle begins a place: up to the retract height if the tool stands below it, over `to`, and down to
+    /// the safety distance above the surface.
+    pub fn approach(&mut self, to: Point2) {
+        let heights = &self.mill.heights;
+        // Where the tool may stand anywhere, the retract height is the one that is free.
+        if !self.height.is_some_and(|height| (height - heights.retract) * heights.outward() >= 0.0) {
+            self.lift(heights.retract);
         }
-        foot
+        self.rapid(to);
+        self.lift(heights.safe());
+    }
+
+    /// How every milling cycle ends a place.
+    pub fn retract(&mut self) {
+        self.lift(self.mill.heights.retract);
+    }
+
+    /// Along the tool axis at rapid traverse, out of the material or through what is cleared.
+    pub fn lift(&mut self, height: f64) {
+        if self.height == Some(height) {
+            return;
+        }
+        self.height = Some(height);
+        self.send(None, Some(height), Path::Rapid);
+    }
+
+    /// In the plane at rapid traverse.
+    pub fn rapid(&mut self, to: Point2) {
+        self.straight(to, Path::Rapid);
+    }
+
+    /// Along the tool axis at the feed for the depth.
+    pub fn plunge(&mut self, height: f64) {
+        let feed = self.mill.feeds.depth;
+        if self.height != Some(height) {
+            self.height = Some(height);
+            self.send(None, Some(height), Path::Line(feed));
+        }
+    }
+
+    /// In the plane at `feed`.
+    pub fn line(&mut self, to: Point2, feed: Feed) {
+        self.straight(to, Path::Line(feed));
+    }
+
+    /// A straight line that descends to `height`.
+    pub fn ramp(&mut self, to: Point2, height: f64, feed: Feed) {
+        let end = self.place.point(to);
+        (self.at, self.height) = (Some(end), Some(height));
+        self.send(Some(end), Some(height), Path::Line(feed));
+    }
+
+    /// About `center` to `to`; a full circle where the tool stands there.
+    pub fn arc(&mut self, to: Point2, center: Point2, ccw: bool, feed: Feed) {
+        let end = self.place.point(to);
+        let gap = self.at.map_or(f64::INFINITY, |at| distance(at, end));
+        if gap > NOTHING && gap < SHORTEST_ARC {
+            return self.line(to, feed);
+        }
+        self.round(end, None, center, (ccw, 0), feed);
+    }
+
+    /// Whole turns about `center`, evenly down to `height`.
+    pub fn helix(&mut self, center: Point2, ccw: bool, turns: u32, height: f64, feed: Feed) {
+        let Some(at) = self.at.filter(|_| turns > 0) else { return };
+        self.height = Some(height);
+        self.round(at, Some(height), center, (ccw, turns - 1), feed);
+    }
+
+    /// An element that begins where the tool stands.
+    pub fn element(&mut self, element: &Element, feed: Feed) {
+        match *element {
+            Element::Line { to, .. } => self.line(to, feed),
+            Element::Arc { to, center, sweep, .. } => self.arc(to, center, sweep > 0.0, feed),
+        }
+    }
+
+    /// Elements one after the other, the first one from where the tool stands.
+    pub fn follow(&mut self, elements: &[Element], feed: Feed) {
+        for element in elements {
+            self.element(element, feed);
+        }
+    }
+
+    fn straight(&mut self, to: Point2, path: Path) {
+        let end = self.place.point(to);
+        if self.at.is_some_and(|at| distance(at, end) <= NOTHING) {
+            return;
+        }
+        self.at = Some(end);
+        self.send(Some(end), None, path);
+    }
+
+    /// To `end`, a point of the plane; the sense, and turns on top.
+    fn round(&mut self, end: Point2, height: Option<f64>, center: Point2, (ccw, turns): (bool, u32), feed: Feed) {
+        let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: ARC_TOLERANCE };
+        self.at = Some(end);
+        self.send(Some(end), height, Path::Arc(Arc { plane: self.mill.plane, shape, turns }, feed));
+    }
+
+    fn send(&mut self, point: Option<Point2>, height: Option<f64>, path: Path) {
+        let mut end = Pos::UNKNOWN;
+        if let Some(point) = point {
+            end.set_in_plane(self.mill.plane, point);
+        }
+        if let Some(height) = height {
+            end.set(self.mill.axis(), height);
+        }
+        (self.out)(CycleItem::Move(Move { end, path, side: Side::None, coords: Coords::Frame }));
     }
 }

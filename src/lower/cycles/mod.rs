@@ -3,9 +3,10 @@
 // The enums matched here belong to one family each.
 #![allow(clippy::wildcard_enum_match_arm)]
 
-mod cutter;
+pub mod cutter;
 pub mod drilling;
 pub mod finishing;
+mod groove_cutter;
 pub mod grooving;
 pub mod infeed;
 pub mod recess;

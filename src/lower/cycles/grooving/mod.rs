@@ -17,7 +17,7 @@ use crate::ir::cycle::Family;
 use crate::ir::cycle::grooving::{Grooving, Plunges};
 use crate::ir::cycle::recess::Operation;
 
-use super::cutter::Cutter;
+use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::{Above, NoValley, Slot, Valley, seen};
@@ -50,7 +50,7 @@ pub fn expand<'a>(grooving: &Grooving, from: Point2, out: &'a mut Strokes<'a>) -
     let groove = Groove::of(grooving, &view)?;
     let shift = -grooving.tool.edge;
     let clear = view.height(grooving.clear());
-    let mut cutter = Cutter { track: Track::new(view, from, out), shift, clear };
+    let mut cutter = GrooveCutter { track: Track::new(view, from, out), shift, clear };
     // Whoever stands higher than the clear height comes down above the groove.
     let start = cutter.track.at();
     cutter.track.rapid(Point2::new(start.x, start.y.max(clear)));
@@ -159,7 +159,7 @@ impl<'g> Groove<'g> {
         self.surface - self.plunged.depth_at(x, self.surface)
     }
 
-    fn rough(&self, cutter: &mut Cutter<'_>) {
+    fn rough(&self, cutter: &mut GrooveCutter<'_>) {
         let positions = self.positions();
         let mut rest = positions.as_slice();
         if let (Plunges::Alternating { most, .. }, [first, second, others @ ..]) = (self.grooving.plunges, rest) {
@@ -187,7 +187,7 @@ impl<'g> Groove<'g> {
     }
 
     /// One plunge to its full depth; `alone` if no other one reaches the floor.
-    fn plunge(&self, cutter: &mut Cutter<'_>, x: f64, alone: bool) {
+    fn plunge(&self, cutter: &mut GrooveCutter<'_>, x: f64, alone: bool) {
         let depth = self.depth(x);
         let (most, retract) = match self.grooving.plunges {
             Plunges::Steps { most, retract } => (most, retract),
@@ -211,7 +211,7 @@ impl<'g> Groove<'g> {
     }
 
     /// Two plunges in turns, each `most` deeper than the last one of the other.
-    fn alternate(&self, cutter: &mut Cutter<'_>, places: [f64; 2], most: f64) {
+    fn alternate(&self, cutter: &mut GrooveCutter<'_>, places: [f64; 2], most: f64) {
         let depths = places.map(|x| self.depth(x));
         let mut reached = [0.0; 2];
         let mut turn = 0_u32;
@@ -236,7 +236,7 @@ impl<'g> Groove<'g> {
     }
 
     /// Down the wall towards -x and along the floor past its middle; down the other one and back past the middle.
-    fn finish(&self, cutter: &mut Cutter<'_>) {
+    fn finish(&self, cutter: &mut GrooveCutter<'_>) {
         let feed = self.grooving.feeds.finish;
         let (begin, end) = Self::floor_of(&self.finished);
         let (middle, nose) = ((begin + end) / 2.0, self.grooving.tool.nose);

@@ -15,7 +15,7 @@ use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 
-use super::cutter::Cutter;
+use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
 use super::valley::{Above, NoValley, Slot, Valley, seen};
@@ -40,7 +40,7 @@ impl Expand for RecessTurning {
 pub fn expand<'a>(recess: &RecessTurning, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
     recess.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the recess data"))?;
     let groove = Groove::of(recess)?;
-    let mut cutter = Cutter {
+    let mut cutter = GrooveCutter {
         track: Track::new(groove.view, from, out),
         shift: groove.shift,
         clear: groove.view.height(recess.clear()),
@@ -142,7 +142,7 @@ impl<'r> Groove<'r> {
         }
     }
 
-    fn rough(&self, cutter: &mut Cutter<'_>) {
+    fn rough(&self, cutter: &mut GrooveCutter<'_>) {
         let left = match self.recess.passes {
             Passes::BothWays => self.both_ways(cutter),
             Passes::OneWay => self.one_way(cutter, 0.0),
@@ -164,7 +164,7 @@ impl<'r> Groove<'r> {
     }
 
     /// Returns what stands at both walls.
-    fn both_ways(&self, cutter: &mut Cutter<'_>) -> [f64; 2] {
+    fn both_ways(&self, cutter: &mut GrooveCutter<'_>) -> [f64; 2] {
         let feeds = self.recess.feeds;
         let mut left = [0.0, 0.0];
         for k in 1..=self.levels {
@@ -192,7 +192,7 @@ impl<'r> Groove<'r> {
     }
 
     /// Each pass ends `offset` earlier than the one before. Returns what stands at both walls.
-    fn one_way(&self, cutter: &mut Cutter<'_>, offset: f64) -> [f64; 2] {
+    fn one_way(&self, cutter: &mut GrooveCutter<'_>, offset: f64) -> [f64; 2] {
         let feeds = self.recess.feeds;
         let mut left = 0.0;
         for k in 1..=self.levels {
@@ -212,7 +212,7 @@ impl<'r> Groove<'r> {
         [0.0, left]
     }
 
-    fn strokes(&self, cutter: &mut Cutter<'_>, width: f64, dwell: f64) -> [f64; 2] {
+    fn strokes(&self, cutter: &mut GrooveCutter<'_>, width: f64, dwell: f64) -> [f64; 2] {
         let (first, last) = (self.rough.begin(self.blank), self.rough.end(self.blank));
         let gaps = infeed::steps(last - first, width);
         for k in 0..=gaps {
@@ -228,7 +228,7 @@ impl<'r> Groove<'r> {
 
     /// Down the first wall and along the floor to where the stock of the second wall begins; down the second
     /// wall and back to that place.
-    fn finish(&self, cutter: &mut Cutter<'_>) {
+    fn finish(&self, cutter: &mut GrooveCutter<'_>) {
         let feed = self.recess.feeds.finish;
         let turned = self.finished.floor + self.recess.compensation;
         let meet = self.rough.end(self.rough.floor).max(self.finished.begin(self.finished.floor));
