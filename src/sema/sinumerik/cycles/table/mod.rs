@@ -2,6 +2,7 @@
 
 mod contours;
 mod drilling;
+mod grooves;
 mod milled;
 mod named;
 mod patterns;
@@ -96,7 +97,7 @@ impl Cycle {
 }
 
 const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, named::ROWS];
+    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, grooves::ROWS, contours::ROWS, named::ROWS];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
