@@ -4,7 +4,9 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod long_hole;
 pub mod milling;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -18,6 +20,8 @@ use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
+pub use long_hole::LongHole;
+pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
@@ -58,6 +62,8 @@ macro_rules! families {
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),
+            Pocket(crate::ir::cycle::Pocket),
+            LongHole(crate::ir::cycle::LongHole),
         }
     };
 }

@@ -7,6 +7,8 @@ pub mod cutter;
 pub mod drilling;
 pub mod finishing;
 pub mod infeed;
+pub mod long_hole;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 #[cfg(test)]
