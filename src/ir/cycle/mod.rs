@@ -4,6 +4,7 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod grooving;
 pub mod long_hole;
 pub mod milling;
 pub mod pocket;
@@ -20,6 +21,7 @@ use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
+pub use grooving::Grooving;
 pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
@@ -57,6 +59,7 @@ macro_rules! families {
     ($take:ident) => {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
+            Grooving(crate::ir::cycle::Grooving),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
