@@ -4,7 +4,10 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod grooving;
+pub mod long_hole;
 pub mod milling;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -18,6 +21,9 @@ use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
+pub use grooving::Grooving;
+pub use long_hole::LongHole;
+pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
@@ -53,11 +59,14 @@ macro_rules! families {
     ($take:ident) => {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
+            Grooving(crate::ir::cycle::Grooving),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),
+            Pocket(crate::ir::cycle::Pocket),
+            LongHole(crate::ir::cycle::LongHole),
         }
     };
 }

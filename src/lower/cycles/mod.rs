@@ -6,7 +6,11 @@
 pub mod cutter;
 pub mod drilling;
 pub mod finishing;
+mod groove_cutter;
+pub mod grooving;
 pub mod infeed;
+pub mod long_hole;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 #[cfg(test)]

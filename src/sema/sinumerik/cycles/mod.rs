@@ -10,6 +10,7 @@ mod drilling;
 mod milling;
 mod modes;
 mod pattern;
+mod pockets;
 mod table;
 mod thread;
 mod undercut;

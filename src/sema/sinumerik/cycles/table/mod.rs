@@ -5,6 +5,7 @@ mod drilling;
 mod milled;
 mod named;
 mod patterns;
+mod pockets;
 mod threads;
 mod undercuts;
 
@@ -96,7 +97,7 @@ impl Cycle {
 }
 
 const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, named::ROWS];
+    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, pockets::ROWS, named::ROWS];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
