@@ -10,6 +10,8 @@ pub mod finishing;
 mod groove_cutter;
 pub mod grooving;
 pub mod infeed;
+pub mod long_hole;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 #[cfg(test)]

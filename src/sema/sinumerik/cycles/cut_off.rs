@@ -37,7 +37,7 @@ impl CycleCall<'_, '_> {
         if args.or_zero(DIAGM) != 0.0 {
             return self.not_built(DIAGM, "a part catcher (`_DIAGM`)");
         }
-        let point = self.reference_point()?;
+        let point = self.turned_reference()?;
         if point.y <= 0.0 {
             let message = format!("the diameter `_SPD` (argument {}) is not above 0", args.place(SPD));
             return self.cycle_fault(args.span_of(SPD), 61019, &message, "give the diameter of the bar");

@@ -60,7 +60,7 @@ impl CycleCall<'_, '_> {
         };
         let shape = GrooveShape {
             side,
-            reference: self.reference_point()?,
+            reference: self.turned_reference()?,
             at_floor: false,
             floor_width,
             depth,
@@ -94,7 +94,7 @@ impl CycleCall<'_, '_> {
         self.coded_930()?;
         let args = self.args;
         let side = self.groove_side(args.digit(VARI, 2))?;
-        let reference = self.reference_point()?;
+        let reference = self.turned_reference()?;
         let at_floor = args.digit(VARI, 3) == 1;
         let depth = self.depth_930(side.into, reference, at_floor)?;
         let plain = args.or_zero(NR) == 0.0;
@@ -207,7 +207,7 @@ impl CycleCall<'_, '_> {
         self.cycle_fault(args.span_of(key), 61019, &message, "give a length above 0")
     }
 
-    pub(super) fn reference_point(&self) -> Outcome<Point2> {
+    pub(super) fn turned_reference(&self) -> Outcome<Point2> {
         let x = self.needed_length(SPD, "the diameter of the reference point")? / 2.0;
         Ok(Point2::new(self.needed_length(SPL, "the reference point along Z")?, x))
     }

@@ -6,6 +6,7 @@ mod grooves;
 mod milled;
 mod named;
 mod patterns;
+mod pockets;
 mod threads;
 mod undercuts;
 
@@ -96,8 +97,16 @@ impl Cycle {
     }
 }
 
-const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, grooves::ROWS, contours::ROWS, named::ROWS];
+const FAMILIES: &[&[Cycle]] = &[
+    drilling::ROWS,
+    patterns::ROWS,
+    threads::ROWS,
+    undercuts::ROWS,
+    grooves::ROWS,
+    pockets::ROWS,
+    contours::ROWS,
+    named::ROWS,
+];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
