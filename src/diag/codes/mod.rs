@@ -15,6 +15,7 @@ mod pockets;
 mod sinumerik;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
+mod transformation;
 mod turning;
 
 pub use compensation::*;
@@ -29,6 +30,7 @@ pub use pockets::*;
 pub use sinumerik::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
+pub use transformation::*;
 pub use turning::*;
 
 use super::Severity;
@@ -108,6 +110,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
+        transformation::TRANSFORMATION,
         turning::TURNING,
         mtc200::MTC200,
     ]
