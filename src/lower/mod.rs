@@ -291,7 +291,8 @@ impl<'a> Lower<'a> {
         if ctx.frame.shift_of(rotary) != 0.0 {
             let letter = rotary.letter();
             let message = format!("the frame shifts {letter}, which the transformation moves");
-            self.diags.push(at(codes::G3339, *origin, message).help(format!("turn the plane by ROT instead of {letter}")));
+            self.diags
+                .push(at(codes::G3339, *origin, message).help(format!("turn the plane by ROT instead of {letter}")));
         }
     }
 

@@ -30,7 +30,9 @@ impl Step {
         let from = self.start.in_plane(plane)?;
         let to = self.mv.end.in_plane(plane)?;
         match &self.mv.path {
-            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => Some(Element::Line { from, to }),
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
+                Some(Element::Line { from, to })
+            }
             Path::Arc(arc, _) if arc.plane == plane => {
                 Some(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
             }

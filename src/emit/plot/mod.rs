@@ -281,7 +281,8 @@ impl Sink for Plot<'_> {
                     }
                     // Seen along its own direction a cut is a point: where a drill goes in.
                     Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. }
-                        if distance(from, to) <= SAME_POINT => {
+                        if distance(from, to) <= SAME_POINT =>
+                    {
                         if pen != Pen::Rapid {
                             self.dot(to);
                         }
@@ -318,7 +319,9 @@ impl Sink for Plot<'_> {
         }
         match &mv.path {
             Path::Arc(arc, _) if view.shows(arc.plane) => self.arc(view, arc, from, to, mv),
-            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => self.line(to, Pen::Rapid),
+            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
+                self.line(to, Pen::Rapid)
+            }
         }
         std::mem::swap(&mut self.text, &mut self.contour);
         self.extents.cut = cut;

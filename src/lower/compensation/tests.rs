@@ -5,13 +5,13 @@ use std::rc::Rc;
 use super::super::carrier::Carrier;
 use super::*;
 use crate::diag::Diags;
-use crate::ir::motion;
-use crate::machine::Machine;
 use crate::geo::{Point2, arc};
 use crate::ir::Feed;
 use crate::ir::compensation::{Border, Ends, Inside, Search};
+use crate::ir::motion;
 use crate::ir::motion::Arc;
 use crate::machine::AxisSet;
+use crate::machine::Machine;
 
 /// Writes what comes out as blocks.
 #[derive(Default)]

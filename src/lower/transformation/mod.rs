@@ -111,7 +111,10 @@ impl Transformer {
         let (what, help) = if mv.axes.contains(rotary) {
             (format!("{} is moved by the transformation and by this block", rotary.letter()), "program X and Y")
         } else if mv.machine && mv.axes.iter().any(|axis| made.contains(&axis)) {
-            ("a place of the machine is approached inside the transformation".to_owned(), "end the transformation first")
+            (
+                "a place of the machine is approached inside the transformation".to_owned(),
+                "end the transformation first",
+            )
         } else if mv.side != Side::None {
             let help = "leave `[output] compensation` at \"resolve\"";
             ("the target cannot compensate the tool inside the transformation".to_owned(), help)
@@ -237,13 +240,7 @@ impl Transformer {
 
     // The mantle.
 
-    fn mantle(
-        &mut self,
-        diameter: f64,
-        mv: &Move,
-        origin: &Origin,
-        out: &mut Send<'_>,
-    ) -> Result<(), Box<Diagnostic>> {
+    fn mantle(&mut self, diameter: f64, mv: &Move, origin: &Origin, out: &mut Send<'_>) -> Result<(), Box<Diagnostic>> {
         let arc = match &mv.path {
             Path::Arc(arc, _) => Some(arc),
             Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => None,

@@ -26,8 +26,8 @@ use super::spindle_state::Spindles;
 use super::system_variables::SystemVariables;
 use super::tangent::Heading;
 use super::threads::Threads;
-use super::transformation::Transformed;
 use super::tool::{CompensationState, ToolInUse};
+use super::transformation::Transformed;
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]

@@ -73,7 +73,8 @@ impl Channel<'_> {
         span: Span,
     ) -> Outcome<Surface> {
         if let Some((number, span)) = number.filter(|(number, _)| *number != 1.0) {
-            let message = format!("{} selects transformation {number}: which axes it uses, only the machine knows", on.word());
+            let message =
+                format!("{} selects transformation {number}: which axes it uses, only the machine knows", on.word());
             let help = "select the first one, or compile the face in Cartesian axes";
             return self.fail_help(codes::S2280, span, message, help);
         }
@@ -212,7 +213,8 @@ impl Channel<'_> {
 
     /// X of a face under DIAMON.
     fn says_diameter(&self, on: OnSurface, span: Span) {
-        let counts = self.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
+        let counts =
+            self.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
         if on == OnSurface::Face && counts && self.job.diags.first_time(codes::S8252) {
             let message = "diameter programming is on at TRANSMIT: X of the face is read as a diameter";
             let found = Diagnostic::new(codes::S8252, self.loc(span), message);

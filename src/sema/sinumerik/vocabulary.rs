@@ -158,10 +158,8 @@ pub(super) struct Refusal {
 }
 
 /// Names of transformations, by what they are.
-pub(super) const TRANSFORMATIONS: &[(&str, &str)] = &[
-    ("five-axis transformation", "TRAORI TRAFOON ORIRESET"),
-    ("transformation", "TRAANG TRACON TRACOOF TRAINT"),
-];
+pub(super) const TRANSFORMATIONS: &[(&str, &str)] =
+    &[("five-axis transformation", "TRAORI TRAFOON ORIRESET"), ("transformation", "TRAANG TRACON TRACOOF TRAINT")];
 
 /// Names that are refused, by what they are.
 pub(super) const REFUSED: &[(&str, &str)] = &[
