@@ -6,6 +6,7 @@
 mod compensation;
 mod general;
 mod geometry;
+mod grooves;
 mod klartext;
 mod klartext_readings;
 mod mtc200;
@@ -19,6 +20,7 @@ mod turning;
 pub use compensation::*;
 pub use general::*;
 pub use geometry::*;
+pub use grooves::*;
 pub use klartext::*;
 pub use klartext_readings::*;
 pub use mtc200::*;
@@ -99,6 +101,7 @@ pub fn all() -> Vec<&'static Code> {
         klartext::KLARTEXT,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
+        grooves::GROOVES,
         compensation::COMPENSATION,
         output::OUTPUT,
         pockets::POCKETS,

@@ -2,6 +2,7 @@
 
 mod contours;
 mod drilling;
+mod grooves;
 mod milled;
 mod named;
 mod patterns;
@@ -96,8 +97,16 @@ impl Cycle {
     }
 }
 
-const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, pockets::ROWS, named::ROWS];
+const FAMILIES: &[&[Cycle]] = &[
+    drilling::ROWS,
+    patterns::ROWS,
+    threads::ROWS,
+    undercuts::ROWS,
+    grooves::ROWS,
+    pockets::ROWS,
+    contours::ROWS,
+    named::ROWS,
+];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
