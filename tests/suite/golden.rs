@@ -99,6 +99,8 @@ books! {
         mirror_and_scale rotation;
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
+    sinumerik_machining = "sinumerik/machining":
+        milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":

@@ -8,6 +8,7 @@ mod general;
 mod geometry;
 mod klartext;
 mod klartext_readings;
+mod milling;
 mod mtc200;
 mod output;
 mod pockets;
@@ -21,6 +22,7 @@ pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
 pub use klartext_readings::*;
+pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
 pub use pockets::*;
@@ -106,6 +108,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         turning::TURNING,
+        milling::MILLING,
         mtc200::MTC200,
     ]
     .iter()

@@ -3,6 +3,7 @@
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
 pub mod grooving;
 pub mod long_hole;
@@ -10,6 +11,7 @@ pub mod milling;
 pub mod pocket;
 pub mod recess;
 pub mod roughing;
+pub mod spigot;
 pub mod thread;
 pub mod turning;
 pub mod undercut;
@@ -20,12 +22,14 @@ use super::Pos;
 use super::function::Spindle;
 
 pub use drilling::Drilling;
+pub use facing::Facing;
 pub use finishing::Finishing;
 pub use grooving::Grooving;
 pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
+pub use spigot::Spigot;
 pub use thread::Thread;
 pub use undercut::UndercutCycle;
 
@@ -67,6 +71,8 @@ macro_rules! families {
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
+            Facing(crate::ir::cycle::Facing),
+            Spigot(crate::ir::cycle::Spigot),
         }
     };
 }

@@ -5,6 +5,7 @@
 
 pub mod cutter;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
 mod groove_cutter;
 pub mod grooving;
@@ -16,6 +17,7 @@ pub mod roughing;
 #[cfg(test)]
 mod simulate;
 pub mod slope;
+pub mod spigot;
 pub mod thread;
 pub mod track;
 pub mod undercut;

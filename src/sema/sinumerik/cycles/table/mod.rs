@@ -3,6 +3,7 @@
 mod contours;
 mod drilling;
 mod milled;
+mod milling;
 mod named;
 mod patterns;
 mod pockets;
@@ -96,8 +97,16 @@ impl Cycle {
     }
 }
 
-const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, pockets::ROWS, named::ROWS];
+const FAMILIES: &[&[Cycle]] = &[
+    drilling::ROWS,
+    patterns::ROWS,
+    threads::ROWS,
+    undercuts::ROWS,
+    contours::ROWS,
+    pockets::ROWS,
+    milling::ROWS,
+    named::ROWS,
+];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
