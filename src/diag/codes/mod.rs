@@ -6,6 +6,7 @@
 mod compensation;
 mod general;
 mod geometry;
+mod grooves;
 mod klartext;
 mod klartext_readings;
 mod milling;
@@ -20,6 +21,7 @@ mod turning;
 pub use compensation::*;
 pub use general::*;
 pub use geometry::*;
+pub use grooves::*;
 pub use klartext::*;
 pub use klartext_readings::*;
 pub use milling::*;
@@ -101,6 +103,7 @@ pub fn all() -> Vec<&'static Code> {
         klartext::KLARTEXT,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
+        grooves::GROOVES,
         compensation::COMPENSATION,
         output::OUTPUT,
         pockets::POCKETS,

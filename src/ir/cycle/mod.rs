@@ -2,6 +2,7 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod cut_off;
 pub mod drilling;
 pub mod facing;
 pub mod finishing;
@@ -21,6 +22,7 @@ use core::fmt;
 use super::Pos;
 use super::function::Spindle;
 
+pub use cut_off::CutOff;
 pub use drilling::Drilling;
 pub use facing::Facing;
 pub use finishing::Finishing;
@@ -64,6 +66,7 @@ macro_rules! families {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
             Grooving(crate::ir::cycle::Grooving),
+            CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),

@@ -15,7 +15,7 @@ use crate::text::blocks::Place;
 
 use super::super::value::{Val, to_text, whole};
 use super::super::{Core, Outcome, Reported, Run};
-use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
+use super::arguments::{Arguments, KNAME, Key, LAB1, LAB2, NPP, TYPE, VARI};
 use super::call::CycleCall;
 use super::table::{Source, Unpublished, Variant};
 
@@ -257,7 +257,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Every argument against its rule.
-    fn check_parameters(&mut self) -> Outcome {
+    pub(super) fn check_parameters(&mut self) -> Outcome {
         let args = self.args;
         for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
             let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
@@ -385,19 +385,6 @@ fn number(mm: f64) -> String {
     let text = format!("{mm:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
-
-/// Width of the top of a groove of CYCLE930: that of its floor and what its flanks take.
-pub(super) fn groove_width(args: &Arguments) -> Option<f64> {
-    if args.or_zero(NR) == 2.0 {
-        return None;
-    }
-    let depth = match args.digit(AMODE, 0) {
-        1 => args.number(DIAG)?.abs(),
-        _ => (args.number(DIAG)? - args.number(SPD)?).abs() / 2.0,
-    };
-    let tan = |key: Key| libm::tan(args.or_zero(key).to_radians());
-    Some(args.number(WIDG)? + depth * (tan(ANG1) + tan(ANG2)))
 }
 
 /// A coded number without the digits in front: modulo `base`.

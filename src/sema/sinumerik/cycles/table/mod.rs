@@ -2,6 +2,7 @@
 
 mod contours;
 mod drilling;
+mod grooves;
 mod milled;
 mod milling;
 mod named;
@@ -105,6 +106,7 @@ const FAMILIES: &[&[Cycle]] = &[
     contours::ROWS,
     pockets::ROWS,
     milling::ROWS,
+    grooves::ROWS,
     named::ROWS,
 ];
 

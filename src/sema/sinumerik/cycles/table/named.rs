@@ -20,7 +20,6 @@ pub(super) const ROWS: &[Cycle] = &[
     named("CYCLE78", "drilling and thread milling"),
     named("CYCLE90", "thread milling"),
     named("CYCLE91", "machining cycle"),
-    named("CYCLE92", "cut-off"),
     named("CYCLE210", "machining cycle"),
     named("CYCLE830", "deep-hole drilling 2"),
     named("CYCLE899", "open slot"),
