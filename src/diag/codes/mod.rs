@@ -9,6 +9,7 @@ mod geometry;
 mod grooves;
 mod klartext;
 mod klartext_readings;
+mod milling;
 mod mtc200;
 mod output;
 mod pockets;
@@ -24,6 +25,7 @@ pub use geometry::*;
 pub use grooves::*;
 pub use klartext::*;
 pub use klartext_readings::*;
+pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
 pub use pockets::*;
@@ -112,6 +114,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,
         turning::TURNING,
+        milling::MILLING,
         mtc200::MTC200,
     ]
     .iter()

@@ -4,6 +4,7 @@
 
 pub mod cut_off;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
 pub mod grooving;
 pub mod long_hole;
@@ -11,6 +12,7 @@ pub mod milling;
 pub mod pocket;
 pub mod recess;
 pub mod roughing;
+pub mod spigot;
 pub mod thread;
 pub mod turning;
 pub mod undercut;
@@ -22,12 +24,14 @@ use super::function::Spindle;
 
 pub use cut_off::CutOff;
 pub use drilling::Drilling;
+pub use facing::Facing;
 pub use finishing::Finishing;
 pub use grooving::Grooving;
 pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
+pub use spigot::Spigot;
 pub use thread::Thread;
 pub use undercut::UndercutCycle;
 
@@ -70,6 +74,8 @@ macro_rules! families {
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
+            Facing(crate::ir::cycle::Facing),
+            Spigot(crate::ir::cycle::Spigot),
         }
     };
 }

@@ -6,6 +6,7 @@
 pub mod cut_off;
 pub mod cutter;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
 mod groove_cutter;
 pub mod grooving;
@@ -17,6 +18,7 @@ pub mod roughing;
 #[cfg(test)]
 mod simulate;
 pub mod slope;
+pub mod spigot;
 pub mod thread;
 pub mod track;
 pub mod undercut;

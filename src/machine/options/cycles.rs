@@ -45,6 +45,26 @@ pub const KEYS: &[Key] = &[
         },
     )
     .or_warn(r#""workpiece""#),
+    key(
+        "spigot_size",
+        Kind::Choice(&["refuse", "diameter", "radius"]),
+        "SINUMERIK: the sixth argument of CYCLE77 in the old form of 16 arguments",
+        |s, v| {
+            let size = if is(v, "diameter") { SpigotSize::Diameter } else { SpigotSize::Radius };
+            put(&mut s.cycles.spigot_size, (!is(v, "refuse")).then_some(size))
+        },
+    )
+    .or(r#""refuse""#),
+    key(
+        "multi_edge_start",
+        Kind::Choice(&["refuse", "edge", "corner"]),
+        "SINUMERIK: what of the multi-edge of CYCLE79 lies on the first axis, turned by `_STA`: the middle of an edge, or a corner",
+        |s, v| {
+            let starts = if is(v, "edge") { MultiEdgeStart::Edge } else { MultiEdgeStart::Corner };
+            put(&mut s.cycles.multi_edge_start, (!is(v, "refuse")).then_some(starts))
+        },
+    )
+    .or(r#""refuse""#),
 ];
 
 fn not_below_zero(node: &Node) -> Result<f64, ConfigError> {
@@ -71,6 +91,21 @@ pub enum Transmit {
     Polar,
 }
 
+/// What the size of a round spigot is in the old form of its cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpigotSize {
+    Diameter,
+    Radius,
+}
+
+/// What of a multi-edge lies on its first axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MultiEdgeStart {
+    /// The middle of an edge.
+    Edge,
+    Corner,
+}
+
 /// `[cycles]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
@@ -81,10 +116,21 @@ pub struct Cycles {
     pub groove_dwell_revolutions: f64,
     /// `None`: nobody said, so the corner on the side of the workpiece is taken, and a program that depends on it is told so.
     pub cutoff_reference: Option<CutOffReference>,
+    /// `None` refuses the old form.
+    pub spigot_size: Option<SpigotSize>,
+    /// `None` refuses multi-edges.
+    pub multi_edge_start: Option<MultiEdgeStart>,
 }
 
 impl Default for Cycles {
     fn default() -> Cycles {
-        Cycles { transmit: Transmit::Refuse, groove_dwell: true, groove_dwell_revolutions: 1.0, cutoff_reference: None }
+        Cycles {
+            transmit: Transmit::Refuse,
+            groove_dwell: true,
+            groove_dwell_revolutions: 1.0,
+            cutoff_reference: None,
+            spigot_size: None,
+            multi_edge_start: None,
+        }
     }
 }

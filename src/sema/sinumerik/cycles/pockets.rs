@@ -134,7 +134,12 @@ impl CycleCall<'_, '_> {
         let sweep = self.args.or_zero(AFSL);
         if sweep <= 0.0 || sweep >= 360.0 {
             let help = "give an angle above 0 and below 360 degrees";
-            return self.cycle_fault(self.args.span_of(AFSL), 61118, "the angle of the slot `AFSL` (argument 7)", help);
+            return self.cycle_fault(
+                self.args.span_of(AFSL),
+                61118,
+                "the angle of the slot `AFSL` (argument 7) is out of range",
+                help,
+            );
         }
         let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
         self.own_way("the angle of a slot is taken between the centres of its round ends");
@@ -199,7 +204,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// A size above 0, without its sign.
-    fn size(&self, key: Key) -> Outcome<f64> {
+    pub(super) fn size(&self, key: Key) -> Outcome<f64> {
         let size = self.magnitude(key);
         if size > 0.0 {
             return Ok(size);
@@ -209,7 +214,7 @@ impl CycleCall<'_, '_> {
         self.cycle_fault(self.args.span_of(key), 61118, &message, "give a size above 0")
     }
 
-    fn reference_point(&self, first: Key, second: Key) -> Point2 {
+    pub(super) fn reference_point(&self, first: Key, second: Key) -> Point2 {
         Point2::new(self.length_of(self.args, first).unwrap_or(0.0), self.length_of(self.args, second).unwrap_or(0.0))
     }
 
@@ -220,7 +225,8 @@ impl CycleCall<'_, '_> {
             return self.not_built(VARI, "chamfering (units of `_VARI`)");
         }
         let more = self.args.number(VARI).and_then(whole).unwrap_or(0).unsigned_abs() / 10_000;
-        if !known.contains(&unit) || more > 0 || self.args.digit(VARI, 2) > 0 {
+        let other = self.args.digit(VARI, 2) > 0 || self.args.digit(VARI, 3) > 0 && self.args.place(CDIAM) == 0;
+        if !known.contains(&unit) || more > 0 || other {
             return self.no_such_machining("units 1 roughs, 2 finishes wall and floor, 3 the floor, 4 the wall");
         }
         Ok(match unit {
@@ -238,7 +244,7 @@ impl CycleCall<'_, '_> {
         Ok(Asked { floor: asked.floor && self.magnitude(FALD) > 0.0, ..asked })
     }
 
-    fn no_such_machining<T>(&self, help: &str) -> Outcome<T> {
+    pub(super) fn no_such_machining<T>(&self, help: &str) -> Outcome<T> {
         let (name, place) = (self.args.written(VARI), self.args.place(VARI));
         let message = format!("there is no such kind of machining: `{name}` (argument {place})");
         self.cycle_fault(self.args.span_of(VARI), 61002, &message, help)

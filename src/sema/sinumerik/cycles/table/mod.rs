@@ -4,6 +4,7 @@ mod contours;
 mod drilling;
 mod grooves;
 mod milled;
+mod milling;
 mod named;
 mod patterns;
 mod pockets;
@@ -102,9 +103,10 @@ const FAMILIES: &[&[Cycle]] = &[
     patterns::ROWS,
     threads::ROWS,
     undercuts::ROWS,
-    grooves::ROWS,
-    pockets::ROWS,
     contours::ROWS,
+    pockets::ROWS,
+    milling::ROWS,
+    grooves::ROWS,
     named::ROWS,
 ];
 

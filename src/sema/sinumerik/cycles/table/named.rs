@@ -13,16 +13,11 @@ const MEASURING: &str = "measuring cycle";
 
 pub(super) const ROWS: &[Cycle] = &[
     named("CYCLE60", "engraving"),
-    named("CYCLE61", "face milling"),
     named("CYCLE70", "thread milling"),
-    named("CYCLE71", "face milling"),
     named("CYCLE73", "pocket with islands"),
     named("CYCLE74", "contour of a pocket"),
     named("CYCLE75", "contour of an island"),
-    named("CYCLE76", "rectangular spigot"),
-    named("CYCLE77", "circular spigot"),
     named("CYCLE78", "drilling and thread milling"),
-    named("CYCLE79", "multi-edge"),
     named("CYCLE90", "thread milling"),
     named("CYCLE91", "machining cycle"),
     named("CYCLE210", "machining cycle"),
