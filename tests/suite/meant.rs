@@ -148,6 +148,8 @@ pub struct Recorder {
     offset: u8,
     length: u32,
     tool_length: bool,
+    /// Units in a millimetre.
+    scale: f64,
     ended: bool,
 }
 
@@ -161,6 +163,7 @@ impl Recorder {
             offset: 1,
             length: 0,
             tool_length: settings.output.tool_length,
+            scale: 10f64.powi(i32::from(settings.output.decimals)),
             ended: false,
         }
     }
@@ -220,6 +223,22 @@ impl Recorder {
         }
     }
 
+    /// F of a move of linear and rotary axes: the target measures X, Y and Z, and degrees where none of them moves.
+    fn carried(&self, feed: f64, length: f64, before: &[Option<f64>; AXES]) -> f64 {
+        let printed = |v: Option<f64>| (v.expect("a known start") * self.scale).round() / self.scale;
+        let way = |axes: std::ops::Range<usize>| {
+            axes.map(|i| if self.at[i] == before[i] { 0.0 } else { printed(self.at[i]) - printed(before[i]) })
+                .map(|d| d * d)
+                .sum::<f64>()
+                .sqrt()
+        };
+        match (way(0..3), way(3..6)) {
+            (_, 0.0) => feed,
+            (0.0, turned) => feed * turned / length,
+            (linear, _) => feed * linear / length,
+        }
+    }
+
     fn length(&mut self, number: u32) {
         if self.tool_length && std::mem::replace(&mut self.length, number) != number {
             self.does(Does::Length(number));
@@ -243,7 +262,10 @@ impl Sink for Recorder {
         let printed = |v: Option<f64>| v.map(|v| (v * 1e4).round());
         let same = (0..AXES).all(|i| printed(before[i]) == printed(self.at[i]));
         if arc.is_some() || !same || mv.machine && mv.axes.iter().next().is_some() {
-            let (rapid, how) = (mv.path == Path::Rapid, self.how(mv));
+            let (rapid, mut how) = (mv.path == Path::Rapid, self.how(mv));
+            if let Path::Carried { feed, length } = mv.path {
+                how.feed = Some((Kind::PerMinute, self.carried(feed, length, &before)));
+            }
             self.items.push(Meant::Move(Box::new(Move { rapid, end: self.at, arc, how })));
         }
         if mv.machine {
@@ -283,6 +305,7 @@ impl Sink for Recorder {
                 self.does(Does::End { rewind: *rewind });
                 self.ended = true;
             }
+            Function::FeedSpindle(_) | Function::Transformation(_) => panic!("{function:?} reached the target"),
             Function::Plane(_) | Function::Comment(_) => {}
         }
     }

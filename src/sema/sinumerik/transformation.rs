@@ -1,6 +1,6 @@
 //! TRANSMIT and TRACYL: the program works on a face or a mantle as in a plane, up to TRAFOOF.
 //!
-//! What is printed for them is the user's choice. Source: S 2.16, MC 10 (docs/sources.md).
+//! What is printed for them is the user's choice. Source: S 2.16 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::transformation::Surface;
@@ -131,10 +131,11 @@ impl Channel<'_> {
             self.st.position.move_to(&seen);
             self.function(Function::Transformation(Some(by)));
             let letter = rotary.letter();
-            let message = format!(
-                "{word} is printed with X and {letter}: X0 lies on the axis of rotation, and the tool stands at {letter}0 over \
-                 the positive X of the program"
-            );
+            let zero = match on {
+                OnSurface::Face => format!("the tool stands over the positive X of the program at {letter}0"),
+                OnSurface::Mantle => format!("Y0 of the program lies at {letter}0"),
+            };
+            let message = format!("{word} is printed with X and {letter}: X0 lies on the axis of rotation, and {zero}");
             self.note_once(codes::S8251, span, message);
         }
         self.says_diameter(on, span);
