@@ -223,20 +223,11 @@ impl Recorder {
         }
     }
 
-    /// F of a move of linear and rotary axes: the target measures X, Y and Z, and degrees where none of them moves.
-    fn carried(&self, feed: f64, length: f64, before: &[Option<f64>; AXES]) -> f64 {
+    /// How far axes go, as printed.
+    fn way(&self, before: &[Option<f64>; AXES], axes: std::ops::Range<usize>) -> f64 {
         let printed = |v: Option<f64>| (v.expect("a known start") * self.scale).round() / self.scale;
-        let way = |axes: std::ops::Range<usize>| {
-            axes.map(|i| if self.at[i] == before[i] { 0.0 } else { printed(self.at[i]) - printed(before[i]) })
-                .map(|d| d * d)
-                .sum::<f64>()
-                .sqrt()
-        };
-        match (way(0..3), way(3..6)) {
-            (_, 0.0) => feed,
-            (0.0, turned) => feed * turned / length,
-            (linear, _) => feed * linear / length,
-        }
+        let moved = axes.filter(|i| self.at[*i] != before[*i]);
+        moved.map(|i| printed(self.at[i]) - printed(before[i])).map(|d| d * d).sum::<f64>().sqrt()
     }
 
     fn length(&mut self, number: u32) {
@@ -264,7 +255,24 @@ impl Sink for Recorder {
         if arc.is_some() || !same || mv.machine && mv.axes.iter().next().is_some() {
             let (rapid, mut how) = (mv.path == Path::Rapid, self.how(mv));
             if let Path::Carried { feed, length } = mv.path {
-                how.feed = Some((Kind::PerMinute, self.carried(feed, length, &before)));
+                let (linear, rotary) = (self.way(&before, 0..3), self.way(&before, 3..6));
+                how.feed = Some((
+                    Kind::PerMinute,
+                    match (linear, rotary) {
+                        (_, 0.0) => feed,
+                        (0.0, _) => feed * rotary / length,
+                        _ => feed * linear / length,
+                    },
+                ));
+                // Where F is too coarse, the rotary axes go first.
+                let small = (1.0 / self.scale).max(0.0005);
+                if linear > 0.0 && rotary > 0.0 && linear <= small && feed * linear / length * self.scale < 99.5 {
+                    let turned = How { feed: Some((Kind::PerMinute, feed * rotary / length)), ..how };
+                    let mut end = before;
+                    end[3..6].copy_from_slice(&self.at[3..6]);
+                    self.items.push(Meant::Move(Box::new(Move { rapid, end, arc, how: turned })));
+                    how.feed = Some((Kind::PerMinute, feed));
+                }
             }
             self.items.push(Meant::Move(Box::new(Move { rapid, end: self.at, arc, how })));
         }

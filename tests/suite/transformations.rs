@@ -11,10 +11,10 @@ use super::damage::Dice;
 use super::meant::{Found, Kind, Way};
 use super::reader;
 
-/// How far a path may leave the contour, and what rounding of X and C adds at a radius of 60, in mm.
-const OFF: f64 = 0.005 + 1.5e-4;
+/// How far a path may leave the contour, and what rounding of X and C adds at a radius of 150, in mm.
+const OFF: f64 = 0.005 + 2e-4;
 /// How far an end may lie from where it was programmed, by rounding alone.
-const END: f64 = 1.2e-4;
+const END: f64 = 2e-4;
 /// Programmed feed.
 const FEED: f64 = 200.0;
 /// Diameter of the mantle.
@@ -121,7 +121,7 @@ fn read(text: &str, settings: &Settings) -> Result<Vec<(P, Option<f64>)>, String
     let outcome = compile(&program, settings, &NoFiles).map_err(|e| e.to_string())?;
     let Some(output) = outcome.text else { return Err(format!("{:?}", outcome.findings)) };
     let mut at: Option<P> = None;
-    let mut moves = Vec::new();
+    let mut moves: Vec<(P, Option<f64>)> = Vec::new();
     for found in reader::read(&output, 4)? {
         let Found::Move(way, how) = found else { continue };
         let end = match way {
@@ -135,8 +135,18 @@ fn read(text: &str, settings: &Settings) -> Result<Vec<(P, Option<f64>)>, String
             assert_eq!(kind, Kind::PerMinute);
             Some(measured / feed)
         });
+        // A step of X or Z that would make F too coarse has a block of its own.
+        let step = at.map(|at| (end[0] - at[0]).hypot(end[1] - at[1])).filter(|step| *step > 0.0);
+        if step.is_some_and(|step| step < 0.00051)
+            && at.is_some_and(|at| at[2] == end[2])
+            && let Some((before, spent)) = moves.last_mut()
+        {
+            *before = end;
+            *spent = spent.zip(time).map(|(a, b)| a + b);
+        } else {
+            moves.push((end, time));
+        }
         at = Some(end);
-        moves.push((end, time));
     }
     Ok(moves)
 }

@@ -8,11 +8,12 @@ use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
 use crate::target::Measure;
 
-use super::super::number::Places;
 use super::Printer;
 
-/// Places of an F below 1: where X goes little and the workpiece turns far, F is small.
-const FINE: u8 = 6;
+/// Where X goes little and the workpiece turns far, F is small. Below so many units of the last place it is too coarse;
+const COARSE: i64 = 100;
+/// then a way of so many mm, or of one unit, follows in a block of its own.
+const SMALL: f64 = 0.0005;
 
 impl Printer<'_> {
     /// A part of `length` mm at `feed` along the contour. F is computed from the printed numbers.
@@ -36,45 +37,49 @@ impl Printer<'_> {
         if !lacking.is_empty() {
             return self.lacks_axes(lacking, mv, origin);
         }
-        let feed = match self.measured(changed, &ends) {
-            Some(way) => feed * way / length,
-            None => feed,
-        };
         // A change of the kind of feed has a line of its own.
         if self.feed_word(Feed::PerMinute(1.0), origin).is_err() {
             return;
         }
-        let places = if feed < 1.0 { Places::new(FINE) } else { self.places };
-        let Some(f) = places.units(feed).filter(|units| *units > 0) else {
+        let rotary: AxisSet = changed.iter().filter(|axis| axis.is_rotary()).collect();
+        let linear = changed.without(rotary);
+        let (way, turn) = (self.way(linear, &ends), self.way(rotary, &ends));
+        let small = (1.0 / self.places.scale()).max(SMALL);
+        let coarse = self.places.units(feed * way / length).is_none_or(|units| units < COARSE);
+        if turn > 0.0 && way > 0.0 && way <= small && coarse {
+            self.carried_line(rotary, &ends, feed * turn / length, origin);
+            return self.carried_line(linear, &ends, feed, origin);
+        }
+        let feed = match self.target.feed.measure {
+            // The target measures the contour itself.
+            _ if turn == 0.0 => feed,
+            Measure::Linear if way == 0.0 => feed * turn / length,
+            Measure::Linear => feed * way / length,
+        };
+        self.carried_line(changed, &ends, feed, origin);
+    }
+
+    fn carried_line(&mut self, axes: AxisSet, ends: &[i64; AXES], feed: f64, origin: &Origin) {
+        let Some(units) = self.places.units(feed).filter(|units| *units > 0) else {
             return self.report(codes::O1001, origin, &format!("the feed {feed} prints as zero or not at all"));
         };
         self.page.text.word(self.target.motion.line);
-        for axis in changed.iter() {
+        for axis in axes.iter() {
             self.axis_word(axis, ends[axis.index()]);
         }
-        self.page.text.number(self.target.feed.address, f, places);
+        self.page.text.number(self.target.feed.address, units, self.places);
         self.page.end_line(origin);
         self.compensation.straight();
         self.modal.forget_feed();
-        self.modal.reach(changed, &ends);
+        self.modal.reach(axes, ends);
     }
 
-    /// How far the target measures the way to `ends`; `None` where it measures the contour itself, because no rotary axis
-    /// moves.
-    fn measured(&self, changed: AxisSet, ends: &[i64; AXES]) -> Option<f64> {
-        let way = |rotary: bool| {
-            let of = |axis: Axis| match self.modal.place(axis) {
-                Some(place) => (ends[axis.index()] - place) as f64 / self.places.scale(),
-                None => 0.0,
-            };
-            let axes = changed.iter().filter(|axis| axis.is_rotary() == rotary);
-            libm::sqrt(axes.map(|axis| of(axis) * of(axis)).sum())
+    /// How far `axes` go to `ends`, as printed.
+    fn way(&self, axes: AxisSet, ends: &[i64; AXES]) -> f64 {
+        let of = |axis: Axis| match self.modal.place(axis) {
+            Some(place) => (ends[axis.index()] - place) as f64 / self.places.scale(),
+            None => 0.0,
         };
-        let (linear, rotary) = (way(false), way(true));
-        match self.target.feed.measure {
-            _ if rotary == 0.0 => None,
-            Measure::Linear if linear == 0.0 => Some(rotary),
-            Measure::Linear => Some(linear),
-        }
+        libm::sqrt(axes.iter().map(|axis| of(axis) * of(axis)).sum())
     }
 }
