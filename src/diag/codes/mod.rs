@@ -8,6 +8,7 @@ mod general;
 mod geometry;
 mod klartext;
 mod klartext_readings;
+mod layers;
 mod mtc200;
 mod output;
 mod sinumerik;
@@ -20,6 +21,7 @@ pub use general::*;
 pub use geometry::*;
 pub use klartext::*;
 pub use klartext_readings::*;
+pub use layers::*;
 pub use mtc200::*;
 pub use output::*;
 pub use sinumerik::*;
@@ -102,6 +104,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
+        layers::LAYERS,
         turning::TURNING,
         mtc200::MTC200,
     ]

@@ -4,6 +4,7 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod layers;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -17,6 +18,7 @@ use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
+pub use layers::Layers;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
@@ -53,6 +55,7 @@ macro_rules! families {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
             RecessTurning(crate::ir::cycle::RecessTurning),
+            Layers(crate::ir::cycle::Layers),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),

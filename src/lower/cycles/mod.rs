@@ -6,6 +6,7 @@
 pub mod drilling;
 pub mod finishing;
 pub mod infeed;
+pub mod layers;
 pub mod recess;
 pub mod roughing;
 #[cfg(test)]

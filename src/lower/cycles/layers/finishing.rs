@@ -1,0 +1,162 @@
+//! One cut along the finished contour.
+
+use crate::diag::codes;
+use crate::geo::profile::{Grown, LEVEL, Leg, Profile, backwards};
+use crate::geo::{Element, Point2, Vec2, distance, left, length, offset};
+use crate::geo::wall::quarters;
+use crate::ir::cycle::layers::Relief;
+use crate::lower::cycles::track::Failure;
+
+use super::Cutter;
+use super::region::Region;
+
+/// A way of the nose: where it starts and its legs.
+struct Path {
+    start: Point2,
+    legs: Vec<Leg>,
+}
+
+impl Cutter<'_> {
+    /// # Errors
+    /// G3049 no room for the nose.
+    pub(super) fn finish(&mut self) -> Result<(), Failure> {
+        let region = self.region;
+        let layers = region.layers;
+        let mut path = finished(region)?;
+        let reach = {
+            let left = &layers.allowance;
+            layers.clearance.lift + left.axes.x + left.axes.y + left.around
+        };
+        if layers.finish_backwards {
+            let end = path.legs.last().map_or(path.start, Leg::to);
+            path = Path { start: end, legs: backwards(path.start, &path.legs) };
+        }
+        let Some(first) = path.legs.first() else { return Ok(()) };
+        let Some(u) = start_of(path.start, first) else { return Ok(()) };
+        let home = region.home();
+        self.go_home();
+        if layers.finish_backwards {
+            let over = path.start - u * reach;
+            let free = u.y < -0.1 && over.x <= path.start.x + LEVEL;
+            let over = if free { over } else { path.start + Vec2::new(0.0, reach) };
+            self.rapid_x(over.x);
+            self.rapid(over);
+        } else {
+            let beside = beside(region, path.start, u, reach);
+            self.rapid(Point2::new(home.x.min(beside.x), home.y));
+            self.rapid_y(beside.y);
+            self.rapid(beside);
+        }
+        self.line(path.start, layers.feeds.finish);
+        self.legs(&path.legs, layers.feeds.finish);
+        self.leave(&path);
+        Ok(())
+    }
+
+    /// Off the contour, at right angles to it, but never on beyond its end.
+    fn leave(&mut self, path: &Path) {
+        let region = self.region;
+        let from = path.legs.len().checked_sub(2).and_then(|at| path.legs.get(at)).map_or(path.start, Leg::to);
+        let Some(u) = path.legs.last().and_then(|leg| end_of(from, leg)) else { return };
+        let u = if region.layers.finish_backwards { -u } else { u };
+        let lift = region.layers.clearance.lift;
+        let away = left(u);
+        let away = if away.x > LEVEL || away.y < -LEVEL { Vec2::y() } else { away };
+        let to = self.at + away * lift;
+        self.line(to, region.layers.feeds.finish);
+        if !region.layers.into.is_inside() {
+            let out = region.home().y.max(self.at.y);
+            self.rapid_y(out);
+        }
+    }
+}
+
+/// In front of the start, straight on into it; beside it where the contour begins upright.
+fn beside(region: &Region<'_>, start: Point2, u: Vec2, reach: f64) -> Point2 {
+    if u.x <= 0.1 {
+        return start + left(u) * reach;
+    }
+    // The nose stays in front of what roughing left at the face.
+    let allowance = region.layers.allowance.axes.x.max(region.layers.allowance.axes.y) + region.layers.allowance.around;
+    let face = region.contour.first().map_or(region.front, |e| e.from().x).min(region.front) - allowance;
+    let clear = face - 0.1 * region.layers.clearance.lift - region.nose();
+    let way = reach.max((start.x - clear) / u.x);
+    start - u * way
+}
+
+fn start_of(from: Point2, leg: &Leg) -> Option<Vec2> {
+    element(from, leg).start_direction()
+}
+
+fn end_of(from: Point2, leg: &Leg) -> Option<Vec2> {
+    element(from, leg).end_direction()
+}
+
+fn element(from: Point2, leg: &Leg) -> Element {
+    match *leg {
+        Leg::Line { to } => Element::Line { from, to },
+        Leg::Arc { to, center, ccw } => Element::Arc { from, to, center, sweep: if ccw { 1.0 } else { -1.0 } },
+    }
+}
+
+/// The way of the nose along the finished contour, inside of the limits.
+fn finished(region: &Region<'_>) -> Result<Path, Failure> {
+    let nose = region.nose();
+    let (Some(first), Some(last)) = (region.contour.first(), region.contour.last()) else {
+        return Ok(Path { start: Point2::origin(), legs: Vec::new() });
+    };
+    let beside = |p: Point2, u: Option<Vec2>| p + left(u.unwrap_or(Vec2::x())) * nose - Vec2::new(0.0, nose);
+    let start = beside(first.from(), first.start_direction());
+    let end = beside(last.to(), last.end_direction());
+    let levels = region.layers.relief == Relief::Left;
+    let limited = region.far.is_finite() || region.least.is_finite() || region.is_capped;
+    let leans = region.contour.iter().flat_map(quarters).any(|e| e.to().x < e.from().x - LEVEL);
+    if leans && !levels && !limited {
+        return around(region);
+    }
+    let profile = Profile::new(&region.contour, Grown { along: 0.0, up: -nose, disc: nose });
+    let (mut start, mut end) = (start, end);
+    if region.least.is_finite()
+        && start.y < region.least
+        && let Some(x) = profile.first_above(region.least, start.x)
+    {
+        start = Point2::new(x, region.least);
+    }
+    if let Some(x) = profile.first_above(region.top(), start.x).filter(|x| *x < end.x && region.is_capped) {
+        end = Point2::new(x, region.top());
+    }
+    if end.x > region.far {
+        end = Point2::new(region.far, profile.height(region.far));
+    }
+    if levels {
+        let highest = profile.highest(start.x, end.x).max(end.y).max(start.y);
+        let mut legs = profile.between(start.x, end.x).climb(start, highest);
+        let at = legs.last().map_or(start, Leg::to);
+        let end = Point2::new(end.x.max(at.x), at.y.max(end.y));
+        let corner = Point2::new(end.x, at.y);
+        for to in [corner, end] {
+            if distance(legs.last().map_or(start, Leg::to), to) > crate::geo::SAME_POINT {
+                legs.push(Leg::Line { to });
+            }
+        }
+        return Ok(Path { start, legs });
+    }
+    Ok(Path { start, legs: profile.follow(start, end) })
+}
+
+/// Along a contour that leans over somewhere: parallel to it, as far as the nose finds room.
+fn around(region: &Region<'_>) -> Result<Path, Failure> {
+    let nose = region.nose();
+    let parts = offset::parallel(&region.contour, nose).map_err(|_| {
+        let message = "the nose of the tool has no room in a hollow, a corner or an undercut of the contour";
+        Failure::new(codes::G3049, message, "take a tool with a smaller nose radius, or leave the narrow part out")
+    })?;
+    let down = Vec2::new(0.0, nose);
+    let start = parts.first().map_or(Point2::origin(), |part| part.element.from()) - down;
+    let legs = parts.iter().filter(|part| length(part.element.to() - part.element.from()) > LEVEL);
+    let legs = legs.map(|part| match part.element {
+        Element::Line { to, .. } => Leg::Line { to: to - down },
+        Element::Arc { to, center, sweep, .. } => Leg::Arc { to: to - down, center: center - down, ccw: sweep > 0.0 },
+    });
+    Ok(Path { start, legs: legs.collect() })
+}
