@@ -20,7 +20,7 @@ pub use options::klartext::{
 };
 pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use settings::{
-    AxisUse, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
+    AxisUse, ChangeCall, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -11,6 +11,7 @@ mod klartext_readings;
 mod layers;
 mod mtc200;
 mod output;
+mod pockets;
 mod sinumerik;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
@@ -24,6 +25,7 @@ pub use klartext_readings::*;
 pub use layers::*;
 pub use mtc200::*;
 pub use output::*;
+pub use pockets::*;
 pub use sinumerik::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
@@ -101,6 +103,7 @@ pub fn all() -> Vec<&'static Code> {
         geometry::GEOMETRY,
         compensation::COMPENSATION,
         output::OUTPUT,
+        pockets::POCKETS,
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,

@@ -4,7 +4,9 @@
 
 pub mod drilling;
 pub mod finishing;
+pub mod grooving;
 pub mod layers;
+pub mod milling;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -18,6 +20,7 @@ use super::function::Spindle;
 
 pub use drilling::Drilling;
 pub use finishing::Finishing;
+pub use grooving::Grooving;
 pub use layers::Layers;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
@@ -54,6 +57,7 @@ macro_rules! families {
     ($take:ident) => {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
+            Grooving(crate::ir::cycle::Grooving),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Layers(crate::ir::cycle::Layers),
             Roughing(crate::ir::cycle::Roughing),

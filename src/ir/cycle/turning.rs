@@ -48,6 +48,11 @@ impl Towards {
     pub fn depth_coordinate(self, p: Point2) -> f64 {
         if self.is_radial() { p.y } else { p.x }
     }
+
+    /// The coordinate of `p` on the cutting axis.
+    pub fn cutting_coordinate(self, p: Point2) -> f64 {
+        if self.is_radial() { p.x } else { p.y }
+    }
 }
 
 /// Greatest coordinate or length, mm. No lathe is so long, and products of such numbers stay finite.

@@ -3,8 +3,11 @@
 // The enums matched here belong to one family each.
 #![allow(clippy::wildcard_enum_match_arm)]
 
+pub mod cutter;
 pub mod drilling;
 pub mod finishing;
+mod groove_cutter;
+pub mod grooving;
 pub mod infeed;
 pub mod layers;
 pub mod recess;

@@ -1,7 +1,7 @@
 //! A groove as a recessing tool sees it: between two walls that fall to one floor.
 
 use crate::geo::wall::{Leg, NoWall, Wall, quarters};
-use crate::geo::{Element, Point2, Vec2};
+use crate::geo::{Element, Point2, Vec2, left};
 
 use super::track::View;
 
@@ -14,6 +14,15 @@ pub struct Valley {
     first: Vec<Element>,
     second: Vec<Element>,
     floor: f64,
+}
+
+/// What lies above the rims of a groove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Above {
+    /// The walls go on straight up.
+    Material,
+    /// Nothing: the noses come down beside the rim.
+    Nothing,
 }
 
 /// Why a contour is no groove.
@@ -96,23 +105,34 @@ impl Valley {
         Ok(valley)
     }
 
-    /// The groove for a tool of `width` with noses of radius `nose`, `oversize` being left on both walls (x)
-    /// and on the floor (y). `None` if the tool does not fit between the walls down to the floor.
-    pub fn slot(&self, width: f64, nose: f64, oversize: Vec2) -> Option<Slot> {
-        let wall = |chain: &[Element]| {
-            let moved: Vec<Element> = chain.iter().map(|e| shifted(e, oversize)).collect();
+    /// The groove for a tool of `width` with noses of radius `nose`. Each wall is moved by its oversize: towards the other
+    /// wall (x), and out of the material (y, the same for both). `None` if the tool does not fit between the walls down to
+    /// the floor.
+    pub fn slot(&self, width: f64, nose: f64, oversize: [Vec2; 2], above: Above) -> Option<Slot> {
+        let wall = |chain: &[Element], oversize: Vec2| {
+            let mut moved: Vec<Element> = chain.iter().map(|e| shifted(e, oversize)).collect();
+            if above == Above::Nothing {
+                moved.splice(0..0, free_rim(moved.first()?, nose));
+            }
             Wall::new(&moved, nose).ok()
         };
         let slot = Slot {
-            first: wall(&self.first)?,
-            second: wall(&self.second)?,
-            floor: self.floor + oversize.y,
+            first: wall(&self.first, oversize[0])?,
+            second: wall(&self.second, oversize[1])?,
+            floor: self.floor + oversize[0].y,
             width,
             nose,
         };
         let room = slot.raw_end(slot.floor) - slot.begin(slot.floor);
         (room >= -LEVEL).then_some(slot)
     }
+}
+
+/// The surface beside the rim, as far as the nose hangs over it where it touches the first element.
+fn free_rim(first: &Element, nose: f64) -> Option<Element> {
+    let over = nose * (1.0 - left(first.start_direction()?).x);
+    let rim = first.from();
+    (over > 0.0).then(|| Element::Line { from: rim - Vec2::new(over, 0.0), to: rim })
 }
 
 /// Where a recessing tool may be. Positions are those of its edge towards -x.
@@ -206,10 +226,10 @@ mod tests {
     #[test]
     fn a_tool_that_is_too_wide_has_no_slot() {
         let valley = Valley::new(&lines(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 5.0)])).expect("a groove");
-        assert!(valley.slot(4.0, 0.2, Vec2::zeros()).is_some());
-        assert!(valley.slot(4.0, 0.2, Vec2::new(0.1, 0.0)).is_none());
+        assert!(valley.slot(4.0, 0.2, [Vec2::zeros(); 2], Above::Material).is_some());
+        assert!(valley.slot(4.0, 0.2, [Vec2::new(0.1, 0.0); 2], Above::Material).is_none());
         let vee = Valley::new(&lines(&[(0.0, 5.0), (3.0, 0.0), (6.0, 5.0)])).expect("a groove");
-        assert!(vee.slot(1.0, 0.2, Vec2::zeros()).is_none());
+        assert!(vee.slot(1.0, 0.2, [Vec2::zeros(); 2], Above::Material).is_none());
     }
 
     #[test]
@@ -223,7 +243,7 @@ mod tests {
         let valley = Valley::new(&[half]).expect("a groove");
         assert!((valley.floor + 5.0).abs() < 1e-12);
         // A full-radius tool reaches the floor, a flat one does not.
-        assert!(valley.slot(2.0, 1.0, Vec2::zeros()).is_some());
-        assert!(valley.slot(2.0, 0.2, Vec2::zeros()).is_none());
+        assert!(valley.slot(2.0, 1.0, [Vec2::zeros(); 2], Above::Material).is_some());
+        assert!(valley.slot(2.0, 0.2, [Vec2::zeros(); 2], Above::Material).is_none());
     }
 }

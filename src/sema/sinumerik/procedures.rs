@@ -8,6 +8,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
+use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
@@ -76,8 +77,9 @@ impl Run<'_> {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
             let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
-            let help = "replace it by plain moves, or put its program beside this one";
-            return self.fail_help(codes::S9005, call.span, message, help);
+            let line = NameOfCall { name: &name, text: None, arguments: true, tool_waits: false }.line();
+            let help = format!("replace it by plain moves, or put its program beside this one; or {line}");
+            return self.fail_help(codes::S9005, call.span, message, &help);
         }
         if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
             let message = format!("{name} is a word of the language and lacks its value");
@@ -87,8 +89,13 @@ impl Run<'_> {
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
 
-    /// A program of the user with the name of a cycle goes before it.
+    /// A program of the user with the name of a cycle goes before it, and so does what `[programs]` gives in its place.
     pub(super) fn own_program(&mut self, name: &str) -> bool {
+        self.job.settings.programs.contains_key(name) || self.is_here(name)
+    }
+
+    /// Is there a program of this name in the file, or beside it?
+    pub(super) fn is_here(&mut self, name: &str) -> bool {
         let file = self.units.list[self.unit()].file;
         let listed = self.list_programs(file).is_ok();
         if listed && (self.units.find_in_file(file, name).is_some() || self.units.find_in_file(0, name).is_some()) {
@@ -139,20 +146,7 @@ impl Run<'_> {
             None => Vec::new(),
         };
         self.pending_must_be_done(span)?;
-        if let Some(done) = self.stand_in(name, span, &arguments, passes) {
-            return done;
-        }
-        let result = self.find_program(name, span);
-        let unit = match result {
-            Ok(unit) => unit,
-            Err(reported) => {
-                // What it would have done is not known.
-                self.st.position.lose(AxisSet::ALL);
-                self.lost();
-                return Err(reported);
-            }
-        };
-        self.call_unit(unit, arguments, passes, false)
+        self.call_by_name(name, span, arguments, passes)
     }
 
     /// A word of the language that is written like a call.

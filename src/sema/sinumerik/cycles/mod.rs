@@ -7,6 +7,7 @@ mod arguments;
 mod call;
 mod called_contours;
 mod drilling;
+mod milling;
 mod modes;
 mod pattern;
 mod table;

@@ -14,7 +14,7 @@ use super::call::CycleCall;
 
 /// Which numbers give the depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Depth {
+pub(super) enum Depth {
     /// DPR where it is not 0, else DP.
     Classic,
     Incremental,
@@ -69,11 +69,7 @@ impl CycleCall<'_, '_> {
         if clearance < 0.0 {
             self.reading(SDIS, "SDIS has no sign, and its minus is left out");
         }
-        let by = match args.digit(AMODE, 0) {
-            1 => Depth::Incremental,
-            2 => Depth::Absolute,
-            _ => Depth::Classic,
-        };
+        let by = self.depth_by();
         let by_tens = args.digit(GMODE, 1) == 1;
         let (mut absolute, mut relative) = (self.length_of(args, DP), self.length_of(args, DPR));
         if by_tens && centring {
@@ -101,6 +97,15 @@ impl CycleCall<'_, '_> {
                 &fault.to_string(),
                 "RTP lies on the far side of RFP, seen from the depth",
             ),
+        }
+    }
+
+    /// Which of DP and DPR the units of `_AMODE` choose.
+    pub(super) fn depth_by(&self) -> Depth {
+        match self.args.digit(AMODE, 0) {
+            1 => Depth::Incremental,
+            2 => Depth::Absolute,
+            _ => Depth::Classic,
         }
     }
 
@@ -188,7 +193,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Digits whose meaning is not known.
-    fn digits_are_known(&self) -> Outcome {
+    pub(super) fn digits_are_known(&self) -> Outcome {
         let args = self.args;
         for key in [GMODE, AMODE] {
             let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
@@ -203,7 +208,10 @@ impl CycleCall<'_, '_> {
             let most = |place: u32| known(place).map_or(0, |digit| digit.most);
             let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { continue };
             let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
-                "" => format!("the digit {} at place {} from the right of `_AMODE`", args.digit(key, place), place + 1),
+                "" => {
+                    let (digit, name) = (args.digit(key, place), args.written(key));
+                    format!("the digit {digit} at place {} from the right of `{name}`", place + 1)
+                }
                 what => what.to_owned(),
             };
             return self.not_built(key, &what);
@@ -212,7 +220,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Leaves the depth that the units of `_AMODE` choose.
-    fn one_depth(&self, by: Depth, absolute: &mut Option<f64>, relative: &mut Option<f64>) -> Outcome {
+    pub(super) fn one_depth(&self, by: Depth, absolute: &mut Option<f64>, relative: &mut Option<f64>) -> Outcome {
         let args = self.args;
         // DPR 0 is none; DP 0 is a depth.
         let given = relative.filter(|way| *way != 0.0);

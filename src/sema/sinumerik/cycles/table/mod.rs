@@ -2,6 +2,7 @@
 
 mod contours;
 mod drilling;
+mod milled;
 mod named;
 mod patterns;
 mod threads;
