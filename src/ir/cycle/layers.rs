@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::geo::profile::{Grown, LEVEL, Profile};
+use crate::geo::wall::quarters;
 use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::{Feed, Pos};
 
@@ -12,6 +14,9 @@ use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 
 /// Most elements of a contour.
 pub const MOST_ELEMENTS: usize = 1000;
+
+/// How deep a relief cut is at least, mm: what the rounding of stored contours makes is none.
+pub const LEAST_DIP: f64 = 0.005;
 
 /// Stock removal in layers. Points are (Z, X) with X as a radius; all lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -194,5 +199,41 @@ impl Family for Layers {
 
     fn leaves(&self, at: &mut Pos) {
         at.set_in_plane(Plane::Zx, self.home);
+    }
+}
+
+impl Layers {
+    /// The contour with the cuts towards +x and the infeed towards -y.
+    fn seen(&self) -> Vec<Element> {
+        let out = -(self.into.unit().x + self.into.unit().y);
+        let (along, radial) = (self.along, self.into.is_radial());
+        let point = |p: Point2| {
+            if radial { Point2::new(p.x * along, p.y * out) } else { Point2::new(p.y * along, p.x * out) }
+        };
+        let mirrors = (along * out < 0.0) == radial;
+        let element = |element: &Element| match *element {
+            Element::Line { from, to } => Element::Line { from: point(from), to: point(to) },
+            Element::Arc { from, to, center, sweep } => Element::Arc {
+                from: point(from),
+                to: point(to),
+                center: point(center),
+                sweep: if mirrors { -sweep } else { sweep },
+            },
+        };
+        self.contour.iter().map(element).collect()
+    }
+
+    /// Where the contour falls behind a higher part: places along the cutting axis.
+    pub fn reliefs(&self) -> Vec<(f64, f64)> {
+        let chain = self.seen();
+        let Some(start) = chain.first().map(Element::from) else { return Vec::new() };
+        let outline = Profile::new(&chain, Grown::default());
+        let dips = outline.dips(start, f64::INFINITY, LEAST_DIP);
+        dips.iter().map(|dip| (dip.left * self.along, dip.right * self.along)).collect()
+    }
+
+    /// Does a part of the contour lean over, out of the reach of the cuts?
+    pub fn leans_over(&self) -> bool {
+        self.seen().iter().flat_map(quarters).any(|element| element.to().x < element.from().x - LEVEL)
     }
 }

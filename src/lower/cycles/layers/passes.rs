@@ -30,7 +30,8 @@ impl Cutter<'_> {
             // There is nothing between this cut and the one before.
             return;
         }
-        let begin = (front - layers.clearance.entry - region.nose()).min(hit - layers.clearance.entry);
+        let clear = front - layers.clearance.entry - region.nose();
+        let begin = if hit > clear + LEVEL { clear } else { hit - layers.clearance.entry };
         self.rapid_x(begin);
         self.rapid_y(y);
         self.straight(hit);

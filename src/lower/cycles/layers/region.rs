@@ -13,9 +13,6 @@ use super::MOST_CUTS;
 /// Height of the wall behind the contour, mm above everything: no cut gets there.
 const WALL: f64 = 1e5;
 
-/// How deep a relief cut is at least, mm: what the rounding of stored contours makes is none.
-pub const LEAST_DIP: f64 = 0.005;
-
 pub struct Region<'l> {
     pub layers: &'l Layers,
     view: View,

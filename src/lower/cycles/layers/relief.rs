@@ -3,10 +3,9 @@
 use crate::diag::codes;
 use crate::geo::Point2;
 use crate::geo::profile::{Dip, LEVEL, backwards, mirrored};
-use crate::ir::cycle::layers::Relief;
+use crate::ir::cycle::layers::{LEAST_DIP, Relief};
 use crate::lower::cycles::track::Failure;
 
-use super::region::LEAST_DIP;
 use super::{Cutter, MOST_CUTS, infeed_steps};
 
 impl Cutter<'_> {

@@ -153,7 +153,7 @@ impl Run<'_> {
             self.cycle(args).in_turning_plane()?;
         }
         let what = args.cycle.signature.what;
-        let contours = self.contours_of(args, cycle)?;
+        let contours = self.contours_of(args, cycle.contour, cycle.turned)?;
         let shown = contours.iter().map(|(call, made)| shape(&call.name, made)).collect::<Vec<_>>().join("; ");
         let message = if contours.is_empty() {
             format!("{} ({what}) is not supported", args.name())
@@ -169,8 +169,14 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    fn contours_of(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome<Vec<(ContourCall, Captured)>> {
-        let calls = match cycle.contour {
+    /// The contours of a cycle, each run and checked.
+    pub(super) fn contours_of(
+        &mut self,
+        args: &Arguments,
+        source: Source,
+        turned: bool,
+    ) -> Outcome<Vec<(ContourCall, Captured)>> {
+        let calls = match source {
             Source::None => return Ok(Vec::new()),
             Source::Argument => vec![self.named_contour(args)?],
             Source::Turned | Source::Milled => {
@@ -179,11 +185,11 @@ impl Run<'_> {
             }
         };
         if calls.is_empty() {
-            let alarm = if cycle.contour == Source::Turned { 61701 } else { 61930 };
+            let alarm = if source == Source::Turned { 61701 } else { 61930 };
             let help = "call it by CYCLE62 in front of the cycle";
             return self.cycle(args).cycle_fault(args.span, alarm, "no contour is called", help);
         }
-        if cycle.contour == Source::Turned && calls.len() > 2 {
+        if source == Source::Turned && calls.len() > 2 {
             let help = "one contour is the finished part, two are blank and finished part";
             return self.cycle(args).cycle_fault(args.span, 61704, "more than two contours are called", help);
         }
@@ -191,13 +197,13 @@ impl Run<'_> {
         let mut failed = false;
         let count = calls.len();
         for (at, call) in calls.into_iter().enumerate() {
-            let closed = match cycle.contour {
+            let closed = match source {
                 Source::Turned if count == 2 && at == 0 => Some(61739),
                 Source::Milled => Some(61931),
                 _ => None,
             };
             let result = self.capture(&call).and_then(|contour| {
-                self.cycle(args).check_contour(cycle, &call, &contour, closed)?;
+                self.cycle(args).check_contour((source, turned), &call, &contour, closed)?;
                 Ok(contour)
             });
             match result {
@@ -230,17 +236,17 @@ impl Run<'_> {
 impl CycleCall<'_, '_> {
     fn check_contour(
         &mut self,
-        cycle: &Unpublished,
+        (source, turned): (Source, bool),
         call: &ContourCall,
         contour: &Captured,
         closed: Option<u32>,
     ) -> Outcome {
         let args = self.args;
-        let turned = cycle.turned && cycle.contour != Source::None;
+        let turned = turned && source != Source::None;
         if turned && contour.plane != Plane::Zx {
             return self.contour_fault(call, args.span, None, "it does not lie in the plane of Z and X (G18)");
         }
-        if turned && cycle.contour == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
+        if turned && source == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
             return self.contour_fault(call, args.span, 10933, "it has fewer than 3 blocks with moves");
         }
         if contour.pieces.is_empty() {
@@ -257,7 +263,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Every argument against its rule.
-    fn check_parameters(&mut self) -> Outcome {
+    pub(super) fn check_parameters(&mut self) -> Outcome {
         let args = self.args;
         for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
             let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);

@@ -90,7 +90,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Mirrors and rotations are allowed: the shape is turned with its frame.
-    fn frame_is_not_scaled(&self) -> Outcome {
+    pub(super) fn frame_is_not_scaled(&self) -> Outcome {
         if self.st.ctx.frame.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() < 1e-9) {
             return Ok(());
         }

@@ -2,6 +2,7 @@
 
 mod contours;
 mod drilling;
+mod layers;
 mod milled;
 mod named;
 mod patterns;
@@ -32,6 +33,8 @@ pub(in super::super) enum Work {
     Moves(fn(&mut CycleCall<'_, '_>) -> Outcome),
     /// Takes or names contours, all of which are read; a cycle of this name that is a program of the user goes before it.
     Contour(fn(&mut Run<'_>, &Arguments) -> Outcome),
+    /// Takes contours and makes moves along them.
+    Along(fn(&mut Run<'_>, &Arguments) -> Outcome),
     /// Takes contours, and is refused with what was read, because its tracks are not published.
     Unpublished(Unpublished),
     /// Refused by its name.
@@ -91,12 +94,12 @@ impl Work {
 
 impl Cycle {
     pub fn is_built(&self) -> bool {
-        matches!(self.work, Work::Hole(_) | Work::Moves(_))
+        matches!(self.work, Work::Hole(_) | Work::Moves(_) | Work::Along(_))
     }
 }
 
 const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, named::ROWS];
+    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, layers::ROWS, named::ROWS];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {
