@@ -99,6 +99,8 @@ pub struct Machine {
     pub modulo: AxisSet,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
+    /// The same of its retraction as far as possible along the tool.
+    pub swivel_retract_most: BTreeMap<Axis, f64>,
 }
 
 impl Default for Machine {
@@ -115,6 +117,7 @@ impl Default for Machine {
             fixed_point: Default::default(),
             modulo: AxisSet::EMPTY,
             swivel_retract: BTreeMap::new(),
+            swivel_retract_most: BTreeMap::new(),
         }
     }
 }

@@ -2,6 +2,11 @@
 
 super::codes! { POCKETS:
 
+G3321 Error "milling-no-room" "area has no path for the cutter"
+"The sizes of a pocket or slot leave no path for the centre of the cutter: the cutter with the allowance is wider than the area, a corner is \
+tighter than the cutter, or the rings computed for a contour did not stand the check of their distance to it. Check the sizes, the radius of the \
+tool, the allowances and the infeeds."
+
 S2241 Error "siemens-milling-radius" "milling cycle without a radius of the cutter"
 "A milling cycle of the control computes the path of the cutter's centre from the radius in the tool memory. Give the radius of the tool in \
 `[tools.N] radius`, or write `$TC_DP6` of the active edge in front of the call. Data that the program changes by `$P_AD`, and an edge that is in doubt \

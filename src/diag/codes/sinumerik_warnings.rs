@@ -128,8 +128,8 @@ of the two was changed by hand. The blocks are compiled, as the control does."
 S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be checked"
 "The hidden records of this contour use elements that cannot be solved here. The NC blocks are compiled; nothing is lost but the check."
 
-S8029 Note "siemens-swivel-zero" "swivelling by nothing is left out"
-"CYCLE800 with angles, offsets and retraction of 0 leaves the plane where it is. Rotary axes stay where they are: the output has a machine in \
+S8029 Note "siemens-swivel-zero" "swivelling by nothing"
+"CYCLE800 without angles leaves the plane where it is; its offsets before and after the rotation shift the workpiece. Rotary axes stay where they are: the output has a machine in \
 mind whose plane is not swivelled."
 
 S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"

@@ -6,7 +6,9 @@ pub mod drilling;
 pub mod finishing;
 pub mod grooving;
 pub mod layers;
+pub mod long_hole;
 pub mod milling;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 pub mod thread;
@@ -22,6 +24,8 @@ pub use drilling::Drilling;
 pub use finishing::Finishing;
 pub use grooving::Grooving;
 pub use layers::Layers;
+pub use long_hole::LongHole;
+pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use thread::Thread;
@@ -64,6 +68,8 @@ macro_rules! families {
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),
+            Pocket(crate::ir::cycle::Pocket),
+            LongHole(crate::ir::cycle::LongHole),
         }
     };
 }

@@ -3,7 +3,8 @@
 use crate::geo::{Element, Point2, distance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::function::Spindle;
+use crate::ir::{Feed, Function, Pos, Side};
 
 use super::{CycleItem, Start};
 
@@ -86,13 +87,6 @@ impl<'a> Cutter<'a> {
         self.straight(to, Path::Line(feed));
     }
 
-    /// A straight line that descends to `height`.
-    pub fn ramp(&mut self, to: Point2, height: f64, feed: Feed) {
-        let end = self.place.point(to);
-        (self.at, self.height) = (Some(end), Some(height));
-        self.send(Some(end), Some(height), Path::Line(feed));
-    }
-
     /// About `center` to `to`; a full circle where the tool stands there.
     pub fn arc(&mut self, to: Point2, center: Point2, ccw: bool, feed: Feed) {
         let end = self.place.point(to);
@@ -116,6 +110,30 @@ impl<'a> Cutter<'a> {
             Element::Line { to, .. } => self.line(to, feed),
             Element::Arc { to, center, sweep, .. } => self.arc(to, center, sweep > 0.0, feed),
         }
+    }
+
+    /// An element on which the tool falls evenly to `height`.
+    pub fn fall(&mut self, element: &Element, height: f64, feed: Feed) {
+        let end = self.place.point(element.to());
+        match *element {
+            Element::Line { .. } => {
+                (self.at, self.height) = (Some(end), Some(height));
+                self.send(Some(end), Some(height), Path::Line(feed));
+            }
+            Element::Arc { center, sweep, .. } => {
+                self.height = Some(height);
+                self.round(end, Some(height), center, (sweep > 0.0, 0), feed);
+            }
+        }
+    }
+
+    pub fn speed(&mut self, speed: f64) {
+        (self.out)(CycleItem::Function(Function::Spindle(Spindle::Speed(speed))));
+    }
+
+    /// Does the tool stand over this point?
+    pub fn stands_at(&self, point: Point2) -> bool {
+        self.at.is_some_and(|at| distance(at, self.place.point(point)) <= NOTHING)
     }
 
     /// Elements one after the other, the first one from where the tool stands.

@@ -10,6 +10,8 @@ mod groove_cutter;
 pub mod grooving;
 pub mod infeed;
 pub mod layers;
+pub mod long_hole;
+pub mod pocket;
 pub mod recess;
 pub mod roughing;
 #[cfg(test)]

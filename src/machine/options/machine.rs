@@ -52,6 +52,9 @@ pub const KEYS: &[Key] = &[
     key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0", |s, v| {
         coordinates(&mut s.machine.swivel_retract, v)
     }),
+    key("swivel_retract_most", Kind::Free, "the same as far as possible along the tool (`_FR` 4): Z = 0.0", |s, v| {
+        coordinates(&mut s.machine.swivel_retract_most, v)
+    }),
     key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0", |s, v| {
         coordinates(&mut s.machine.fixed_point[0], v)
     }),

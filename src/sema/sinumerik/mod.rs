@@ -52,6 +52,7 @@ mod spindle;
 mod spindle_state;
 mod stand_in;
 mod state;
+mod swivel;
 mod system;
 mod system_variables;
 mod tangent;

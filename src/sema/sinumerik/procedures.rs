@@ -242,6 +242,9 @@ impl Run<'_> {
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::TransformationOff | Procedure::Swivel if formulas.is_empty() => {
+                if procedure == Procedure::Swivel {
+                    self.swivel_off();
+                }
                 self.control_words_are_left_out(call.span);
                 Ok(())
             }
@@ -301,37 +304,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// `CYCLE800(…)`. Without retraction, offsets and angles the plane stays where it is; everything else moves axes.
-    fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        /// Places of offsets and angles.
-        const MOVES: [usize; 9] = [4, 5, 6, 7, 8, 9, 10, 11, 12];
-        for at in MOVES {
-            let Some(formula) = formulas.get(at).filter(|formula| !formula.is_missing()) else { continue };
-            if self.number(*formula, block, text)? == 0.0 {
-                continue;
-            }
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
-            return self.fail_help(
-                codes::S9006,
-                formula.span,
-                "CYCLE800 swivels or shifts the working plane, which plain G-code in three axes cannot say",
-                "have the CAM system put out the swivelled part by itself",
-            );
-        }
-        let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
-        if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
-            let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
-            return self.fail_help(codes::S9006, span, message, "program the rotary axis, and leave CYCLE800 out");
-        }
-        if let Some(mode) = formulas.first().filter(|formula| !formula.is_missing()) {
-            let value = self.number(*mode, block, text)?;
-            self.swivel_retracts(value, mode.span)?;
-        }
-        self.note_once(codes::S8029, span, "CYCLE800 without angles and offsets turns nothing and is left out");
-        Ok(())
-    }
-
     pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let [formula] = *formulas else {
             return self.fail(codes::S2021.alarm(14021), span, "EXECSTRING takes one text");
@@ -375,42 +347,6 @@ impl Run<'_> {
             }
         }
         self.control_words_are_left_out(span);
-        Ok(())
-    }
-}
-
-impl Channel<'_> {
-    /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y.
-    fn swivel_retracts(&mut self, mode: f64, span: Span) -> Outcome {
-        let steps: &[&[Axis]] = match mode {
-            0.0 => return Ok(()),
-            1.0 => &[&[Axis::Z]],
-            2.0 => &[&[Axis::Z], &[Axis::X, Axis::Y]],
-            _ => &[],
-        };
-        let points = &self.job.settings.machine.swivel_retract;
-        if steps.is_empty() || !steps.concat().iter().all(|axis| points.contains_key(axis)) {
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
-            return self.fail_help(
-                codes::S9006,
-                span,
-                "CYCLE800 retracts the tool to a place that is a machine datum",
-                "give it in machine coordinates: `[machine] swivel_retract = { Z = 0.0 }`; or program the retraction \
-                 (SUPA G0 Z…) and 0 as the first argument",
-            );
-        }
-        self.pending_must_be_done(span)?;
-        if self.st.side() != Side::None {
-            return self.fail(codes::S2080, span, "CYCLE800 retracts under radius compensation");
-        }
-        for axes in steps {
-            let mut end = Pos::UNKNOWN;
-            for axis in *axes {
-                end.set(*axis, points[axis]);
-            }
-            self.machine_rapid(end);
-        }
         Ok(())
     }
 }

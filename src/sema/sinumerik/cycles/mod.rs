@@ -13,6 +13,7 @@ mod layers;
 mod milling;
 mod modes;
 mod pattern;
+mod pockets;
 mod table;
 mod thread;
 mod undercut;

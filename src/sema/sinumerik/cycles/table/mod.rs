@@ -6,6 +6,7 @@ mod layers;
 mod milled;
 mod named;
 mod patterns;
+mod pockets;
 mod threads;
 mod undercuts;
 
@@ -99,7 +100,7 @@ impl Cycle {
 }
 
 const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, layers::ROWS, named::ROWS];
+    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, layers::ROWS, pockets::ROWS, named::ROWS];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {

@@ -1,0 +1,4 @@
+//! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
+
+mod layers;
+mod turning;
