@@ -308,6 +308,14 @@ impl Profile {
         near.filter(|piece| piece.from.x <= x && x <= piece.to.x).map(|piece| piece.y(x)).fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// Where the outline first runs on a circle about `center`, from `from` on.
+    pub fn first_about(&self, center: Point2, from: f64) -> Option<Point2> {
+        let on = |piece: &&Piece| matches!(piece.curve, Curve::Circle { center: own, .. } if distance(own, center) < SAME_CURVE);
+        let piece = self.from_place(from).iter().find(on)?;
+        let x = piece.from.x.max(from);
+        Some(Point2::new(x, piece.y(x)))
+    }
+
     /// Greatest height between two places.
     pub fn highest(&self, from: f64, to: f64) -> f64 {
         let inside = self.from_place(from).iter().take_while(|piece| piece.from.x <= to);

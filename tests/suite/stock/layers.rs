@@ -239,9 +239,16 @@ impl Case {
         high
     }
 
+    /// Greatest height of the contour in the cell about `x`.
+    fn cell(&self, x: f64) -> f64 {
+        let inside = |p: &P| (p[0] - x).abs() <= STEP;
+        let corners = self.pieces.iter().flat_map(|p| [p.from, p.to]).filter(inside).map(|p| p[1]);
+        corners.fold(self.finished(x), f64::max)
+    }
+
     /// Without what lies behind higher parts, where it is left standing.
-    fn kept(&self, columns: &Stock) -> Vec<f64> {
-        let mut list: Vec<f64> = (0..columns.heights.len()).map(|i| self.finished(columns.place(i))).collect();
+    fn kept(&self, columns: &Stock, of: impl Fn(f64) -> f64) -> Vec<f64> {
+        let mut list: Vec<f64> = (0..columns.heights.len()).map(|i| of(columns.place(i))).collect();
         if !self.relief {
             let mut high = f64::NEG_INFINITY;
             for y in &mut list {
@@ -304,7 +311,10 @@ fn contour(dice: &mut Dice, valleys: bool, closes: bool) -> Vec<Piece> {
                 add(&mut list, &mut at, [r, -r], Some(([0.0, -r], false)));
                 add(&mut list, &mut at, [real(dice, 0.2, 4.0), 0.0], None);
             }
-            _ => add(&mut list, &mut at, [0.0, -real(dice, 0.2, 3.0)], None),
+            _ => {
+                add(&mut list, &mut at, [0.0, -real(dice, 0.2, 3.0)], None);
+                add(&mut list, &mut at, [real(dice, 0.3, 5.0), 0.0], None);
+            }
         }
     }
     // At least three blocks, and something to cut.
@@ -380,7 +390,7 @@ fn judge(case: &Case, tally: &mut Tally) -> Result<(), String> {
         // A blank that the allowance fills, and a contour that meets itself.
         let code = outcome.findings.iter().find(|f| f.severity == partc::diagnostics::Severity::Error).map(|f| f.code);
         return match code {
-            Some("G3046") => {
+            Some("G3046" | "S2091") => {
                 tally.refused += 1;
                 Ok(())
             }
@@ -421,9 +431,10 @@ fn grown(columns: &Stock, heights: &[f64], i: usize, by: f64) -> f64 {
 }
 
 /// The finished shape with the allowances.
-fn with_allowances(case: &Case, columns: &Stock, kept: &[f64]) -> Vec<f64> {
-    let boxed: Vec<f64> = (0..kept.len()).map(|i| grown(columns, kept, i, case.along) + case.up).collect();
-    let n = (case.around / columns.step).floor() as isize;
+fn with_allowances(case: &Case, columns: &Stock, kept: &[f64], more: f64) -> Vec<f64> {
+    let wide = |by: f64| if by > 0.0 { by + more } else { 0.0 };
+    let boxed: Vec<f64> = (0..kept.len()).map(|i| grown(columns, kept, i, wide(case.along)) + case.up).collect();
+    let n = (wide(case.around) / columns.step).floor() as isize;
     let at = |i: isize| boxed[i.clamp(0, boxed.len() as isize - 1) as usize];
     (0..boxed.len() as isize)
         .map(|i| {
@@ -442,9 +453,11 @@ fn check(case: &Case, steps: &[Step]) -> Result<(), String> {
     let (left, right) = (-6.0 + STEP * 0.37, end[0] + 4.0);
     let mut stock = Stock::new(left, right, STEP, |_| f64::NEG_INFINITY);
     let own: Vec<f64> = (0..stock.heights.len()).map(|i| case.finished(stock.place(i))).collect();
-    let kept = case.kept(&stock);
+    let kept = case.kept(&stock, |x| case.finished(x));
+    // What may stand counts the corners between two columns.
+    let high = case.kept(&stock, |x| case.cell(x));
     stock.heights = blank(case, &stock, &own);
-    let left_over = with_allowances(case, &stock, &kept);
+    let left_over = with_allowances(case, &stock, &kept, 0.0);
     let first_finish = steps.iter().position(|s| !s.rapid && s.feed == FINISH).unwrap_or(steps.len());
     // Levels of the cuts in the main part.
     let mut deepest = f64::INFINITY;
@@ -493,7 +506,9 @@ fn check(case: &Case, steps: &[Step]) -> Result<(), String> {
         }
         deepest = deepest.min(b[1]);
     }
-    complete(case, &stock, if first_finish < steps.len() { &kept } else { &left_over }, first_finish < steps.len())?;
+    let finished = first_finish < steps.len();
+    let stands = if finished { high } else { with_allowances(case, &stock, &high, STEP) };
+    complete(case, &stock, &stands, finished)?;
     let (first, last) = (steps.first().map(|s| s.sweep.ends().1), steps.last().map(|s| s.sweep.ends().1));
     match (first, last) {
         (Some(a), Some(b)) if (a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5 => Ok(()),
@@ -531,7 +546,7 @@ fn complete(case: &Case, stock: &Stock, wanted: &[f64], finished: bool) -> Resul
         }
         let near = (-2isize..=2).map(|d| best[(i as isize + d).clamp(0, best.len() as isize - 1) as usize]);
         let most = near.fold(f64::NEG_INFINITY, f64::max);
-        if *y > most + 0.02 {
+        if *y > most + 0.03 {
             return Err(format!("{} stands at {x}, finished {finished}", y - most));
         }
     }

@@ -1,7 +1,7 @@
 //! One cut along the finished contour.
 
 use crate::diag::codes;
-use crate::geo::profile::{Grown, LEVEL, Leg, Profile, backwards};
+use crate::geo::profile::{LEVEL, Leg, backwards};
 use crate::geo::{Element, Point2, Vec2, distance, left, length, offset};
 use crate::geo::wall::quarters;
 use crate::ir::cycle::layers::Relief;
@@ -35,7 +35,8 @@ impl Cutter<'_> {
         let Some(u) = start_of(path.start, first) else { return Ok(()) };
         let home = region.home();
         self.go_home();
-        if layers.finish_backwards {
+        if layers.finish_backwards || u.y < -0.1 {
+            // From above.
             let over = path.start - u * reach;
             let free = u.y < -0.1 && over.x <= path.start.x + LEVEL;
             let over = if free { over } else { path.start + Vec2::new(0.0, reach) };
@@ -45,7 +46,13 @@ impl Cutter<'_> {
             let beside = beside(region, path.start, u, reach);
             self.rapid(Point2::new(home.x.min(beside.x), home.y));
             self.rapid_y(beside.y);
-            self.rapid(beside);
+            // What stands in front of the contour was cut down to its deepest cut only.
+            let stands = region.front < beside.x + region.nose() && beside.y < region.floor() - LEVEL;
+            if stands {
+                self.line(beside, layers.feeds.finish);
+            } else {
+                self.rapid(beside);
+            }
         }
         self.line(path.start, layers.feeds.finish);
         self.legs(&path.legs, layers.feeds.finish);
@@ -61,8 +68,9 @@ impl Cutter<'_> {
         let u = if region.layers.finish_backwards { -u } else { u };
         let lift = region.layers.clearance.lift;
         let away = left(u);
-        let away = if away.x > LEVEL || away.y < -LEVEL { Vec2::y() } else { away };
-        let to = self.at + away * lift;
+        let back = self.at + away * lift;
+        let free = region.finished.highest(back.x, self.at.x - LEVEL) <= back.y.min(self.at.y) + LEVEL;
+        let to = if away.x > LEVEL || away.y < -LEVEL || !free { self.at + Vec2::new(0.0, lift) } else { back };
         self.line(to, region.layers.feeds.finish);
         if !region.layers.into.is_inside() {
             let out = region.home().y.max(self.at.y);
@@ -71,17 +79,14 @@ impl Cutter<'_> {
     }
 }
 
-/// In front of the start, straight on into it; beside it where the contour begins upright.
+/// In front of the start: straight on into it where that keeps the nose off what roughing left at the face, else level.
 fn beside(region: &Region<'_>, start: Point2, u: Vec2, reach: f64) -> Point2 {
-    if u.x <= 0.1 {
-        return start + left(u) * reach;
-    }
-    // The nose stays in front of what roughing left at the face.
-    let allowance = region.layers.allowance.axes.x.max(region.layers.allowance.axes.y) + region.layers.allowance.around;
-    let face = region.contour.first().map_or(region.front, |e| e.from().x).min(region.front) - allowance;
-    let clear = face - 0.1 * region.layers.clearance.lift - region.nose();
-    let way = reach.max((start.x - clear) / u.x);
-    start - u * way
+    let left = &region.layers.allowance;
+    let allowance = if region.layers.into.is_radial() { left.axes.x } else { left.axes.y } + left.around;
+    let first = region.contour.first().map_or(region.front, |element| element.from().x);
+    let clear = first.min(region.front) - allowance - 0.1 * region.layers.clearance.lift - region.nose();
+    let ahead = start - u * reach;
+    if ahead.x <= clear { ahead } else { Point2::new((start.x - reach).min(clear), start.y) }
 }
 
 fn start_of(from: Point2, leg: &Leg) -> Option<Vec2> {
@@ -114,8 +119,20 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
     if leans && !levels && !limited {
         return around(region);
     }
-    let profile = Profile::new(&region.contour, Grown { along: 0.0, up: -nose, disc: nose });
-    let (mut start, mut end) = (start, end);
+    let profile = &region.finished;
+    // A falling start begins above its peak. Where a narrow place holds the nose up, it does not reach the ends.
+    let held = |p: Point2| Point2::new(p.x, p.y.max(profile.height(p.x)));
+    let mut start = match first.start_direction() {
+        Some(u) if u.y < -LEVEL => held(first.from()),
+        Some(u) if u.x <= LEVEL => start,
+        _ => held(start),
+    };
+    let mut end = {
+        let stop = held(end);
+        // Over an end that it does not reach from the side the nose rolls until it touches it.
+        let touches = || profile.first_about(last.to() - Vec2::new(0.0, nose), stop.x);
+        if stop.y > end.y + LEVEL { touches().unwrap_or(stop) } else { stop }
+    };
     if region.least.is_finite()
         && start.y < region.least
         && let Some(x) = profile.first_above(region.least, start.x)

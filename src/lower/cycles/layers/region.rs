@@ -21,6 +21,8 @@ pub struct Region<'l> {
     /// The nose on the contour with its allowances, seen from in front and from behind.
     pub rough: Profile,
     pub behind: Profile,
+    /// The nose on the finished contour.
+    pub finished: Profile,
     pub blank: Profile,
     /// First place of the blank.
     pub front: f64,
@@ -87,7 +89,8 @@ impl<'l> Region<'l> {
         }
         let levels = levels(layers, &contour, &left, top, floor)?;
         let behind = rough.mirrored();
-        Ok(Region { layers, view, contour, rough, behind, blank, front, levels, far, least: limits.bottom, is_capped: limits.top.is_finite() })
+        let finished = Profile::new(&contour, Grown { along: 0.0, up: -nose, disc: nose });
+        Ok(Region { layers, view, contour, rough, behind, finished, blank, front, levels, far, least: limits.bottom, is_capped: limits.top.is_finite() })
     }
 
     pub fn top(&self) -> f64 {
@@ -203,18 +206,23 @@ fn prolonged(contour: &[Element], left: &Left, layers: &Layers, front: f64) -> V
         Some(u) => start - u * more,
         None => start - Vec2::new(more + (start.x - front).max(0.0), 0.0),
     };
-    // Behind a level end the nose stops with its centre at the end.
-    let beyond = match rises(last.end_direction()) {
-        Some(u) => end + u * more,
-        None => end + Vec2::new(left.along + left.around + nose, 0.0),
+    let disc = left.around + nose;
+    let (foot, beyond) = match (rises(last.end_direction()), last.end_direction()) {
+        (Some(u), _) => (end, end + u * more),
+        // The nose goes on as far as it touches a falling end, and at a level one as far as its own centre.
+        (None, Some(u)) => {
+            let sine = (-u.y).max(0.0);
+            let foot = end + u * (disc * sine / (1.0 + u.x.max(0.0)));
+            (foot, Point2::new(end.x + disc * (1.0 + sine) + left.along, foot.y))
+        }
+        (None, None) => (end, end),
     };
-    let (wall, behind) = (Point2::new(beyond.x, WALL), Point2::new(beyond.x + WALL, WALL));
-    let mut chain = Vec::with_capacity(contour.len() + 4);
+    let behind = [end, foot, beyond, Point2::new(beyond.x, WALL), Point2::new(beyond.x + WALL, WALL)];
+    let line = |pair: &[Point2]| Element::Line { from: pair[0], to: pair[1] };
+    let mut chain = Vec::with_capacity(contour.len() + 5);
     chain.push(Element::Line { from: before, to: start });
     chain.extend_from_slice(contour);
-    chain.push(Element::Line { from: end, to: beyond });
-    chain.push(Element::Line { from: beyond, to: wall });
-    chain.push(Element::Line { from: wall, to: behind });
+    chain.extend(behind.windows(2).map(line));
     chain.retain(|element| element.from() != element.to());
     chain
 }
