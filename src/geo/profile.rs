@@ -287,7 +287,8 @@ impl Profile {
     /// Nowhere lower than `y`.
     pub fn raised(&self, y: f64) -> Profile {
         let Some((from, to)) = self.ends() else { return Profile::default() };
-        let level = Piece { from: Point2::new(from, y), to: Point2::new(to, y), curve: Curve::Line, source: usize::MAX - 1 };
+        let level =
+            Piece { from: Point2::new(from, y), to: Point2::new(to, y), curve: Curve::Line, source: usize::MAX - 1 };
         Profile { pieces: merge(&self.pieces, &[level]) }
     }
 
@@ -305,7 +306,9 @@ impl Profile {
     pub fn height(&self, x: f64) -> f64 {
         let first = self.pieces.partition_point(|piece| piece.to.x < x);
         let near = self.pieces.get(first..).unwrap_or_default().iter().take(2);
-        near.filter(|piece| piece.from.x <= x && x <= piece.to.x).map(|piece| piece.y(x)).fold(f64::NEG_INFINITY, f64::max)
+        near.filter(|piece| piece.from.x <= x && x <= piece.to.x)
+            .map(|piece| piece.y(x))
+            .fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Where the outline first runs on a circle about `center`, from `from` on.
@@ -363,7 +366,11 @@ impl Profile {
             if piece.to.y <= way.at.y + LEVEL || way.at.y >= top - LEVEL {
                 continue;
             }
-            let begin = if entry >= way.at.y - LEVEL { Point2::new(from, entry) } else { Point2::new(piece.x(way.at.y), way.at.y) };
+            let begin = if entry >= way.at.y - LEVEL {
+                Point2::new(from, entry)
+            } else {
+                Point2::new(piece.x(way.at.y), way.at.y)
+            };
             way.line(Point2::new(begin.x, way.at.y));
             let to = if piece.to.y > top { Point2::new(piece.x(top), top) } else { piece.to };
             way.along(piece, to);

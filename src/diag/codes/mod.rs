@@ -6,9 +6,11 @@
 mod compensation;
 mod general;
 mod geometry;
+mod grooves;
 mod klartext;
 mod klartext_readings;
 mod layers;
+mod milling;
 mod mtc200;
 mod output;
 mod pockets;
@@ -20,9 +22,11 @@ mod turning;
 pub use compensation::*;
 pub use general::*;
 pub use geometry::*;
+pub use grooves::*;
 pub use klartext::*;
 pub use klartext_readings::*;
 pub use layers::*;
+pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
 pub use pockets::*;
@@ -101,6 +105,7 @@ pub fn all() -> Vec<&'static Code> {
         klartext::KLARTEXT,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
+        grooves::GROOVES,
         compensation::COMPENSATION,
         output::OUTPUT,
         pockets::POCKETS,
@@ -109,6 +114,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         layers::LAYERS,
         turning::TURNING,
+        milling::MILLING,
         mtc200::MTC200,
     ]
     .iter()

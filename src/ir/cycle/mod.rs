@@ -2,7 +2,9 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod cut_off;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
 pub mod grooving;
 pub mod layers;
@@ -11,6 +13,7 @@ pub mod milling;
 pub mod pocket;
 pub mod recess;
 pub mod roughing;
+pub mod spigot;
 pub mod thread;
 pub mod turning;
 pub mod undercut;
@@ -20,7 +23,9 @@ use core::fmt;
 use super::Pos;
 use super::function::Spindle;
 
+pub use cut_off::CutOff;
 pub use drilling::Drilling;
+pub use facing::Facing;
 pub use finishing::Finishing;
 pub use grooving::Grooving;
 pub use layers::Layers;
@@ -28,6 +33,7 @@ pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
+pub use spigot::Spigot;
 pub use thread::Thread;
 pub use undercut::UndercutCycle;
 
@@ -62,6 +68,7 @@ macro_rules! families {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
             Grooving(crate::ir::cycle::Grooving),
+            CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Layers(crate::ir::cycle::Layers),
             Roughing(crate::ir::cycle::Roughing),
@@ -70,6 +77,8 @@ macro_rules! families {
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
+            Facing(crate::ir::cycle::Facing),
+            Spigot(crate::ir::cycle::Spigot),
         }
     };
 }

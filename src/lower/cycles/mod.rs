@@ -3,8 +3,10 @@
 // The enums matched here belong to one family each.
 #![allow(clippy::wildcard_enum_match_arm)]
 
+pub mod cut_off;
 pub mod cutter;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
 mod groove_cutter;
 pub mod grooving;
@@ -17,6 +19,7 @@ pub mod roughing;
 #[cfg(test)]
 mod simulate;
 pub mod slope;
+pub mod spigot;
 pub mod thread;
 pub mod track;
 pub mod undercut;

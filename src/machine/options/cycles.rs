@@ -77,6 +77,26 @@ pub const KEYS: &[Key] = &[
         |s, v| put(&mut s.cycles.layers.finish_feed_percent, above_zero(v)?),
     )
     .or("100.0"),
+    key(
+        "spigot_size",
+        Kind::Choice(&["refuse", "diameter", "radius"]),
+        "SINUMERIK: the sixth argument of CYCLE77 in the old form of 16 arguments",
+        |s, v| {
+            let size = if is(v, "diameter") { SpigotSize::Diameter } else { SpigotSize::Radius };
+            put(&mut s.cycles.spigot_size, (!is(v, "refuse")).then_some(size))
+        },
+    )
+    .or(r#""refuse""#),
+    key(
+        "multi_edge_start",
+        Kind::Choice(&["refuse", "edge", "corner"]),
+        "SINUMERIK: what of the multi-edge of CYCLE79 lies on the first axis, turned by `_STA`: the middle of an edge, or a corner",
+        |s, v| {
+            let starts = if is(v, "edge") { MultiEdgeStart::Edge } else { MultiEdgeStart::Corner };
+            put(&mut s.cycles.multi_edge_start, (!is(v, "refuse")).then_some(starts))
+        },
+    )
+    .or(r#""refuse""#),
 ];
 
 fn above_zero(node: &Node) -> Result<f64, ConfigError> {
@@ -135,6 +155,21 @@ pub enum CutOffReference {
     Tip,
 }
 
+/// What the size of a round spigot is in the old form of its cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpigotSize {
+    Diameter,
+    Radius,
+}
+
+/// What of a multi-edge lies on its first axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MultiEdgeStart {
+    /// The middle of an edge.
+    Edge,
+    Corner,
+}
+
 /// `[cycles]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
@@ -145,10 +180,21 @@ pub struct Cycles {
     /// `None`: nobody said, so the corner on the side of the workpiece is taken, and a program that depends on it is told so.
     pub cutoff_reference: Option<CutOffReference>,
     pub layers: LayerCycles,
+    /// `None` refuses the old form.
+    pub spigot_size: Option<SpigotSize>,
+    /// `None` refuses multi-edges.
+    pub multi_edge_start: Option<MultiEdgeStart>,
 }
 
 impl Default for Cycles {
     fn default() -> Cycles {
-        Cycles { groove_dwell: true, groove_dwell_revolutions: 1.0, cutoff_reference: None, layers: LayerCycles::default() }
+        Cycles {
+            groove_dwell: true,
+            groove_dwell_revolutions: 1.0,
+            cutoff_reference: None,
+            spigot_size: None,
+            multi_edge_start: None,
+            layers: LayerCycles::default(),
+        }
     }
 }

@@ -3,8 +3,8 @@
 //! Source: S 1.5, 5.6 and 6 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::ir::{Function, Pos, Side};
-use crate::machine::{Axis, AxisSet};
+use crate::ir::Function;
+use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 

@@ -2,8 +2,8 @@
 
 use crate::diag::codes;
 use crate::geo::profile::{LEVEL, Leg, backwards};
-use crate::geo::{Element, Point2, Vec2, distance, left, length, offset};
 use crate::geo::wall::quarters;
+use crate::geo::{Element, Point2, Vec2, distance, left, length, offset};
 use crate::ir::cycle::layers::Relief;
 use crate::lower::cycles::track::Failure;
 
@@ -40,6 +40,9 @@ impl Cutter<'_> {
             let over = path.start - u * reach;
             let free = u.y < -0.1 && over.x <= path.start.x + LEVEL;
             let over = if free { over } else { path.start + Vec2::new(0.0, reach) };
+            // Above what roughing left beside it.
+            let left = region.rough.height(over.x).min(home.y);
+            let over = Point2::new(over.x, over.y.max(left));
             self.rapid_x(over.x);
             self.rapid(over);
         } else {
@@ -86,7 +89,11 @@ fn beside(region: &Region<'_>, start: Point2, u: Vec2, reach: f64) -> Point2 {
     let first = region.contour.first().map_or(region.front, |element| element.from().x);
     let clear = first.min(region.front) - allowance - 0.1 * region.layers.clearance.lift - region.nose();
     let ahead = start - u * reach;
-    if ahead.x <= clear { ahead } else { Point2::new((start.x - reach).min(clear), start.y) }
+    let natural = region.contour.first().is_some_and(|element| {
+        let own = element.start_direction().unwrap_or(Vec2::x());
+        distance(nose_at(element.from(), own, region.nose()), start) <= LEVEL
+    });
+    if natural && ahead.x <= clear { ahead } else { Point2::new((start.x - reach).min(clear), start.y) }
 }
 
 fn start_of(from: Point2, leg: &Leg) -> Option<Vec2> {
@@ -104,15 +111,20 @@ fn element(from: Point2, leg: &Leg) -> Element {
     }
 }
 
+/// The nose where it touches a point of the contour that runs in the direction `u` there.
+fn nose_at(p: Point2, u: Vec2, nose: f64) -> Point2 {
+    p + left(u) * nose - Vec2::new(0.0, nose)
+}
+
 /// The way of the nose along the finished contour, inside of the limits.
 fn finished(region: &Region<'_>) -> Result<Path, Failure> {
     let nose = region.nose();
     let (Some(first), Some(last)) = (region.contour.first(), region.contour.last()) else {
         return Ok(Path { start: Point2::origin(), legs: Vec::new() });
     };
-    let beside = |p: Point2, u: Option<Vec2>| p + left(u.unwrap_or(Vec2::x())) * nose - Vec2::new(0.0, nose);
-    let start = beside(first.from(), first.start_direction());
-    let end = beside(last.to(), last.end_direction());
+    let touching = |p: Point2, u: Option<Vec2>| nose_at(p, u.unwrap_or(Vec2::x()), nose);
+    let start = touching(first.from(), first.start_direction());
+    let end = touching(last.to(), last.end_direction());
     let levels = region.layers.relief == Relief::Left;
     let limited = region.far.is_finite() || region.least.is_finite() || region.is_capped;
     let leans = region.contour.iter().flat_map(quarters).any(|e| e.to().x < e.from().x - LEVEL);

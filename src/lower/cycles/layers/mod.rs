@@ -20,10 +20,10 @@ mod relief;
 use crate::diag::codes;
 use crate::geo::profile::Leg;
 use crate::geo::{Plane, Point2, Vec2};
+use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::layers::Layers;
 use crate::ir::cycle::recess::Operation;
-use crate::ir::Feed;
 
 use super::infeed::steps as infeed_steps;
 use super::track::{Failure, Strokes, Track, View};
@@ -110,7 +110,8 @@ impl Cutter<'_> {
             let to = self.region.tip(home);
             let ways = [vec![to], vec![Point2::new(from.x, to.y), to], vec![Point2::new(to.x, from.y), to]];
             let Some(way) = ways.iter().find(|way| self.region.is_free(from, way)) else {
-                let message = "the tool stands inside of the blank, or behind it: it cannot travel to where the cuts begin";
+                let message =
+                    "the tool stands inside of the blank, or behind it: it cannot travel to where the cuts begin";
                 let help = "position the tool in front of the blank, clear of it, before the cycle";
                 return Err(Failure::new(codes::G3301, message, help));
             };

@@ -1,5 +1,6 @@
 //! The cuts from the blank down to the contour.
 
+use crate::geo::arc::NEARLY_ONE_POINT;
 use crate::geo::profile::{LEVEL, Leg};
 use crate::geo::{Point2, distance};
 use crate::ir::cycle::layers::{ChipBreaking, Interruption, Trace};
@@ -99,7 +100,8 @@ fn arc_length(from: Point2, to: Point2, center: Point2) -> f64 {
 
 /// The first part of a leg.
 fn shortened(leg: Leg, from: Point2, way: f64, length: f64) -> Option<Leg> {
-    if way <= LEVEL || length <= LEVEL {
+    // What is shorter might be taken for a full circle.
+    if way <= 2.0 * NEARLY_ONE_POINT {
         return None;
     }
     Some(match leg {

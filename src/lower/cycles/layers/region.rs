@@ -4,6 +4,7 @@ use crate::diag::codes;
 use crate::geo::profile::{Grown, LEVEL, Profile};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::layers::{Blank, Layers, Segmentation};
+use crate::ir::cycle::recess::Operation;
 use crate::lower::cycles::infeed;
 use crate::lower::cycles::track::{Failure, View};
 use crate::lower::cycles::valley::seen;
@@ -76,8 +77,13 @@ impl<'l> Region<'l> {
             return Err(no_blank());
         }
         if front < limits.near - LEVEL && blank.highest(front, limits.near) > floor + LEVEL {
-            let message = "the area that is machined begins inside of the blank, so that the cuts cannot begin beside it";
-            return Err(Failure::new(codes::G3303, message, "set the limit in front of the blank, or machine what lies there before"));
+            let message =
+                "the area that is machined begins inside of the blank, so that the cuts cannot begin beside it";
+            return Err(Failure::new(
+                codes::G3303,
+                message,
+                "set the limit in front of the blank, or machine what lies there before",
+            ));
         }
         let mut rough = Profile::new(&chain, grown(nose, nose));
         let far = limits.far - nose;
@@ -90,7 +96,20 @@ impl<'l> Region<'l> {
         let levels = levels(layers, &contour, &left, top, floor)?;
         let behind = rough.mirrored();
         let finished = Profile::new(&contour, Grown { along: 0.0, up: -nose, disc: nose });
-        Ok(Region { layers, view, contour, rough, behind, finished, blank, front, levels, far, least: limits.bottom, is_capped: limits.top.is_finite() })
+        Ok(Region {
+            layers,
+            view,
+            contour,
+            rough,
+            behind,
+            finished,
+            blank,
+            front,
+            levels,
+            far,
+            least: limits.bottom,
+            is_capped: limits.top.is_finite(),
+        })
     }
 
     pub fn top(&self) -> f64 {
@@ -180,7 +199,11 @@ impl Limits {
 fn check_nose(layers: &Layers, view: &View) -> Result<(), Failure> {
     if layers.nose.radius > 0.0 && view.vector(layers.nose.tip).y > 0.0 {
         let message = "the cutting edge of the tool points out of the material";
-        return Err(Failure::new(codes::G3302, message, "select a tool whose edge position fits the side that is machined"));
+        return Err(Failure::new(
+            codes::G3302,
+            message,
+            "select a tool whose edge position fits the side that is machined",
+        ));
     }
     Ok(())
 }
@@ -229,6 +252,9 @@ fn prolonged(contour: &[Element], left: &Left, layers: &Layers, front: f64) -> V
 
 /// Heights of the cuts, from the blank on, which is the first.
 fn levels(layers: &Layers, contour: &[Element], left: &Left, top: f64, floor: f64) -> Result<Vec<f64>, Failure> {
+    if layers.operation == Operation::Finish {
+        return Ok(vec![top, floor]);
+    }
     let mut ends = vec![floor];
     if layers.segmentation == Segmentation::Edges {
         let lifted = |p: Point2| p.y + left.up + left.around;

@@ -67,7 +67,8 @@ impl Cutter<'_> {
             before = y;
         }
         self.rapid_y(self.at.y.max(air));
-        let mut inner: Vec<Dip> = region.behind.between(-low.x, -dip.left).dips(Point2::new(-low.x, low.y), top, LEAST_DIP);
+        let mut inner: Vec<Dip> =
+            region.behind.between(-low.x, -dip.left).dips(Point2::new(-low.x, low.y), top, LEAST_DIP);
         inner.reverse();
         for dip in &mut inner {
             (dip.left, dip.right) = (-dip.right, -dip.left);

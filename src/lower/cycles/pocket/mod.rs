@@ -15,7 +15,8 @@ use crate::ir::cycle::pocket::{Finish, Insertion, Pocket, Strategy};
 use super::cutter::Cutter;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
-use area::{Area, reversed};
+use area::Area;
+pub(super) use area::reversed;
 
 /// Smaller arcs of approach are straight lines, mm.
 const SMALLEST_APPROACH: f64 = 0.1;

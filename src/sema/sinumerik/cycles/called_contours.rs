@@ -15,9 +15,9 @@ use crate::text::blocks::Place;
 
 use super::super::value::{Val, to_text, whole};
 use super::super::{Core, Outcome, Reported, Run};
-use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
+use super::arguments::{Arguments, KNAME, Key, LAB1, LAB2, NPP, TYPE};
 use super::call::CycleCall;
-use super::table::{Source, Unpublished, Variant};
+use super::table::{Source, Unpublished};
 
 /// Most contours of one machining cycle.
 const MOST_CONTOURS: usize = 100;
@@ -146,9 +146,6 @@ impl Run<'_> {
     /// A cycle whose tracks the control keeps to itself.
     pub(super) fn unpublished_cycle(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome {
         self.cycle(args).check_parameters()?;
-        if let Some(variant) = &cycle.variant {
-            self.cycle(args).check_variant(variant)?;
-        }
         if cycle.turned {
             self.cycle(args).in_turning_plane()?;
         }
@@ -318,22 +315,6 @@ impl CycleCall<'_, '_> {
         let message = format!("`{}` (argument {place}{meaning}) {what}", parameter.name);
         self.cycle_fault(span, alarm, &message, "arguments are counted by their commas")
     }
-
-    /// The kind of machining, where its numbers are known.
-    fn check_variant(&self, variant: &Variant) -> Outcome {
-        let args = self.args;
-        if !(variant.fits)(args) {
-            let what = "there is no such kind of machining";
-            return self.cycle_fault(args.span_of(VARI), 61002, what, variant.help);
-        }
-        match (variant.infeed)(args).filter(|key| args.or_zero(*key) == 0.0) {
-            Some(key) => {
-                let help = "roughing needs the greatest depth of a cut";
-                self.cycle_fault(args.span_of(key), 61610, "no infeed is given", help)
-            }
-            None => Ok(()),
-        }
-    }
 }
 
 impl Core<'_> {
@@ -391,24 +372,6 @@ fn number(mm: f64) -> String {
     let text = format!("{mm:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
-
-/// Width of the top of a groove of CYCLE930: that of its floor and what its flanks take.
-pub(super) fn groove_width(args: &Arguments) -> Option<f64> {
-    if args.or_zero(NR) == 2.0 {
-        return None;
-    }
-    let depth = match args.digit(AMODE, 0) {
-        1 => args.number(DIAG)?.abs(),
-        _ => (args.number(DIAG)? - args.number(SPD)?).abs() / 2.0,
-    };
-    let tan = |key: Key| libm::tan(args.or_zero(key).to_radians());
-    Some(args.number(WIDG)? + depth * (tan(ANG1) + tan(ANG2)))
-}
-
-/// A coded number without the digits in front: modulo `base`.
-pub(super) fn last_digits(args: &Arguments, key: Key, base: i32) -> i32 {
-    args.number(key).and_then(whole).unwrap_or(0) % base
 }
 
 /// The arguments by their names.

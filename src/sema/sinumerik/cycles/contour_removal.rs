@@ -13,8 +13,8 @@ use crate::ir::cycle::turning::Towards;
 
 use super::super::{Outcome, Run};
 use super::arguments::{
-    AMODE, Arguments, BL, CON, CONR, D, DAM, DI, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, Key, MID, RP, SC,
-    U, U1, UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
+    AMODE, Arguments, BL, CON, CONR, D, DAM, DI, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, Key, MID, RP,
+    SC, U, U1, UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
 };
 use super::call::CycleCall;
 use super::layers::{Side, rectangle};
@@ -172,7 +172,8 @@ impl CycleCall<'_, '_> {
         let finish = if operation == Operation::Rough { None } else { Some(self.mill_feed(FF3)?) };
         let given = rough.or(finish);
         let Some(any) = given else { return self.kind_fault(VARI, "1 to 12") };
-        let plunge = if self.args.or_zero(FF2) > 0.0 || self.st.feed.word().is_some() { self.mill_feed(FF2)? } else { any };
+        let plunge =
+            if self.args.or_zero(FF2) > 0.0 || self.st.feed.word().is_some() { self.mill_feed(FF2)? } else { any };
         Ok(LayerFeeds { rough: rough.unwrap_or(any), plunge, finish: finish.unwrap_or(any) })
     }
 
@@ -196,7 +197,10 @@ impl CycleCall<'_, '_> {
             2 inside, 3 front, 4 rear";
         let vari = args.or_zero(VARI);
         if !(1.0..1e7).contains(&vari) || vari.fract() != 0.0 {
-            return self.not_built(VARI, "this process (`_VARI` has 7 digits): grooving, plunge turning and residual material");
+            return self.not_built(
+                VARI,
+                "this process (`_VARI` has 7 digits): grooving, plunge turning and residual material",
+            );
         }
         if args.digit(VARI, 0) == 3 {
             return self.not_built(VARI, "cutting parallel to the contour (units 3 of `_VARI`)");
@@ -272,7 +276,10 @@ impl CycleCall<'_, '_> {
             return self.not_built(U1, "the further allowance `_U1`");
         }
         if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) > 1 {
-            return self.kind_fault(VARI, "ten thousands 0 `_UX` and `_UZ`, 1 `_U`; hundred thousands 1: cuts follow the contour");
+            return self.kind_fault(
+                VARI,
+                "ten thousands 0 `_UX` and `_UZ`, 1 `_U`; hundred thousands 1: cuts follow the contour",
+            );
         }
         if args.digit(VARI, 6) > 2 {
             return self.kind_fault(VARI, "millions 1 cuts reliefs, 2 leaves them");
@@ -337,9 +344,9 @@ impl CycleCall<'_, '_> {
         if args.digit(GMODE, 3) != 1 {
             return Limits::default();
         }
-        let given = |key: Key, place: u32| {
-            (args.digit(GMODE, place) == 1).then(|| self.length_of(args, key).unwrap_or(0.0))
-        };
+        self.own_way("what stands outside of the limits is taken as not in the way of the tool");
+        let given =
+            |key: Key, place: u32| (args.digit(GMODE, place) == 1).then(|| self.length_of(args, key).unwrap_or(0.0));
         let radius = |v: Option<f64>| v.map(|v| v / 2.0);
         Limits { z: [given(ZA, 5), given(ZB, 7)], x: [radius(given(XA, 4)), radius(given(XB, 6))] }
     }

@@ -5,9 +5,7 @@
 
 use crate::geo::arc::sweep;
 use crate::geo::{Element, Point2, Vec2, cross, direction, distance};
-use crate::ir::cycle::layers::{
-    Allowance, Blank, Clearance, LayerFeeds, Layers, Limits, Relief, Segmentation, Trace,
-};
+use crate::ir::cycle::layers::{Allowance, Blank, Clearance, LayerFeeds, Layers, Limits, Relief, Segmentation, Trace};
 use crate::ir::cycle::turning::Towards;
 
 use super::super::Outcome;
@@ -61,7 +59,8 @@ impl CycleCall<'_, '_> {
         let most = self.infeed(MID, operation)?;
         let clearance = self.magnitude(SDIS);
         if clearance == 0.0 {
-            let message = format!("the safety distance `{}` (argument {}) is missing", args.written(SDIS), args.place(SDIS));
+            let message =
+                format!("the safety distance `{}` (argument {}) is missing", args.written(SDIS), args.place(SDIS));
             let help = "the tool needs a distance above 0 from the blank at rapid traverse";
             return self.cycle_fault(args.span_of(SDIS), 61019, &message, help);
         }
@@ -161,7 +160,11 @@ impl CycleCall<'_, '_> {
             let ahead = at.map_or(0.0, |at| (from - at).dot(&(points[1] - points[0])));
             let room = distance(points[1], to) <= distance(points[1], points[2]) + SLACK;
             if ahead < -SLACK || !room {
-                let message = format!("the transition `{}` (argument {}) is larger than its edge", args.written(key), args.place(key));
+                let message = format!(
+                    "the transition `{}` (argument {}) is larger than its edge",
+                    args.written(key),
+                    args.place(key)
+                );
                 return self.cycle_fault(args.span_of(key), 61252, &message, "give a smaller radius or chamfer");
             }
             if let Some(at) = at.filter(|at| distance(*at, from) > SLACK) {

@@ -10,8 +10,8 @@ use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
 
-use super::super::compensation::nose_of;
 use super::super::Outcome;
+use super::super::compensation::nose_of;
 use super::arguments::{DMODE, Key};
 use super::call::CycleCall;
 
@@ -148,8 +148,10 @@ impl CycleCall<'_, '_> {
         if !reliefs.is_empty() {
             let axis = if layers.into.is_radial() { "Z" } else { "X" };
             let scale = if layers.into.is_radial() { 1.0 } else { 2.0 };
-            let shown: Vec<String> =
-                reliefs.iter().map(|(from, to)| format!("{axis}{:.3} to {axis}{:.3}", from * scale, to * scale)).collect();
+            let shown: Vec<String> = reliefs
+                .iter()
+                .map(|(from, to)| format!("{axis}{:.3} to {axis}{:.3}", from * scale, to * scale))
+                .collect();
             let shown = shown.join(", ");
             if layers.relief == Relief::Left {
                 let message = format!("{}: the relief cut from {shown} is left standing", args.name());
@@ -175,7 +177,11 @@ impl CycleCall<'_, '_> {
 
     /// Refuses a kind of machining.
     pub(super) fn kind_fault<T>(&self, key: Key, help: &str) -> Outcome<T> {
-        let message = format!("there is no such kind of machining `{}` (argument {})", self.args.written(key), self.args.place(key));
+        let message = format!(
+            "there is no such kind of machining `{}` (argument {})",
+            self.args.written(key),
+            self.args.place(key)
+        );
         self.cycle_fault(self.args.span_of(key), 61002, &message, help)
     }
 
@@ -183,6 +189,11 @@ impl CycleCall<'_, '_> {
     pub(super) fn no_material<T>(&self, key: Key, what: &str) -> Outcome<T> {
         let args = self.args;
         let message = format!("{what}: `{}` (argument {})", args.written(key), args.place(key));
-        self.cycle_fault(args.span_of(key), 61118, &message, "check the corner of the blank, the end point and the position")
+        self.cycle_fault(
+            args.span_of(key),
+            61118,
+            &message,
+            "check the corner of the blank, the end point and the position",
+        )
     }
 }

@@ -199,7 +199,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// A size above 0, without its sign.
-    fn size(&self, key: Key) -> Outcome<f64> {
+    pub(super) fn size(&self, key: Key) -> Outcome<f64> {
         let size = self.magnitude(key);
         if size > 0.0 {
             return Ok(size);
@@ -209,7 +209,7 @@ impl CycleCall<'_, '_> {
         self.cycle_fault(self.args.span_of(key), 61118, &message, "give a size above 0")
     }
 
-    fn reference_point(&self, first: Key, second: Key) -> Point2 {
+    pub(super) fn reference_point(&self, first: Key, second: Key) -> Point2 {
         Point2::new(self.length_of(self.args, first).unwrap_or(0.0), self.length_of(self.args, second).unwrap_or(0.0))
     }
 
@@ -238,7 +238,7 @@ impl CycleCall<'_, '_> {
         Ok(Asked { floor: asked.floor && self.magnitude(FALD) > 0.0, ..asked })
     }
 
-    fn no_such_machining<T>(&self, help: &str) -> Outcome<T> {
+    pub(super) fn no_such_machining<T>(&self, help: &str) -> Outcome<T> {
         let (name, place) = (self.args.written(VARI), self.args.place(VARI));
         let message = format!("there is no such kind of machining: `{name}` (argument {place})");
         self.cycle_fault(self.args.span_of(VARI), 61002, &message, help)

@@ -1,10 +1,8 @@
 //! Cycles that work along a contour, or take off a shape of their own: read and checked, their tracks are not published.
 
-use crate::sema::cycle_table::{Parameter, Rule, Signature, Status, angle, count, dwell, feed, length, number, words};
+use crate::sema::cycle_table::{Parameter, Rule, Signature, Status, angle, feed, length, number, words};
 
-use super::super::arguments::VARI;
-use super::super::called_contours::{groove_width, last_digits};
-use super::{Cycle, Source, Unpublished, Variant, Work};
+use super::{Cycle, Source, Unpublished, Work};
 
 /// The tracks of these cycles are made inside the control.
 const UNPUBLISHED: Status =
@@ -16,15 +14,6 @@ const UMODE: Parameter = number("_UMODE", "");
 const GMODE: Parameter = number("_GMODE", "");
 const DMODE: Parameter = number("_DMODE", "");
 const AMODE: Parameter = number("_AMODE", "");
-
-const GROOVE: Variant = Variant {
-    fits: |args| {
-        let vari = last_digits(args, VARI, i32::MAX);
-        (1..=8).contains(&(vari % 10)) && (0..=1).contains(&(vari / 10))
-    },
-    help: "units 1 to 8 are the position of the groove, tens 1 takes chamfers as CHR",
-    infeed: |_| None,
-};
 
 pub(super) const ROWS: &[Cycle] = &[
     Cycle {
@@ -77,7 +66,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Unpublished(Unpublished { contour: Source::Milled, turned: false, variant: None, advice: None }),
+        work: Work::Unpublished(Unpublished { contour: Source::Milled, turned: false, advice: None }),
     },
     Cycle {
         signature: Signature {
@@ -105,7 +94,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Unpublished(Unpublished { contour: Source::Milled, turned: false, variant: None, advice: None }),
+        work: Work::Unpublished(Unpublished { contour: Source::Milled, turned: false, advice: None }),
     },
     Cycle {
         signature: Signature {
@@ -139,87 +128,6 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Unpublished(Unpublished { contour: Source::Argument, turned: false, variant: None, advice: None }),
-    },
-    Cycle {
-        signature: Signature {
-            name: "CYCLE93",
-            what: "groove",
-            status: UNPUBLISHED,
-            source: "SINUMERIK 840D cycles 11/2002",
-            parameters: &[
-                length("SPD", "start point, diameter").needed(),
-                length("SPL", "start point along Z").needed(),
-                length("WIDG", "width of the floor").unsigned(),
-                length("DIAG", "depth").unsigned(),
-                angle("STA1", "inclination"),
-                angle("ANG1", "angle of the flank at the start point").rule(Rule::Below90),
-                angle("ANG2", "angle of the other flank").rule(Rule::Below90),
-                length("RCO1", "outer radius or chamfer, at the start point"),
-                length("RCO2", "outer radius or chamfer, opposite"),
-                length("RCI1", "inner radius or chamfer, at the start point"),
-                length("RCI2", "inner radius or chamfer, opposite"),
-                length("FAL1", "allowance on the floor").unsigned(),
-                length("FAL2", "allowance on the flanks").unsigned(),
-                length("IDEP", "infeed").unsigned(),
-                dwell("DTB", "dwell at the floor"),
-                number("VARI", "machining").needed(),
-                length("_VRT", "lift").unsigned(),
-                count("_DN", "number of the second edge"),
-            ],
-        },
-        work: Work::Unpublished(Unpublished {
-            contour: Source::None,
-            turned: true,
-            variant: Some(GROOVE),
-            advice: None,
-        }),
-    },
-    Cycle {
-        signature: Signature {
-            name: "CYCLE930",
-            what: "groove",
-            status: UNPUBLISHED,
-            source: "stored calls of SINUMERIK 840D sl",
-            parameters: &[
-                length("_SPD", "reference point, diameter").needed(),
-                length("_SPL", "reference point along Z").needed(),
-                length("_WIDG", "width of the floor").unsigned(),
-                length("_WIDG2", "width of the top").unsigned(),
-                length("_DIAG", "depth at the reference point"),
-                number("_DIAG2", "depth on the other side"),
-                angle("_STA", "inclination"),
-                angle("_ANG1", "angle of the flank at the reference point").rule(Rule::Below90),
-                angle("_ANG2", "angle of the other flank").rule(Rule::Below90),
-                length("_RCO1", "first outer corner"),
-                length("_RCI1", "first inner corner"),
-                length("_RCI2", "second inner corner"),
-                length("_RCO2", "second outer corner"),
-                length("_FAL", "allowance").unsigned(),
-                length("_IDEP1", "infeed").unsigned(),
-                length("_SDIS", "safety distance").unsigned(),
-                number("_VARI", "machining"),
-                count("_DN", "number of the second edge"),
-                count("_NUM", "number of grooves").unsigned(),
-                length("_DBH", "distance of the grooves"),
-                feed("_FF1", "feed").rule(FEED),
-                number("_NR", "0 rectangular, 1 with flanks, 2 inclined").rule(Rule::OneOf(0, 2)),
-                length("_FALX", "allowance on X").unsigned(),
-                length("_FALZ", "allowance on Z").unsigned(),
-                DMODE,
-                AMODE,
-                GMODE,
-                number("S_FB", ""),
-            ],
-        },
-        work: Work::Unpublished(Unpublished {
-            contour: Source::None,
-            turned: true,
-            variant: None,
-            advice: Some(|args| {
-                groove_width(args)
-                    .map(|width| format!("the groove is {width:.4} mm wide at its top: replace it by plain moves"))
-            }),
-        }),
+        work: Work::Unpublished(Unpublished { contour: Source::Argument, turned: false, advice: None }),
     },
 ];

@@ -27,7 +27,10 @@ const CORNER_MODE: Digits = Digits {
         either(6, "this kind of the third corner (millions of `_AMODE`)"),
     ],
     other: "",
-    doubt: Some((&[0, 1, 2, 3], "an incremental X1 or XM is a radius, and increments lead from X0 and Z0 into the material")),
+    doubt: Some((
+        &[0, 1, 2, 3],
+        "an incremental X1 or XM is a radius, and increments lead from X0 and Z0 into the material",
+    )),
 };
 
 pub(super) const ROWS: &[Cycle] = &[
@@ -102,8 +105,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 feed("_FR", "feed into relief cuts").rule(FEED).default("that of roughing"),
                 length("_RP", "retraction plane along X, diameter; 0 none").default("0"),
                 length("_D", "greatest infeed").unsigned(),
-                length("_DX", "infeed along X, parallel to the contour").unsigned(),
-                length("_DZ", "infeed along Z, parallel to the contour").unsigned(),
+                length("_DX", "infeed along X, parallel to the contour").unsigned().without_effect("cuts parallel to the contour are refused"),
+                length("_DZ", "infeed along Z, parallel to the contour").unsigned().without_effect("cuts parallel to the contour are refused"),
                 length("_UX", "allowance along X, on the radius").unsigned(),
                 length("_UZ", "allowance along Z").unsigned(),
                 length("_U", "allowance along the contour").unsigned(),
