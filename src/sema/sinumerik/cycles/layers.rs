@@ -172,6 +172,7 @@ impl CycleCall<'_, '_> {
             self.own_way(WAY);
         }
         self.send_cycle(Cycle::Layers(layers));
+        self.say_remarks();
         Ok(())
     }
 
