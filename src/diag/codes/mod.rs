@@ -9,6 +9,7 @@ mod geometry;
 mod grooves;
 mod klartext;
 mod klartext_readings;
+mod layers;
 mod milling;
 mod mtc200;
 mod output;
@@ -25,6 +26,7 @@ pub use geometry::*;
 pub use grooves::*;
 pub use klartext::*;
 pub use klartext_readings::*;
+pub use layers::*;
 pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
@@ -113,6 +115,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,
+        layers::LAYERS,
         turning::TURNING,
         milling::MILLING,
         mtc200::MTC200,
