@@ -11,6 +11,7 @@ pub mod long_hole;
 pub mod milling;
 pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 pub mod spigot;
 pub mod thread;
@@ -30,6 +31,7 @@ pub use grooving::Grooving;
 pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
+pub use region::Region;
 pub use roughing::Roughing;
 pub use spigot::Spigot;
 pub use thread::Thread;
@@ -74,6 +76,7 @@ macro_rules! families {
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
+            Region(crate::ir::cycle::Region),
             Facing(crate::ir::cycle::Facing),
             Spigot(crate::ir::cycle::Spigot),
         }

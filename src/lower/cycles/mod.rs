@@ -14,6 +14,7 @@ pub mod infeed;
 pub mod long_hole;
 pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 #[cfg(test)]
 mod simulate;

@@ -169,7 +169,11 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    fn contours_of(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome<Vec<(ContourCall, Captured)>> {
+    pub(super) fn contours_of(
+        &mut self,
+        args: &Arguments,
+        cycle: &Unpublished,
+    ) -> Outcome<Vec<(ContourCall, Captured)>> {
         let calls = match cycle.contour {
             Source::None => return Ok(Vec::new()),
             Source::Argument => vec![self.named_contour(args)?],

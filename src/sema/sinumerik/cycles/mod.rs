@@ -6,6 +6,7 @@ mod alarms;
 mod arguments;
 mod call;
 mod called_contours;
+mod contour_pocket;
 mod cut_off;
 mod drilling;
 mod faces;
@@ -286,6 +287,7 @@ impl Channel<'_> {
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();
         self.core.send_cycle(&cycle, &self.st.ctx);
+        self.st.position.forget(self.st.position.at().known().without(end.known()));
         self.st.position.move_to(&end);
         if let Some(after) = cycle.spindle_after() {
             self.st.spindles.set_turn(match after {
@@ -386,10 +388,14 @@ impl CycleCall<'_, '_> {
     }
 
     fn check_values(&self) -> Outcome {
+        // What a contour cycle takes is checked by the rules of its parameters.
+        self.check_kinds(!self.args.cycle.work.is_read_only())
+    }
+
+    /// Every value is in range, and of its kind where `kinds` are checked.
+    fn check_kinds(&self, kinds: bool) -> Outcome {
         let args = self.args;
         let name = args.name();
-        // What a contour cycle takes is checked by the rules of its parameters.
-        let kinds = !args.cycle.work.is_read_only();
         for ((place, parameter), (value, at)) in (1..).zip(args.cycle.signature.parameters).zip(&args.list) {
             let text = matches!(parameter.kind, Kind::Text | Kind::Either);
             if kinds && *value != Val::Missing && value.number().is_none() && !text {

@@ -94,7 +94,7 @@ impl Work {
 
 impl Cycle {
     pub fn is_built(&self) -> bool {
-        matches!(self.work, Work::Hole(_) | Work::Moves(_))
+        matches!(self.work, Work::Hole(_) | Work::Moves(_)) || self.signature.status == Status::Built
     }
 }
 
