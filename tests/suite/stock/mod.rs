@@ -2,3 +2,4 @@
 
 pub mod milling;
 mod pockets;
+mod regions;

@@ -31,6 +31,8 @@ pub struct Part {
     pub holes: Vec<Loop>,
     /// What of it lies deeper.
     pub inner: Vec<Part>,
+    /// Where the tool is inserted, and the distance from the walls there; of parts with nothing deeper.
+    pub entry: Option<(Point2, f64)>,
 }
 
 /// Outline and islands, ready for rings.
@@ -89,7 +91,7 @@ impl Area {
             return None;
         }
         let mut parts: Vec<Part> =
-            outer.into_iter().map(|outer| Part { outer, holes: Vec::new(), inner: Vec::new() }).collect();
+            outer.into_iter().map(|outer| Part { outer, holes: Vec::new(), inner: Vec::new(), entry: None }).collect();
         for hole in holes {
             let at = hole.start();
             parts.iter_mut().find(|part| part.outer.holds(at))?.holes.push(hole);

@@ -22,6 +22,8 @@ const NOTHING: f64 = 1e-4;
 /// Radius of the arc on which a wall is approached, mm; it becomes smaller where the walls are near.
 const APPROACH: f64 = 2.0;
 const SMALLEST_APPROACH: f64 = 0.1;
+/// Points nearer than this to the start of an element are that start, mm.
+const SNAPS: f64 = 1e-3;
 /// Links longer than so many widths of a cut are ways through the air.
 const LONGEST_LINK: f64 = 2.5;
 
@@ -112,10 +114,8 @@ impl Region {
         if roots.is_empty() {
             return Err(no_room());
         }
-        let mut most: f64 = 0.0;
-        for root in &roots {
-            most = most.max(entry(root, walls).map_or(0.0, |(_, room)| room) - least);
-        }
+        let rooms = roots.iter().filter_map(|root| entry(root, walls)).map(|(_, room)| room - least);
+        let most = rooms.fold(0.0, f64::max);
         // Every point between two rings is at most a step from the outer one: a step of a radius leaves nothing.
         let count = parts(most, self.width.min(self.mill.radius));
         let step = most / count as f64;
@@ -131,7 +131,21 @@ impl Region {
             }
             inner = outer;
         }
+        for part in &mut inner {
+            self.enter(part, walls);
+        }
         Ok(inner)
+    }
+
+    /// Finds where the tool is inserted into the parts that have nothing deeper.
+    fn enter(&self, part: &mut Part, walls: &Walls) {
+        for inner in &mut part.inner {
+            self.enter(inner, walls);
+        }
+        if part.inner.is_empty() {
+            let wanted = self.start.filter(|start| part.holds(*start)).map(|start| (start, walls.distance(start)));
+            part.entry = wanted.or_else(|| entry(part, walls));
+        }
     }
 }
 
@@ -202,9 +216,7 @@ impl Tool<'_> {
     /// Into a part that has nothing deeper, from one level to the next.
     fn insert_into(&mut self, part: &Part, least: f64, from: f64, to: f64) {
         let heights = self.region.mill.heights;
-        let wanted =
-            self.region.start.filter(|start| part.holds(*start)).map(|start| (start, self.walls.distance(start)));
-        let found = wanted.or_else(|| entry(part, self.walls)).unwrap_or((part.outer.start(), least));
+        let found = part.entry.unwrap_or((part.outer.start(), least));
         let (point, room) = (found.0, (found.1 - least).max(0.0).min(self.region.mill.radius));
         let arm = match self.region.insertion {
             Insertion::Helix { radius, .. } => radius.min(room),
@@ -343,7 +355,7 @@ impl Tool<'_> {
             self.floor_of(inner, least, above, feed);
         }
         if part.inner.is_empty() {
-            let point = entry(part, self.walls).map_or(part.outer.start(), |(point, _)| point);
+            let point = part.entry.map_or(part.outer.start(), |(point, _)| point);
             self.go_over(point);
             self.cutter.lift(heights.above_cleared(above));
             self.cutter.plunge(heights.depth);
@@ -356,10 +368,17 @@ impl Tool<'_> {
 }
 
 impl Loop {
-    /// The nearest point, and the element it lies on.
+    /// The nearest point, and the element it lies on; the start of an element where that is as good.
     fn nearest(&self, p: Point2) -> (usize, Point2) {
         let found = self.elements.iter().enumerate().map(|(at, element)| (at, nearest_on(p, element)));
-        found.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p))).unwrap_or_else(|| (0, self.start()))
+        let nearest = found.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p)));
+        let Some((at, point)) = nearest else { return (0, self.start()) };
+        let next = (at + 1) % self.elements.len().max(1);
+        match (self.elements.get(at), self.elements.get(next)) {
+            (Some(this), _) if distance(this.from(), point) < SNAPS => (at, this.from()),
+            (Some(this), Some(next_one)) if distance(this.to(), point) < SNAPS => (next, next_one.from()),
+            _ => (at, point),
+        }
     }
 
     /// Distance of a point from the ring.
@@ -376,8 +395,11 @@ impl Loop {
     fn beginning_at(&self, element: usize, at: Point2, as_it_runs: bool) -> Vec<Element> {
         let (before, after) = self.elements.split_at(element.min(self.elements.len()));
         let Some((first, after)) = after.split_first() else { return Vec::new() };
-        let parts = [first.starting_at(at)].into_iter().chain(after.iter().copied()).chain(before.iter().copied());
-        let parts = parts.chain([first.ending_at(at)]).filter(|part| part.length() > 1e-6);
+        let whole = first.from() == at;
+        let begins = if whole { *first } else { first.starting_at(at) };
+        let ends = (!whole).then(|| first.ending_at(at));
+        let parts = [begins].into_iter().chain(after.iter().copied()).chain(before.iter().copied()).chain(ends);
+        let parts = parts.filter(|part| part.length() > 1e-6);
         if as_it_runs {
             parts.collect()
         } else {
