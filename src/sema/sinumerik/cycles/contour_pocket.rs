@@ -15,24 +15,15 @@ use super::arguments::{Arguments, DR, DXY, EP, ER, EW, TR, UXY, VARI, XS, YS};
 use super::call::CycleCall;
 use super::called_contours::ContourCall;
 use super::milling::{ALONG_CONTOURS, Around};
-use super::table::{Source, Unpublished};
-
-/// How the contours of a pocket are read.
-const MILLED: Unpublished = Unpublished { contour: Source::Milled, turned: false, variant: None, advice: None };
+use super::table::Source;
 
 impl Run<'_> {
     /// CYCLE63
     pub(super) fn contour_pocket(&mut self, args: &Arguments) -> Outcome {
         self.cycle(args).check_parameters()?;
-        self.speed_is_known()?;
-        if self.st.codes.per_revolution() {
-            self.master_is_main(args.span, "a feed per revolution")?;
-        }
+        let contours = self.contours_of(args, Source::Milled, false)?;
         let mut call = self.cycle(args);
-        call.check_kinds(true)?;
         let made = call.contour_pocket_without_contours()?;
-        let contours = self.contours_of(args, &MILLED)?;
-        let mut call = self.cycle(args);
         call.mill_contour_pocket(made, contours)?;
         call.say_remarks();
         Ok(())

@@ -7,11 +7,14 @@ mod arguments;
 mod call;
 mod called_contours;
 mod contour_pocket;
+mod contour_removal;
+mod corner_removal;
 mod cut_off;
 mod drilling;
 mod faces;
 mod groove_shape;
 mod grooves;
+mod layers;
 mod milling;
 mod modes;
 mod pattern;
@@ -89,8 +92,10 @@ impl Run<'_> {
         let cycle = find(name)?;
         match cycle.work {
             Work::Nothing => return None,
-            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) if self.own_program(name) => return None,
-            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) => {}
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) if self.own_program(name) => {
+                return None;
+            }
+            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) => {}
         }
         let result =
             self.cycle_arguments(cycle, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
@@ -163,7 +168,7 @@ impl Run<'_> {
                 call.say_remarks();
                 Ok(())
             }
-            Work::Contour(run) => run(self, args),
+            Work::Contour(run) | Work::Along(run) => run(self, args),
             Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
             Work::Nothing => Ok(()),
         }
@@ -259,7 +264,7 @@ impl Channel<'_> {
         let here = std::mem::replace(&mut self.here, modal.here);
         let made = match &modal.args.cycle.work {
             Work::Hole(drilling) => self.cycle(&modal.args).hole(drilling),
-            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
         };
         self.here = here;
         let hole = made?;
@@ -388,14 +393,10 @@ impl CycleCall<'_, '_> {
     }
 
     fn check_values(&self) -> Outcome {
-        // What a contour cycle takes is checked by the rules of its parameters.
-        self.check_kinds(!self.args.cycle.work.is_read_only())
-    }
-
-    /// Every value is in range, and of its kind where `kinds` are checked.
-    fn check_kinds(&self, kinds: bool) -> Outcome {
         let args = self.args;
         let name = args.name();
+        // What a contour cycle takes is checked by the rules of its parameters.
+        let kinds = !args.cycle.work.is_read_only();
         for ((place, parameter), (value, at)) in (1..).zip(args.cycle.signature.parameters).zip(&args.list) {
             let text = matches!(parameter.kind, Kind::Text | Kind::Either);
             if kinds && *value != Val::Missing && value.number().is_none() && !text {

@@ -373,6 +373,6 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Contour(|run, args| run.contour_pocket(args)),
+        work: Work::Along(|run, args| run.contour_pocket(args)),
     },
 ];
