@@ -100,7 +100,7 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        milling;
+        milling paths;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":

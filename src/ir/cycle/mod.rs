@@ -9,6 +9,7 @@ pub mod finishing;
 pub mod grooving;
 pub mod long_hole;
 pub mod milling;
+pub mod path_milling;
 pub mod pocket;
 pub mod recess;
 pub mod roughing;
@@ -28,6 +29,7 @@ pub use facing::Facing;
 pub use finishing::Finishing;
 pub use grooving::Grooving;
 pub use long_hole::LongHole;
+pub use path_milling::PathMilling;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use roughing::Roughing;
@@ -76,6 +78,7 @@ macro_rules! families {
             LongHole(crate::ir::cycle::LongHole),
             Facing(crate::ir::cycle::Facing),
             Spigot(crate::ir::cycle::Spigot),
+            PathMilling(crate::ir::cycle::PathMilling),
         }
     };
 }

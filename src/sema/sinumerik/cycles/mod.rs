@@ -13,6 +13,7 @@ mod groove_shape;
 mod grooves;
 mod milling;
 mod modes;
+mod path_milling;
 mod pattern;
 mod pockets;
 mod spigots;
