@@ -15,6 +15,8 @@ const MILL: &str = "T1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\n";
 const HOLES: &str = "T1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\nMCALL CYCLE81(10,0,2,-15)\n";
 const LATHE: &str = "T1 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\n";
 
+const GROOVES: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\n";
+
 /// The program in front of the call, the call with `#` for the coded argument, the name of the argument and its value.
 const CALLS: &[(&str, &str, &str, u32)] = &[
     (MILL, "CYCLE81(10,0,2,,15,0.5,#,1,11)", "_GMODE", 0),
@@ -75,6 +77,24 @@ const CALLS: &[(&str, &str, &str, u32)] = &[
     (LATHE, "CYCLE99(0,20,-20,20,3,2,0.92,0.05,30,0,5,1,1.5,#,1,2,0,0,,,,,,1,,,,102,0)", "_VARI", 1_310_101),
     (LATHE, "CYCLE99(0,20,-20,20,3,2,0.92,0.05,30,0,5,1,1.5,1310101,1,2,0,0,,,,,,1,,,,#,0)", "_DMODE", 102),
     (LATHE, "CYCLE99(0,20,-20,20,3,2,0.92,0.05,30,0,5,1,1.5,1310101,1,2,0,0,,,,,,1,,,,102,#)", "_AMODE", 0),
+    (GROOVES, "CYCLE92(40,-50,4,-0.6,2,1,120,2000,4,0.1,0.05,500,,#,,2,10000)", "_VARI", 0),
+    (GROOVES, "CYCLE92(40,-50,4,-0.6,2,1,120,2000,4,0.1,0.05,500,,0,,#,10000)", "_DMODE", 2),
+    (GROOVES, "CYCLE92(40,-50,4,-0.6,2,1,120,2000,4,0.1,0.05,500,,0,,2,#)", "_AMODE", 10_000),
+    (GROOVES, "CYCLE93(80,-40,12,6,0,10,15,0.5,-0.5,0.3,0.3,0.1,0.1,2,0.5,#,1,0)", "VARI", 5),
+    (GROOVES, "CYCLE930(80,-40,10,,6,,0,15,20,0.5,0.4,0.6,0.8,0.1,2,1,#,0,2,-20,0.08,1,,,2,1111010)", "_VARI", 10_530),
+    (GROOVES, "CYCLE930(80,-40,10,,6,,0,15,20,0.5,0.4,0.6,0.8,0.1,2,1,10530,0,2,-20,0.08,1,,,#,1111010)", "_DMODE", 2),
+    (
+        GROOVES,
+        "CYCLE930(80,-40,10,,6,,0,15,20,0.5,0.4,0.6,0.8,0.1,2,1,10530,0,2,-20,0.08,1,,,2,#)",
+        "_AMODE",
+        1_111_010,
+    ),
+    (
+        GROOVES,
+        "CYCLE930(80,-40,10,,6,,0,15,20,0.5,0.4,0.6,0.8,0.1,2,1,10530,0,2,-20,0.08,1,,,2,1111010,#)",
+        "_GMODE",
+        0,
+    ),
 ];
 
 /// Digits of a whole number of an argument.
@@ -82,8 +102,10 @@ const PLACES: u32 = 9;
 
 /// The moves and what is said.
 fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
-    let settings = if head == LATHE {
-        settings("[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n")
+    let settings = if [LATHE, GROOVES].contains(&head) {
+        settings(
+            "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.2]\nwidth = 4.0\nradius = 0.2\norientation = 3\n",
+        )
     } else {
         Settings::default()
     };

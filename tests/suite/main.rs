@@ -55,6 +55,7 @@ mod sinumerik;
 mod sinumerik_alarms;
 mod skip_marks;
 mod start;
+mod stock;
 mod sweep;
 mod tamper;
 #[path = "../../fuzz/src/targets.rs"]

@@ -132,7 +132,7 @@ pub enum PocketFault {
     Number,
     /// The cutter with the allowance is larger than the pocket.
     Cutter,
-    /// The corners are smaller than the cutter.
+    /// The corners are smaller than the cutter, or larger than the pocket.
     Corner,
     /// The width of a cut is not above 0, or larger than the cutter.
     Width,
@@ -151,7 +151,9 @@ impl fmt::Display for PocketFault {
             PocketFault::Mill(fault) => return fault.fmt(f),
             PocketFault::Number => "a size of the pocket is not a number, or below 0",
             PocketFault::Cutter => "the cutter and the allowance on the wall do not fit into the pocket",
-            PocketFault::Corner => "the radius of the corners is smaller than that of the cutter",
+            PocketFault::Corner => {
+                "the radius of the corners lies between that of the cutter and half of the smaller side"
+            }
             PocketFault::Width => "the infeed in the plane is above 0, and at most the diameter of the cutter",
             PocketFault::Insertion => "the pitch of the helix is above 0, and the angle below 90 degrees",
             PocketFault::Length => "the slot is no longer than it is wide, or its arc is longer than a turn",

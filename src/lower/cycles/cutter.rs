@@ -24,6 +24,8 @@ pub struct Cutter<'a> {
     /// In the plane, not at the place.
     at: Option<Point2>,
     height: Option<f64>,
+    /// Where the last move along the tool axis at rapid traverse ends, which was not sent yet: it may go on.
+    lifting: Option<f64>,
     out: &'a mut dyn FnMut(CycleItem),
 }
 
@@ -57,7 +59,7 @@ impl core::fmt::Debug for Cutter<'_> {
 impl<'a> Cutter<'a> {
     pub fn new(mill: &'a Mill, place: Place, start: &Start, out: &'a mut dyn FnMut(CycleItem)) -> Cutter<'a> {
         let (at, height) = (start.at.in_plane(mill.plane), start.at.get(mill.axis()));
-        Cutter { mill, place, at, height, out }
+        Cutter { mill, place, at, height, lifting: None, out }
     }
 
     /// The shape lies at another place now.
@@ -90,15 +92,29 @@ impl<'a> Cutter<'a> {
     /// How every milling cycle ends a place.
     pub fn retract(&mut self) {
         self.lift(self.mill.heights.retract);
+        self.go_on();
     }
 
     /// Along the tool axis at rapid traverse, out of the material or through what is cleared.
     pub fn lift(&mut self, height: f64) {
-        if self.height == Some(height) {
+        let Some(now) = self.height.filter(|now| *now != height) else {
+            if self.height.is_none() {
+                (self.height, self.lifting) = (Some(height), Some(height));
+            }
             return;
+        };
+        let outwards = (height - now) * self.mill.heights.outward() > 0.0;
+        if self.lifting.is_some() && !outwards {
+            self.go_on();
         }
-        self.height = Some(height);
-        self.send(None, Some(height), Path::Rapid);
+        (self.height, self.lifting) = (Some(height), Some(height));
+    }
+
+    /// Sends the move along the tool axis that waits.
+    fn go_on(&mut self) {
+        if let Some(height) = self.lifting.take() {
+            self.send(None, Some(height), Path::Rapid);
+        }
     }
 
     /// In the plane at rapid traverse.
@@ -110,6 +126,7 @@ impl<'a> Cutter<'a> {
     pub fn plunge(&mut self, height: f64) {
         let feed = self.mill.feeds.depth;
         if self.height != Some(height) {
+            self.go_on();
             self.height = Some(height);
             self.send(None, Some(height), Path::Line(feed));
         }
@@ -150,6 +167,7 @@ impl<'a> Cutter<'a> {
         let end = self.place.point(element.to());
         match *element {
             Element::Line { .. } => {
+                self.go_on();
                 (self.at, self.height) = (Some(end), Some(height));
                 self.send(Some(end), Some(height), Path::Line(feed));
             }
@@ -161,6 +179,7 @@ impl<'a> Cutter<'a> {
     }
 
     pub fn speed(&mut self, speed: f64) {
+        self.go_on();
         (self.out)(CycleItem::Function(Function::Spindle(Spindle::Speed(speed))));
     }
 
@@ -198,12 +217,14 @@ impl<'a> Cutter<'a> {
         if self.at.is_some_and(|at| distance(at, end) <= NOTHING) {
             return;
         }
+        self.go_on();
         self.at = Some(end);
         self.send(Some(end), None, path);
     }
 
     /// To `end`, a point of the plane; the sense, and turns on top.
     fn round(&mut self, end: Point2, height: Option<f64>, center: Point2, (ccw, turns): (bool, u32), feed: Feed) {
+        self.go_on();
         let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: ARC_TOLERANCE };
         self.at = Some(end);
         self.send(Some(end), height, Path::Arc(Arc { plane: self.mill.plane, shape, turns }, feed));

@@ -14,7 +14,7 @@ use crate::machine::options::cycles::CutOffReference;
 
 use super::super::Outcome;
 use super::super::g_groups::{GCode, Group};
-use super::arguments::{AMODE, DIAG1, DIAG2, DIAGM, FF1, FF2, Key, RC, SDAC, SDIS, SPD, SS2, SV1, SV2};
+use super::arguments::{AMODE, DIAG1, DIAG2, DIAGM, FF1, FF2, Key, RC, SDAC, SDIS, SPD, SS2, SV1, SV2, VARI};
 use super::call::CycleCall;
 
 /// Metres in a foot: cutting speeds of inch programs.
@@ -33,6 +33,7 @@ impl CycleCall<'_, '_> {
     /// CYCLE92
     pub(super) fn cut_off(&mut self) -> Outcome {
         self.groove_conditions()?;
+        self.digits_of_are_known(VARI)?;
         let args = self.args;
         if args.or_zero(DIAGM) != 0.0 {
             return self.not_built(DIAGM, "a part catcher (`_DIAGM`)");
@@ -42,8 +43,8 @@ impl CycleCall<'_, '_> {
             let message = format!("the diameter `_SPD` (argument {}) is not above 0", args.place(SPD));
             return self.cycle_fault(args.span_of(SPD), 61019, &message, "give the diameter of the bar");
         }
-        self.turning_position(args.span)?;
         let tool = self.groove_tool(Towards::MinusX)?;
+        self.turning_position(args.span)?;
         let reduced = self.needed_length(DIAG1, "the diameter of the reduced feed")? / 2.0;
         let edge = match (self.length_of(args, RC).unwrap_or(0.0), args.digit(AMODE, 4)) {
             (0.0, _) => CutEdge::Sharp,

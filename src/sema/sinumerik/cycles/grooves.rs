@@ -28,6 +28,9 @@ const SPACING: f64 = 0.8;
 /// What the stored width of the top may differ from that of the shape, mm.
 const WIDTH_ROUNDED: f64 = 0.01;
 
+/// Corners in the order of the contour.
+const CORNERS: [Key; 4] = [RCO1, RCI1, RCI2, RCO2];
+
 /// How a call has the groove cut.
 struct Cut {
     left: Left,
@@ -82,10 +85,11 @@ impl CycleCall<'_, '_> {
             feed: self.cycle_feed()?,
             copies: Copies::ONE,
         };
+        self.send_groove(&shape, cut, [FAL1, FAL2])?;
         self.own_groove(
             "WIDG counts at the floor, DIAG square to the axis, plunges are at most 0.8 of the tool apart and start from the middle",
         );
-        self.send_groove(&shape, cut, [FAL1, FAL2], [RCO1, RCI1, RCI2, RCO2])
+        Ok(())
     }
 
     /// CYCLE930
@@ -94,6 +98,7 @@ impl CycleCall<'_, '_> {
         self.coded_930()?;
         let args = self.args;
         let side = self.groove_side(args.digit(VARI, 2))?;
+        self.digits_of_are_known(VARI)?;
         let reference = self.turned_reference()?;
         let at_floor = args.digit(VARI, 3) == 1;
         let depth = self.depth_930(side.into, reference, at_floor)?;
@@ -133,10 +138,11 @@ impl CycleCall<'_, '_> {
             feed: self.mill_feed(FF1)?,
             copies: self.copies()?,
         };
+        self.send_groove(&shape, cut, [FAL; 2])?;
         self.own_groove(
             "the digits of `_VARI` and `_AMODE` are read as in stored calls, plunges are at most 0.8 of the tool apart and start from the middle",
         );
-        self.send_groove(&shape, cut, [FAL; 2], [RCO1, RCI1, RCI2, RCO2])
+        Ok(())
     }
 
     /// What both cycles need around them.
@@ -399,11 +405,11 @@ impl CycleCall<'_, '_> {
         Ok(RecessTool { width, nose, edge })
     }
 
-    fn send_groove(&mut self, shape: &GrooveShape, cut: Cut, left: [Key; 2], corners: [Key; 4]) -> Outcome {
+    fn send_groove(&mut self, shape: &GrooveShape, cut: Cut, left: [Key; 2]) -> Outcome {
         let args = self.args;
         let into = shape.side.into;
-        self.turning_position(args.span)?;
         let tool = self.groove_tool(into)?;
+        self.turning_position(args.span)?;
         if cut.left.floor() >= shape.depth {
             let message = format!("the allowance on the floor `{}` is not less than the depth", args.written(left[0]));
             return self.cycle_fault(args.span_of(left[0]), 61010, &message, "give a smaller allowance");
@@ -411,7 +417,7 @@ impl CycleCall<'_, '_> {
         let contour = match shape.contour() {
             Ok(contour) => contour,
             Err(fault) => {
-                let key = corners[fault.0];
+                let key = CORNERS.get(fault.0).copied().unwrap_or(RCO1);
                 let (name, place) = (args.written(key), args.place(key));
                 let message = format!("the corner `{name}` (argument {place}) does not fit on flank and floor");
                 return self.cycle_fault(args.span_of(key), 61603, &message, "give smaller radii or chamfers");
@@ -459,10 +465,10 @@ impl CycleCall<'_, '_> {
         let message = format!(
             "{}: the tool of {width} mm leaves no room for the allowance on the flanks, which is reduced to {}",
             args.name(),
-            match less {
+            shown(match less {
                 Left::Square { flanks, .. } => flanks,
                 Left::Along { surface, .. } => surface,
-            }
+            })
         );
         if self.job.diags.first_text(codes::S8221, &message) {
             let found = Diagnostic::new(codes::S8221, self.loc(args.span_of(key)), message);
@@ -508,4 +514,9 @@ impl CycleCall<'_, '_> {
             self.report(found.help("docs/cycles.md describes the path; compare with what the machine does"));
         }
     }
+}
+
+/// A length with the decimals that matter.
+fn shown(mm: f64) -> f64 {
+    (mm * 1e4).round() / 1e4
 }

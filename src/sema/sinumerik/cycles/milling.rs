@@ -270,24 +270,6 @@ impl CycleCall<'_, '_> {
         Ok((around == Around::Inside) == (climb == usual))
     }
 
-    /// A note about a call that is worth one finding for all calls like it.
-    pub(super) fn says_once(&self, what: &str, help: &str) {
-        let args = self.args;
-        let message = format!("{}: {what}", args.name());
-        if self.job.diags.first_text(codes::S8230, &message) {
-            self.report(Diagnostic::new(codes::S8230, self.loc(args.span), message).help(help));
-        }
-    }
-
-    /// A reading of the manuals or a path of our own, once for each cycle.
-    pub(super) fn own_way(&self, what: &str) {
-        let message = format!("{}: {what}", self.args.name());
-        if self.job.diags.first_text(codes::S8231, &message) {
-            let found = Diagnostic::new(codes::S8231, self.loc(self.args.span), message);
-            self.report(found.help("docs/cycles.md describes the path; compare with what the machine does"));
-        }
-    }
-
     /// Refuses what makes no milling cycle.
     pub(super) fn mill_fault<T>(&self, names: &Names, fault: MillFault) -> Outcome<T> {
         let args = self.args;

@@ -89,7 +89,7 @@ impl Run<'_> {
         let cycle = find(name)?;
         match cycle.work {
             Work::Nothing => return None,
-            Work::Contour(_) | Work::Unpublished(_) if self.own_program(name) => return None,
+            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) if self.own_program(name) => return None,
             Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) => {}
         }
         let result =
@@ -157,7 +157,12 @@ impl Run<'_> {
                 let hole = self.cycle(args).hole(cycle)?;
                 self.drill(&hole)
             }
-            Work::Moves(run) => run(&mut self.cycle(args)),
+            Work::Moves(run) => {
+                let mut call = self.cycle(args);
+                run(&mut call)?;
+                call.say_remarks();
+                Ok(())
+            }
             Work::Contour(run) => run(self, args),
             Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
             Work::Nothing => Ok(()),

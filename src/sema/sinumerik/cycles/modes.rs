@@ -194,29 +194,31 @@ impl CycleCall<'_, '_> {
 
     /// Digits whose meaning is not known.
     pub(super) fn digits_are_known(&self) -> Outcome {
+        self.digits_of_are_known(GMODE)?;
+        self.digits_of_are_known(AMODE)
+    }
+
+    pub(super) fn digits_of_are_known(&self, key: Key) -> Outcome {
         let args = self.args;
-        for key in [GMODE, AMODE] {
-            let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
-                continue;
-            };
-            if let Some((places, way)) = digits.doubt
-                && places.iter().any(|place| args.digit(key, *place) == 1)
-            {
-                self.reading(key, way);
-            }
-            let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
-            let most = |place: u32| known(place).map_or(0, |digit| digit.most);
-            let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { continue };
-            let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
-                "" => {
-                    let (digit, name) = (args.digit(key, place), args.written(key));
-                    format!("the digit {digit} at place {} from the right of `{name}`", place + 1)
-                }
-                what => what.to_owned(),
-            };
-            return self.not_built(key, &what);
+        let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
+            return Ok(());
+        };
+        if let Some((places, way)) = digits.doubt
+            && places.iter().any(|place| args.digit(key, *place) == 1)
+        {
+            self.reading(key, way);
         }
-        Ok(())
+        let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
+        let most = |place: u32| known(place).map_or(0, |digit| digit.most);
+        let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { return Ok(()) };
+        let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
+            "" => {
+                let (digit, name) = (args.digit(key, place), args.written(key));
+                format!("the digit {digit} at place {} from the right of `{name}`", place + 1)
+            }
+            what => what.to_owned(),
+        };
+        self.not_built(key, &what)
     }
 
     /// Leaves the depth that the units of `_AMODE` choose.

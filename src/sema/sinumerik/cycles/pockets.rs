@@ -134,7 +134,12 @@ impl CycleCall<'_, '_> {
         let sweep = self.args.or_zero(AFSL);
         if sweep <= 0.0 || sweep >= 360.0 {
             let help = "give an angle above 0 and below 360 degrees";
-            return self.cycle_fault(self.args.span_of(AFSL), 61118, "the angle of the slot `AFSL` (argument 7)", help);
+            return self.cycle_fault(
+                self.args.span_of(AFSL),
+                61118,
+                "the angle of the slot `AFSL` (argument 7) is out of range",
+                help,
+            );
         }
         let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
         self.own_way("the angle of a slot is taken between the centres of its round ends");
@@ -220,7 +225,8 @@ impl CycleCall<'_, '_> {
             return self.not_built(VARI, "chamfering (units of `_VARI`)");
         }
         let more = self.args.number(VARI).and_then(whole).unwrap_or(0).unsigned_abs() / 10_000;
-        if !known.contains(&unit) || more > 0 || self.args.digit(VARI, 2) > 0 {
+        let other = self.args.digit(VARI, 2) > 0 || self.args.digit(VARI, 3) > 0 && self.args.place(CDIAM) == 0;
+        if !known.contains(&unit) || more > 0 || other {
             return self.no_such_machining("units 1 roughs, 2 finishes wall and floor, 3 the floor, 4 the wall");
         }
         Ok(match unit {
