@@ -1,4 +1,5 @@
-//! Stock models: what the moves of a cycle cut out of a blank, judged by a geometry of its own.
+//! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
 
+mod grooves;
 pub mod milling;
 mod pockets;
