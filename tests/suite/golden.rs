@@ -100,7 +100,7 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        cycle92 cycle93 cycle930 grooves_refused milling milling_alarms paths pocket_alarms pockets slots thread_milling;
+        cycle92 cycle93 cycle930 grooves_refused milling milling_alarms milling_parameters paths pocket_alarms pockets slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":

@@ -15,6 +15,7 @@ pub mod recess;
 pub mod roughing;
 pub mod spigot;
 pub mod thread;
+pub mod thread_milling;
 pub mod turning;
 pub mod undercut;
 
@@ -35,6 +36,7 @@ pub use recess::RecessTurning;
 pub use roughing::Roughing;
 pub use spigot::Spigot;
 pub use thread::Thread;
+pub use thread_milling::ThreadMilling;
 pub use undercut::UndercutCycle;
 
 /// What the resolved arguments of all cycles can say.
@@ -79,6 +81,7 @@ macro_rules! families {
             Facing(crate::ir::cycle::Facing),
             Spigot(crate::ir::cycle::Spigot),
             PathMilling(crate::ir::cycle::PathMilling),
+            ThreadMilling(crate::ir::cycle::ThreadMilling),
         }
     };
 }

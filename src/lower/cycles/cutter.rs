@@ -198,6 +198,7 @@ impl<'a> Cutter<'a> {
     /// To a point of the contour, or to a height, with the cutter on one side of the contour; the path of its centre follows
     /// from the rules.
     pub fn beside(&mut self, contour: &Beside, to: Option<Point2>, height: Option<f64>, way: Way) {
+        self.go_on();
         let end = to.map(|to| self.place.point(to));
         let path = match way {
             Way::Rapid => Path::Rapid,

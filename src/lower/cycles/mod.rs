@@ -21,6 +21,7 @@ mod simulate;
 pub mod slope;
 pub mod spigot;
 pub mod thread;
+pub mod thread_milling;
 pub mod track;
 pub mod undercut;
 pub mod valley;

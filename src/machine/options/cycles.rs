@@ -50,6 +50,13 @@ pub const KEYS: &[Key] = &[
     )
     .or(r#""refuse""#),
     key(
+        "thread_milling_digits",
+        Kind::Flag,
+        "SINUMERIK: read the tens (1 down, 2 up) and hundreds (1 left-hand) of `_VARI` of CYCLE70; refused if not",
+        |s, v| put(&mut s.cycles.thread_digits, flag(v)),
+    )
+    .or("false"),
+    key(
         "multi_edge_start",
         Kind::Choice(&["refuse", "edge", "corner"]),
         "SINUMERIK: what of the multi-edge of CYCLE79 lies on the first axis, turned by `_STA`: the middle of an edge, or a corner",
@@ -109,6 +116,8 @@ pub struct Cycles {
     pub spigot_size: Option<SpigotSize>,
     /// `None` refuses contours that are milled backwards on a side.
     pub backward_side: Option<BackwardSide>,
+    /// The digits for sense and hand of a milled thread are read.
+    pub thread_digits: bool,
     /// `None` refuses multi-edges.
     pub multi_edge_start: Option<MultiEdgeStart>,
 }
@@ -121,6 +130,7 @@ impl Default for Cycles {
             cutoff_reference: None,
             spigot_size: None,
             backward_side: None,
+            thread_digits: false,
             multi_edge_start: None,
         }
     }

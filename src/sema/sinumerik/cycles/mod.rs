@@ -19,6 +19,7 @@ mod pockets;
 mod spigots;
 mod table;
 mod thread;
+mod thread_milling;
 mod undercut;
 mod undercut_call;
 

@@ -6,7 +6,6 @@ use crate::diag::codes;
 use crate::geo::Element;
 use crate::geo::soft::Shape;
 use crate::ir::captured::Captured;
-use crate::ir::cycle::milling::Mill;
 use crate::ir::cycle::path_milling::{Between, Lift, PathFault, Way};
 use crate::ir::cycle::{Cycle, Family, PathMilling};
 use crate::ir::{Compensation, Side};
@@ -28,20 +27,23 @@ impl Run<'_> {
         if self.st.codes.per_revolution() {
             self.master_is_main(args.span, "a feed per revolution")?;
         }
-        let mill = self.cycle(args).mill(&CLASSIC)?;
-        if mill.plane != self.st.plane() {
-            let help = "select the plane in front of the cycle: G17, G18 or G19";
-            let what = "`_DMODE` names another plane than the one of the contour";
-            return self.cycle(args).cycle_fault(args.span, 61101, what, help);
-        }
         let contour = self.contour_to_mill(args)?;
-        self.cycle(args).mill_along(mill, &contour)
+        let mut call = self.cycle(args);
+        call.mill_along(&contour)?;
+        call.say_remarks();
+        Ok(())
     }
 }
 
 impl CycleCall<'_, '_> {
-    fn mill_along(&mut self, mill: Mill, contour: &Captured) -> Outcome {
+    fn mill_along(&mut self, contour: &Captured) -> Outcome {
         let args = self.args;
+        let mill = self.mill(&CLASSIC)?;
+        if mill.plane != self.st.plane() {
+            let help = "select the plane in front of the cycle: G17, G18 or G19";
+            let what = "`_DMODE` names another plane than the one of the contour";
+            return self.cycle_fault(args.span, 61101, what, help);
+        }
         let coded = args.number(VARI).and_then(whole).unwrap_or(0);
         let digit = |place: u32| args.digit(VARI, place);
         if digit(0) == 5 {
