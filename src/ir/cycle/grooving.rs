@@ -35,10 +35,12 @@ pub struct Grooving {
     pub copies: Copies,
 }
 
-/// What roughing leaves: it cuts the groove with its walls moved together and its floor raised. A wall that leans may
-/// be moved outwards, because raising the floor moves it, too.
+/// What roughing leaves: `around` everywhere; in addition the walls are moved together and all of it is raised. A wall that
+/// leans may be moved outwards, because raising the floor moves it, too.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GrooveAllowance {
+    /// Square to the contour, not negative.
+    pub around: f64,
     /// How far the first wall and the last one of the contour move towards each other along the surface.
     pub walls: [f64; 2],
     /// How far all of it rises; not negative.
@@ -143,7 +145,8 @@ impl Family for Grooving {
             (is_length(tool.nose) && tool.nose <= tool.width / 2.0, GrooveFault::Nose),
             (is_coordinate(tool.edge), GrooveFault::Edge),
             (self.rims().iter().all(|rim| (rim - self.surface).abs() <= ON_SURFACE), GrooveFault::Surface),
-            (is_coordinate(first) && is_coordinate(last) && is_length(self.allowance.depth), GrooveFault::Allowance),
+            (is_coordinate(first) && is_coordinate(last), GrooveFault::Allowance),
+            (is_length(self.allowance.depth) && is_length(self.allowance.around), GrooveFault::Allowance),
             (is_positive(self.spacing) && self.spacing <= tool.width, GrooveFault::Spacing),
             (self.plunges.is_possible(), GrooveFault::Plunges),
             (is_length(self.dwell), GrooveFault::Dwell),
@@ -218,7 +221,7 @@ pub(crate) mod tests {
             into: Towards::MinusX,
             tool: RecessTool { width: 4.0, nose: 0.2, edge: 0.0 },
             surface: 20.0,
-            allowance: GrooveAllowance { walls: [0.1; 2], depth: 0.1 },
+            allowance: GrooveAllowance { around: 0.1, ..GrooveAllowance::default() },
             spacing: 3.2,
             plunges: Plunges::Steps { most: 2.0, retract: 1.0 },
             dwell: 0.0,
@@ -244,6 +247,7 @@ pub(crate) mod tests {
             (GrooveFault::Edge, |g| g.tool.edge = f64::NAN),
             (GrooveFault::Surface, |g| g.surface = 20.1),
             (GrooveFault::Allowance, |g| g.allowance.depth = -0.1),
+            (GrooveFault::Allowance, |g| g.allowance.around = -0.1),
             (GrooveFault::Allowance, |g| g.allowance.walls[1] = f64::NAN),
             (GrooveFault::Spacing, |g| g.spacing = 4.1),
             (GrooveFault::Plunges, |g| g.plunges = Plunges::Steps { most: 0.0, retract: 1.0 }),

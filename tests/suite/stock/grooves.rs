@@ -341,6 +341,20 @@ impl Shape {
         to_line(&self.walls[0], [a, p[1]]).min(to_line(&self.walls[1], [b, p[1]]))
     }
 
+    /// Highest place over `x` of a disc of radius `around` that rolls on it.
+    fn rolled(&self, x: f64, around: f64) -> f64 {
+        if around == 0.0 {
+            return self.height(x);
+        }
+        let over = |line: &[P], x: f64| {
+            let pairs = line.windows(2).filter(|pair| pair[0][0] - around <= x && x <= pair[1][0] + around);
+            let low = |p: P| [p[0], -p[1]];
+            pairs.map(|pair| -disc(low(pair[0]), low(pair[1]), around, x)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let [a, b] = self.seen(x);
+        over(&self.walls[0], a).max(over(&self.walls[1], b))
+    }
+
     /// The same with its walls moved towards each other and up.
     fn moved(&self, walls: [f64; 2], up: f64) -> Shape {
         let line = |at: usize| self.walls[at].iter().map(|p| [p[0] + walls[at], p[1] + up]).collect();
@@ -475,14 +489,13 @@ impl Judge<'_> {
     /// A stroke straight down: as deep as the whole edge may go, or, in steps, not deeper.
     fn eroded(&self, to: P, whole: bool) -> Result<(), String> {
         let (a, b) = (to[0], to[0] + self.tool.width);
-        let mut most = self.rough.height(a + SIDE).max(self.rough.height(b - SIDE));
-        let mut x = a + 0.01;
-        while x < b - SIDE {
-            most = most.max(self.rough.height(x));
-            x += 0.01;
+        let height = |x: f64| self.rough.rolled(x, self.left);
+        let mut most = height(a + SIDE).max(height(b - SIDE));
+        for i in 1..40 {
+            most = most.max(height(a + self.tool.width * f64::from(i) / 40.0));
         }
         // On steep walls a little along is much in depth.
-        let beside = [a - 2.0 * SIDE, b + 2.0 * SIDE].map(|x| self.rough.height(x)).into_iter().fold(most, f64::max);
+        let beside = [a - 2.0 * SIDE, b + 2.0 * SIDE].map(height).into_iter().fold(most, f64::max).min(0.0);
         if to[1] < most - CHORD || (whole && to[1] > beside + CHORD) {
             return Err(format!("plunge at {} to {}: erosion says {most} to {beside}", to[0], to[1]));
         }
@@ -588,14 +601,16 @@ fn judge(case: &Case, twice: bool) -> Result<bool, String> {
     let shape = Shape::of(case);
     let flanks = case.left_on_flanks();
     let walls = case.walls().map(|wall| (flanks - case.floor * wall.sin) / wall.cos);
-    let rough = shape.moved(walls, case.floor);
+    let around = case.floor.min(flanks);
+    let further = case.walls().map(|wall| (flanks - around - (case.floor - around) * wall.sin) / wall.cos);
+    let rough = shape.moved(further, case.floor - around);
     let (left, top) = (shape.left - 2.0, shape.top);
     let step = (top / 400.0).max(0.01);
     let tool = Tool { width: case.tool, nose: case.nose };
     let stock = Stock { left, step, heights: vec![0.0; ((top + 4.0) / step) as usize] };
     let at = steps.first().and_then(|(_, points, _)| points.last()).copied().ok_or("no move")?;
     let one = case.copies == 1;
-    let mut judge = Judge { case, shape, rough, tool, stock, at, left: case.floor.min(flanks), finishing: !one };
+    let mut judge = Judge { case, shape, rough, tool, stock, at, left: around, finishing: !one };
     // The last two are the halves of finishing.
     let blocks = blocks(&steps);
     let halves = blocks.len().checked_sub(2).and_then(|at| blocks.get(at)).ok_or("no finishing")?.0;

@@ -12,7 +12,7 @@
 //! up through what its own stroke has opened.
 
 use crate::diag::codes;
-use crate::geo::{Element, Point2, Vec2};
+use crate::geo::{Element, Point2};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::grooving::{Grooving, Plunges};
 use crate::ir::cycle::recess::Operation;
@@ -20,7 +20,7 @@ use crate::ir::cycle::recess::Operation;
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{Above, NoValley, Slot, Valley, seen};
+use super::valley::{Above, NoValley, Oversize, Slot, Valley, seen};
 use super::{CycleItem, Expand, Start};
 
 /// Most plunges of a groove, and most steps of a plunge.
@@ -91,13 +91,14 @@ impl<'g> Groove<'g> {
         }
         let valley = Valley::new(&contour).map_err(no_groove)?;
         let tool = &grooving.tool;
-        let left = walls.map(|wall| Vec2::new(wall, allowance.depth));
-        let slot = |nose: f64, left: [Vec2; 2]| valley.slot(tool.width, nose, left, Above::Nothing);
+        let left = Oversize { around: allowance.around, along: walls, up: allowance.depth };
+        let slot = |nose: f64, left: Oversize| valley.slot(tool.width, nose, left, Above::Nothing);
         let rough = slot(tool.nose, left);
         // The square edge stays clear of all that the rounded one stays clear of. Only where the foot of a wall is round
         // do the corners have to reach under it.
         let plunged = slot(0.0, left).or_else(|| rough.clone());
-        let (Some(rough), Some(plunged), Some(finished)) = (rough, plunged, slot(tool.nose, [Vec2::zeros(); 2])) else {
+        let (Some(rough), Some(plunged), Some(finished)) = (rough, plunged, slot(tool.nose, Oversize::default()))
+        else {
             let message = format!(
                 "the tool of {} mm width does not reach the floor of the groove between its walls and their allowance",
                 tool.width
@@ -241,7 +242,7 @@ impl<'g> Groove<'g> {
         let (begin, end) = Self::floor_of(&self.finished);
         let (middle, nose) = ((begin + end) / 2.0, self.grooving.tool.nose);
         // Not so far that the stock on the second wall stands above the tool when it goes out.
-        let first = (middle + nose).min(self.plunged.end(self.plunged.floor)).max(begin);
+        let first = (middle + nose).min(self.plunged.end(self.plunged.floor)).min(end).max(begin);
         let second = (middle - nose).min(first).max(begin);
         let halves =
             [(self.finished.down_first(cutter.clear), first), (self.finished.down_second(cutter.clear), second)];

@@ -86,15 +86,10 @@ fn leaning() -> Grooving {
     let left = -40.0 - 6.0 * tan(15.0);
     let contour =
         lines(&[(-30.0, 60.0), (-30.0 - 6.0 * tan(15.0), 48.0), (left, 48.0), (left - 6.0 * tan(20.0), 60.0)]);
-    let wall = |degrees: f64| {
-        let (sin, cos) = libm::sincos(degrees.to_radians());
-        0.1 * (1.0 - sin) / cos
-    };
     Grooving {
         contour,
         tool: RecessTool { width: 3.0, nose: 0.0, edge: 0.0 },
         surface: 30.0,
-        allowance: GrooveAllowance { walls: [wall(15.0), wall(20.0)], depth: 0.1 },
         spacing: 2.4,
         plunges: Plunges::Whole,
         operation: Operation::Rough,
@@ -105,8 +100,8 @@ fn leaning() -> Grooving {
 #[test]
 fn leaning_walls_are_plunged_in_steps_and_cleaned() {
     let expected = [
-        "G0 Z-36.9688",
         "G0 X62",
+        "G0 Z-36.9688",
         "G1 X48.2",
         "G0 X62",
         "G0 Z-39.2533",
@@ -127,8 +122,8 @@ fn leaning_walls_are_plunged_in_steps_and_cleaned() {
     ];
     let words = words(&leaning());
     assert_eq!(words[..expected.len()], expected);
-    // Down the left wall from its rim, which the allowance raises by 0.1; then the right one.
-    let cleaning = ["G0 Z-43.7215", "G1 X60.2", "G1 X48.2 Z-41.5377", "G0 X62", "G0 Z-33.0767", "G1 X60.2"];
+    // Down the left wall from its rim, 0.1 beside it; then the right one.
+    let cleaning = ["G0 Z-43.6975", "G1 X60.0684", "G1 X48.2 Z-41.5377", "G0 X62", "G0 Z-33.0966", "G1 X60.0518"];
     assert_eq!(words[expected.len()..expected.len() + cleaning.len()], cleaning);
     assert_eq!(words.last().unwrap(), "G0 Z-33");
 }
@@ -168,7 +163,7 @@ fn plunges_in_turns_reach_the_floor_together() {
     // A single plunge has no neighbour.
     let single = Grooving {
         contour: lines(&[(-10.0, 40.0), (-10.0, 28.0), (-14.0, 28.0), (-14.0, 40.0)]),
-        allowance: GrooveAllowance { walls: [0.0; 2], depth: 0.1 },
+        allowance: GrooveAllowance { depth: 0.1, ..GrooveAllowance::default() },
         ..grooving
     };
     let expected =

@@ -18,7 +18,7 @@ use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{Above, NoValley, Slot, Valley, seen};
+use super::valley::{Above, NoValley, Oversize, Slot, Valley, seen};
 use super::{CycleItem, Expand, Start};
 
 /// Most levels of one groove.
@@ -96,7 +96,10 @@ impl<'r> Groove<'r> {
 
         let tool = &recess.tool;
         let oversize = if recess.into.is_radial() { recess.oversize } else { recess.oversize.yx() };
-        let slot = |oversize| valley.slot(tool.width, tool.nose, [oversize; 2], Above::Material);
+        let slot = |left: Vec2| {
+            let left = Oversize { along: [left.x; 2], up: left.y, around: 0.0 };
+            valley.slot(tool.width, tool.nose, left, Above::Material)
+        };
         let (Some(rough), Some(finished)) = (slot(oversize), slot(Vec2::zeros())) else {
             let message = format!(
                 "the tool of {} mm width does not reach the floor of the recess between its walls and their oversize",

@@ -157,22 +157,29 @@ impl GrooveShape {
     /// How far the walls move together, and the floor up, for what is left on the groove.
     pub fn allowance(&self, left: Left) -> GrooveAllowance {
         match left {
-            // Moved by (along, up) a flank comes out by `along cos + up sin`.
-            Left::Square { floor, flanks } => GrooveAllowance {
-                walls: self.flanks.map(|angle| {
+            // The smaller one everywhere. Moved by (along, up) a flank comes out by `along cos + up sin`.
+            Left::Square { floor, flanks } => {
+                let around = floor.min(flanks);
+                let (floor, flanks) = (floor - around, flanks - around);
+                let walls = self.flanks.map(|angle| {
                     let (sin, cos) = angle.sin_cos();
                     (flanks - floor * sin) / cos
-                }),
-                depth: floor,
-            },
-            Left::Along { surface, depth } => GrooveAllowance { walls: [surface; 2], depth },
+                });
+                GrooveAllowance { around, walls, depth: floor }
+            }
+            Left::Along { surface, depth } => GrooveAllowance { around: 0.0, walls: [surface; 2], depth },
         }
     }
 
     /// Less on the flanks, so that a tool of `width` reaches the floor; `None` where nothing has to change.
     pub fn left_for(&self, left: Left, width: f64) -> Option<Left> {
-        let [first, second] = self.allowance(left).walls;
-        let missing = width - (self.floor_width - first - second);
+        let taken: f64 = match left {
+            Left::Square { floor, flanks } => {
+                self.flanks.iter().map(|angle| angle.sin_cos()).map(|(sin, cos)| (flanks - floor * sin) / cos).sum()
+            }
+            Left::Along { surface, .. } => 2.0 * surface,
+        };
+        let missing = width - (self.floor_width - taken);
         if missing <= TOO_WIDE {
             return None;
         }
@@ -286,15 +293,17 @@ mod tests {
         // Exactly as large as the flank.
         let full =
             GrooveShape { outer: [Some(Size::Radius(4.0)), None], inner: [Some(Size::Radius(2.0)), None], ..plain };
-        assert_eq!(full.contour().expect("a groove").len(), 5);
+        assert_eq!(full.contour().expect("a groove").len(), 4);
     }
 
     #[test]
     fn allowances() {
         let shape = shape();
         let made = shape.allowance(Left::Square { floor: 0.1, flanks: 0.1 });
-        // The floor from Z-31.6844 to Z-41.5377.
-        assert!((made.walls[0] - 0.0767).abs() < 1e-4 && (made.walls[1] - 0.07).abs() < 1e-4, "{made:?}");
+        assert_eq!(made, GrooveAllowance { around: 0.1, walls: [0.0; 2], depth: 0.0 });
+        // Raised by 0.1 more, the right flank of 15 degrees slides outwards.
+        let made = shape.allowance(Left::Square { floor: 0.2, flanks: 0.1 });
+        assert!((made.walls[0] + 0.1 * 15f64.to_radians().tan()).abs() < 1e-12, "{made:?}");
         assert_eq!(shape.left_for(Left::Square { floor: 0.1, flanks: 0.1 }, 3.0), None);
         let plain = GrooveShape { flanks: [Deg(0.0); 2], ..shape };
         let less = plain.left_for(Left::Square { floor: 0.1, flanks: 0.2 }, 9.8);

@@ -4,14 +4,14 @@
 
 use crate::diag::codes;
 use crate::geo::Deg;
-use crate::ir::cycle::milling::{Mill, Place, parts};
+use crate::ir::cycle::milling::{Place, parts};
 use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault};
 use crate::ir::cycle::{Cycle, Family, ThreadMilling};
 
 use super::super::Outcome;
 use super::super::value::whole;
 use super::arguments::{
-    CDIR, CPA, CPO, DIATH, FAL, FALD, FFD, FFR, H1, KDIAM, Key, MID, NSP, NT, PA, PO, RFP, RTP, SDIS, TYPTH, VARI,
+    CPA, CPO, DIATH, FAL, FALD, FFD, FFR, H1, KDIAM, Key, MID, NSP, NT, PA, PO, RFP, RTP, SDIS, TYPTH, VARI,
 };
 use super::call::CycleCall;
 use super::milling::{Around, Names};
