@@ -13,6 +13,7 @@ pub mod milling;
 pub mod path_milling;
 pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 pub mod spigot;
 pub mod thread;
@@ -35,6 +36,7 @@ pub use long_hole::LongHole;
 pub use path_milling::PathMilling;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
+pub use region::Region;
 pub use roughing::Roughing;
 pub use spigot::Spigot;
 pub use thread::Thread;
@@ -81,6 +83,7 @@ macro_rules! families {
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
+            Region(crate::ir::cycle::Region),
             Facing(crate::ir::cycle::Facing),
             Spigot(crate::ir::cycle::Spigot),
             PathMilling(crate::ir::cycle::PathMilling),

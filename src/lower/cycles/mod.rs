@@ -16,6 +16,7 @@ pub mod long_hole;
 pub mod path_milling;
 pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 #[cfg(test)]
 mod simulate;
