@@ -15,6 +15,7 @@ pub mod offset;
 pub mod open;
 pub mod pattern;
 pub mod plane;
+pub mod profile;
 pub mod undercut;
 pub mod wall;
 

@@ -9,6 +9,7 @@ mod geometry;
 mod grooves;
 mod klartext;
 mod klartext_readings;
+mod layers;
 mod milling;
 mod mtc200;
 mod output;
@@ -24,6 +25,7 @@ pub use geometry::*;
 pub use grooves::*;
 pub use klartext::*;
 pub use klartext_readings::*;
+pub use layers::*;
 pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
@@ -110,6 +112,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
+        layers::LAYERS,
         turning::TURNING,
         milling::MILLING,
         mtc200::MTC200,

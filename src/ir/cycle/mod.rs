@@ -7,6 +7,7 @@ pub mod drilling;
 pub mod facing;
 pub mod finishing;
 pub mod grooving;
+pub mod layers;
 pub mod long_hole;
 pub mod milling;
 pub mod pocket;
@@ -27,6 +28,7 @@ pub use drilling::Drilling;
 pub use facing::Facing;
 pub use finishing::Finishing;
 pub use grooving::Grooving;
+pub use layers::Layers;
 pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
@@ -68,6 +70,7 @@ macro_rules! families {
             Grooving(crate::ir::cycle::Grooving),
             CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
+            Layers(crate::ir::cycle::Layers),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),

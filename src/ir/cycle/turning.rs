@@ -34,6 +34,11 @@ impl Towards {
         matches!(self, Towards::MinusX | Towards::PlusX)
     }
 
+    /// Outwards, in a bore.
+    pub fn is_inside(self) -> bool {
+        self == Towards::PlusX
+    }
+
     /// The infeed axis and the cutting axis.
     pub fn axes(self) -> (Axis, Axis) {
         if self.is_radial() { (Axis::X, Axis::Z) } else { (Axis::Z, Axis::X) }

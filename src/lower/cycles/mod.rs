@@ -11,6 +11,7 @@ pub mod finishing;
 mod groove_cutter;
 pub mod grooving;
 pub mod infeed;
+pub mod layers;
 pub mod long_hole;
 pub mod pocket;
 pub mod recess;

@@ -30,6 +30,54 @@ pub const KEYS: &[Key] = &[
     )
     .or_warn(r#""workpiece""#),
     key(
+        "cycle95_rough",
+        Kind::Choice(&["compensated", "tip"]),
+        "SINUMERIK: how CYCLE95 roughs: with the nose radius, or by the programmed tip; default: compensated, tip on an 802D",
+        |s, v| put(&mut s.cycles.layers.rough_by_tip, Some(is(v, "tip"))),
+    ),
+    key(
+        "cut_segmentation",
+        Kind::Choice(&["uniform", "edge"]),
+        "SINUMERIK: where CYCLE952 puts its cuts: at equal distances, or at the edges of the contour",
+        |s, v| put(&mut s.cycles.layers.cuts_at_edges, is(v, "edge")),
+    )
+    .or(r#""uniform""#),
+    key(
+        "release_distance",
+        Kind::Number,
+        "SINUMERIK: lift of CYCLE95 without `_VRT` and of CYCLE952, in mm (SD 55581)",
+        |s, v| put(&mut s.cycles.layers.release, above_zero(v)?),
+    )
+    .or("1.0"),
+    key(
+        "rough_release_outside",
+        Kind::Number,
+        "SINUMERIK: lift of CYCLE951 outside, in mm; -1: its safety distance (SD 55505)",
+        |s, v| put(&mut s.cycles.layers.release_outside, release(v)?),
+    )
+    .or("1.0"),
+    key(
+        "rough_release_inside",
+        Kind::Number,
+        "SINUMERIK: lift of CYCLE951 inside, in mm; -1: its safety distance (SD 55506)",
+        |s, v| put(&mut s.cycles.layers.release_inside, release(v)?),
+    )
+    .or("0.5"),
+    key(
+        "blank_offset",
+        Kind::Number,
+        "SINUMERIK: how far in front of the blank rapid traverse becomes feed in CYCLE952, in mm (SD 55584)",
+        |s, v| put(&mut s.cycles.layers.blank_offset, above_zero(v)?),
+    )
+    .or("1.0"),
+    key(
+        "finish_feed_percent",
+        Kind::Number,
+        "SINUMERIK: feed of finishing in CYCLE951, in percent of its feed (SD 55500)",
+        |s, v| put(&mut s.cycles.layers.finish_feed_percent, above_zero(v)?),
+    )
+    .or("100.0"),
+    key(
         "spigot_size",
         Kind::Choice(&["refuse", "diameter", "radius"]),
         "SINUMERIK: the sixth argument of CYCLE77 in the old form of 16 arguments",
@@ -50,6 +98,49 @@ pub const KEYS: &[Key] = &[
     )
     .or(r#""refuse""#),
 ];
+
+fn above_zero(node: &Node) -> Result<f64, ConfigError> {
+    number(node).filter(|v| *v > 0.0).ok_or_else(|| node.fail("is above 0"))
+}
+
+/// A lift; -1 stands for the safety distance of the call.
+fn release(node: &Node) -> Result<Option<f64>, ConfigError> {
+    match number(node) {
+        Some(-1.0) => Ok(None),
+        Some(v) if v > 0.0 => Ok(Some(v)),
+        _ => Err(node.fail("is above 0, or -1")),
+    }
+}
+
+/// Stock removal in layers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayerCycles {
+    /// CYCLE95 roughs by the programmed tip; `None` as the model of the control does.
+    pub rough_by_tip: Option<bool>,
+    pub cuts_at_edges: bool,
+    /// Lift in mm (SD 55581).
+    pub release: f64,
+    /// Lift of CYCLE951; `None` for its safety distance (SD 55505, 55506).
+    pub release_outside: Option<f64>,
+    pub release_inside: Option<f64>,
+    /// In front of the blank (SD 55584).
+    pub blank_offset: f64,
+    pub finish_feed_percent: f64,
+}
+
+impl Default for LayerCycles {
+    fn default() -> LayerCycles {
+        LayerCycles {
+            rough_by_tip: None,
+            cuts_at_edges: false,
+            release: 1.0,
+            release_outside: Some(1.0),
+            release_inside: Some(0.5),
+            blank_offset: 1.0,
+            finish_feed_percent: 100.0,
+        }
+    }
+}
 
 fn not_below_zero(node: &Node) -> Result<f64, ConfigError> {
     number(node).filter(|v| *v >= 0.0).ok_or_else(|| node.fail("is not below 0"))
@@ -88,6 +179,7 @@ pub struct Cycles {
     pub groove_dwell_revolutions: f64,
     /// `None`: nobody said, so the corner on the side of the workpiece is taken, and a program that depends on it is told so.
     pub cutoff_reference: Option<CutOffReference>,
+    pub layers: LayerCycles,
     /// `None` refuses the old form.
     pub spigot_size: Option<SpigotSize>,
     /// `None` refuses multi-edges.
@@ -102,6 +194,7 @@ impl Default for Cycles {
             cutoff_reference: None,
             spigot_size: None,
             multi_edge_start: None,
+            layers: LayerCycles::default(),
         }
     }
 }

@@ -334,7 +334,7 @@ impl Core<'_> {
 
 /// Way from the tip to the centre of a nose of radius 1 along Z and X, by the position of the edge: seen with Z to the
 /// right and X up.
-fn nose_of(position: f64) -> Option<Vec2> {
+pub(super) fn nose_of(position: f64) -> Option<Vec2> {
     let (z, x) = match position as i64 {
         _ if position.fract() != 0.0 => return None,
         1 => (-1.0, -1.0),

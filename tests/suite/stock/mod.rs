@@ -3,3 +3,5 @@
 mod grooves;
 pub mod milling;
 mod pockets;
+mod layers;
+mod turning;

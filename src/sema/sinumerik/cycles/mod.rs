@@ -6,11 +6,14 @@ mod alarms;
 mod arguments;
 mod call;
 mod called_contours;
+mod contour_removal;
+mod corner_removal;
 mod cut_off;
 mod drilling;
 mod faces;
 mod groove_shape;
 mod grooves;
+mod layers;
 mod milling;
 mod modes;
 mod pattern;
@@ -88,8 +91,8 @@ impl Run<'_> {
         let cycle = find(name)?;
         match cycle.work {
             Work::Nothing => return None,
-            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) if self.own_program(name) => return None,
-            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) => {}
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) if self.own_program(name) => return None,
+            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) => {}
         }
         let result =
             self.cycle_arguments(cycle, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
@@ -162,7 +165,7 @@ impl Run<'_> {
                 call.say_remarks();
                 Ok(())
             }
-            Work::Contour(run) => run(self, args),
+            Work::Contour(run) | Work::Along(run) => run(self, args),
             Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
             Work::Nothing => Ok(()),
         }
@@ -258,7 +261,7 @@ impl Channel<'_> {
         let here = std::mem::replace(&mut self.here, modal.here);
         let made = match &modal.args.cycle.work {
             Work::Hole(drilling) => self.cycle(&modal.args).hole(drilling),
-            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
         };
         self.here = here;
         let hole = made?;

@@ -3,6 +3,7 @@
 mod contours;
 mod drilling;
 mod grooves;
+mod layers;
 mod milled;
 mod milling;
 mod named;
@@ -16,7 +17,7 @@ use crate::ir::cycle::drilling::{Levels, Method};
 use crate::sema::cycle_table::{Signature, Status};
 
 use super::super::{Outcome, Run};
-use super::arguments::{Arguments, Key};
+use super::arguments::Arguments;
 use super::call::CycleCall;
 
 /// A cycle: what a call gives, and what is done with it.
@@ -35,6 +36,8 @@ pub(in super::super) enum Work {
     Moves(fn(&mut CycleCall<'_, '_>) -> Outcome),
     /// Takes or names contours, all of which are read; a cycle of this name that is a program of the user goes before it.
     Contour(fn(&mut Run<'_>, &Arguments) -> Outcome),
+    /// Takes contours and makes moves along them.
+    Along(fn(&mut Run<'_>, &Arguments) -> Outcome),
     /// Takes contours, and is refused with what was read, because its tracks are not published.
     Unpublished(Unpublished),
     /// Refused by its name.
@@ -58,7 +61,6 @@ pub(in super::super) struct Unpublished {
     pub contour: Source,
     /// A turning cycle: in G18.
     pub turned: bool,
-    pub variant: Option<Variant>,
     /// What helps beside the general advice.
     pub advice: Option<fn(&Arguments) -> Option<String>>,
 }
@@ -76,15 +78,6 @@ pub(in super::super) enum Source {
     Milled,
 }
 
-/// The kinds of machining that `VARI` knows.
-#[derive(Debug)]
-pub(in super::super) struct Variant {
-    pub fits: fn(&Arguments) -> bool,
-    pub help: &'static str,
-    /// The greatest infeed, where this kind needs one.
-    pub infeed: fn(&Arguments) -> Option<Key>,
-}
-
 impl Work {
     /// Are its arguments checked by their rules alone?
     pub fn is_read_only(&self) -> bool {
@@ -94,7 +87,7 @@ impl Work {
 
 impl Cycle {
     pub fn is_built(&self) -> bool {
-        matches!(self.work, Work::Hole(_) | Work::Moves(_))
+        matches!(self.work, Work::Hole(_) | Work::Moves(_) | Work::Along(_))
     }
 }
 
@@ -105,6 +98,7 @@ const FAMILIES: &[&[Cycle]] = &[
     undercuts::ROWS,
     contours::ROWS,
     pockets::ROWS,
+    layers::ROWS,
     milling::ROWS,
     grooves::ROWS,
     named::ROWS,
