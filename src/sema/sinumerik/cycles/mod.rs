@@ -91,7 +91,9 @@ impl Run<'_> {
         let cycle = find(name)?;
         match cycle.work {
             Work::Nothing => return None,
-            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) if self.own_program(name) => return None,
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) if self.own_program(name) => {
+                return None;
+            }
             Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) => {}
         }
         let result =
