@@ -12,6 +12,7 @@ pub mod long_hole;
 pub mod milling;
 pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 pub mod spigot;
 pub mod thread;
@@ -32,6 +33,7 @@ pub use layers::Layers;
 pub use long_hole::LongHole;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
+pub use region::Region;
 pub use roughing::Roughing;
 pub use spigot::Spigot;
 pub use thread::Thread;
@@ -77,6 +79,7 @@ macro_rules! families {
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
+            Region(crate::ir::cycle::Region),
             Facing(crate::ir::cycle::Facing),
             Spigot(crate::ir::cycle::Spigot),
         }

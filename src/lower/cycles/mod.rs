@@ -15,6 +15,7 @@ pub mod layers;
 pub mod long_hole;
 pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 #[cfg(test)]
 mod simulate;

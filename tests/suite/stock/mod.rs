@@ -4,4 +4,5 @@ mod grooves;
 mod layers;
 pub mod milling;
 mod pockets;
+mod regions;
 mod turning;

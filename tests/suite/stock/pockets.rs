@@ -8,9 +8,9 @@ use super::super::damage::Dice;
 use super::milling::{Cut, EXACT, Stock, track};
 
 /// Feeds by which the cuts are told apart.
-const ROUGH: f64 = 1000.0;
-const PLUNGE: f64 = 200.0;
-const FINISH: f64 = 500.0;
+pub const ROUGH: f64 = 1000.0;
+pub const PLUNGE: f64 = 200.0;
+pub const FINISH: f64 = 500.0;
 
 /// A finished outline about its own origin.
 #[derive(Debug, Clone, Copy)]
@@ -168,7 +168,7 @@ impl Case {
 }
 
 /// Which moves belong to finishing: those on the way down by what follows them.
-fn finishing(cuts: &[Cut]) -> Vec<bool> {
+pub fn finishing(cuts: &[Cut]) -> Vec<bool> {
     let mut finishing = false;
     let mut made: Vec<bool> = cuts
         .iter()
@@ -188,7 +188,7 @@ fn finishing(cuts: &[Cut]) -> Vec<bool> {
 }
 
 /// A number with three decimals between two bounds.
-fn number(dice: &mut Dice, low: f64, high: f64) -> f64 {
+pub fn number(dice: &mut Dice, low: f64, high: f64) -> f64 {
     let steps = ((high - low) * 1000.0).max(1.0) as usize;
     ((low * 1000.0).round() + dice.roll(steps) as f64) / 1000.0
 }

@@ -6,6 +6,7 @@ mod alarms;
 mod arguments;
 mod call;
 mod called_contours;
+mod contour_pocket;
 mod contour_removal;
 mod corner_removal;
 mod cut_off;
@@ -291,6 +292,7 @@ impl Channel<'_> {
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();
         self.core.send_cycle(&cycle, &self.st.ctx);
+        self.st.position.forget(self.st.position.at().known().without(end.known()));
         self.st.position.move_to(&end);
         if let Some(after) = cycle.spindle_after() {
             self.st.spindles.set_turn(match after {

@@ -1,6 +1,6 @@
 //! Cycles that work along a contour, or take off a shape of their own: read and checked, their tracks are not published.
 
-use crate::sema::cycle_table::{Parameter, Rule, Signature, Status, angle, feed, length, number, words};
+use crate::sema::cycle_table::{Parameter, Rule, Signature, Status, feed, length, number, words};
 
 use super::{Cycle, Source, Unpublished, Work};
 
@@ -30,43 +30,6 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Contour(|run, args| run.contour_call(args)),
-    },
-    Cycle {
-        signature: Signature {
-            name: "CYCLE63",
-            what: "contour pocket or spigot",
-            status: UNPUBLISHED,
-            source: "stored calls of SINUMERIK 840D sl",
-            parameters: &[
-                words("_PRG", "program that is made"),
-                number("_VARI", "machining"),
-                length("_RP", "retraction plane"),
-                length("_Z0", "reference plane"),
-                length("_SC", "safety distance").unsigned(),
-                length("_Z1", "depth"),
-                feed("_F", "feed in the plane").rule(FEED),
-                feed("_FZ", "feed in depth").rule(FEED),
-                length("_DXY", "infeed in the plane").unsigned(),
-                length("_MID", "infeed in depth").unsigned(),
-                length("_UXY", "allowance on the wall").unsigned(),
-                length("_UZ", "allowance on the floor").unsigned(),
-                number("_CDIR", "climb or conventional"),
-                length("_XS", "start point"),
-                length("_YS", "start point"),
-                length("_ER", "radius of the helix"),
-                length("_EP", "pitch of the helix"),
-                angle("_EW", "angle of plunging"),
-                length("_FS", "chamfer").unsigned(),
-                length("_ZFS", "depth of the chamfer"),
-                words("_TR", "reference tool"),
-                number("_DR", "its edge"),
-                UMODE,
-                GMODE,
-                DMODE,
-                AMODE,
-            ],
-        },
-        work: Work::Unpublished(Unpublished { contour: Source::Milled, turned: false, advice: None }),
     },
     Cycle {
         signature: Signature {

@@ -1,7 +1,7 @@
 //! Pockets, slots and long holes.
 
 use crate::sema::cycle_table::{
-    ANY_DIGITS, Digit, Digits, Parameter, Signature, angle, count, digits, feed, length, number, speed,
+    ANY_DIGITS, Digit, Digits, Parameter, Signature, angle, count, digits, feed, length, number, speed, words,
 };
 
 use super::milled::{
@@ -330,5 +330,49 @@ pub(super) const ROWS: &[Cycle] = &[
             ],
         },
         work: Work::Moves(|call| call.long_holes()),
+    },
+    Cycle {
+        signature: Signature {
+            name: "CYCLE63",
+            what: "contour pocket",
+            status: BUILT,
+            source: "stored calls of SINUMERIK 840D sl",
+            parameters: &[
+                words("_PRG", "program that is made").without_effect("name of a program that the control makes"),
+                digits(
+                    "_VARI",
+                    &ANY_DIGITS,
+                    "units: 1 roughs, 3 finishes the floor, 4 the wall; tens: 0 straight down, 1 helix, 2 to and fro; \
+                     thousands: lifts 0 to `_RP`, 1 to the safety distance; ten thousands: 1 begins at `_XS`, `_YS`",
+                )
+                .needed(),
+                length("_RP", "retraction plane").needed(),
+                length("_Z0", "reference plane: the surface").needed(),
+                length("_SC", "safety distance above the surface; its sign is left out").default("0"),
+                length("_Z1", "depth, absolute or below the surface by `_AMODE`").default("0"),
+                feed("_F", "feed in the plane").default("F"),
+                feed("_FZ", "feed in depth").default("F"),
+                length("_DXY", "greatest infeed in the plane; percent of the cutter by `_AMODE`")
+                    .default("0.8 of the cutter"),
+                length("_MID", "greatest infeed in depth").default("one level"),
+                length("_UXY", "allowance on the wall").default("0"),
+                length("_UZ", "allowance on the floor").default("0"),
+                number("_CDIR", "0 climb, 1 conventional, 2 G2, 3 G3").default("0"),
+                length("_XS", "start point, first axis").default("0"),
+                length("_YS", "start point, second axis").default("0"),
+                length("_ER", "radius of the helix").default("0"),
+                length("_EP", "depth of one turn of the helix"),
+                angle("_EW", "greatest angle of going to and fro"),
+                FS,
+                ZFS,
+                words("_TR", "tool whose residual material is milled; refused").default("none"),
+                number("_DR", "its edge; reported, as `_TR` is empty"),
+                UMODE,
+                digits("_GMODE", &PLAIN, "0"),
+                DMODE,
+                AMODE,
+            ],
+        },
+        work: Work::Along(|run, args| run.contour_pocket(args)),
     },
 ];
