@@ -100,8 +100,8 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 grooves_refused milling pocket_alarms
-        pockets slots;
+        contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 grooves_refused milling milling_alarms
+        milling_parameters paths pocket_alarms pockets slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":

@@ -303,7 +303,11 @@ impl Compensator {
                 let next = self.piece(mv, contour, rules, origin)?;
                 self.join(next, out)?;
                 self.damage.refuses = rules.search.bottlenecks;
-                self.damage.contour(&contour, origin, self.d, out.diags);
+                if rules.is_way {
+                    self.damage.way();
+                } else {
+                    self.damage.contour(&contour, origin, self.d, out.diags);
+                }
                 self.settle(rules.search.elements, out);
                 Ok(())
             }

@@ -88,6 +88,23 @@ pub const KEYS: &[Key] = &[
     )
     .or(r#""refuse""#),
     key(
+        "backward_side",
+        Kind::Choice(&["refuse", "travel", "contour"]),
+        "SINUMERIK: side of the cutter where CYCLE72 runs its contour backwards: seen in the direction of travel, or of the contour",
+        |s, v| {
+            let side = if is(v, "travel") { BackwardSide::Travel } else { BackwardSide::Contour };
+            put(&mut s.cycles.backward_side, (!is(v, "refuse")).then_some(side))
+        },
+    )
+    .or(r#""refuse""#),
+    key(
+        "thread_milling_digits",
+        Kind::Flag,
+        "SINUMERIK: read the tens (1 down, 2 up) and hundreds (1 left-hand) of `_VARI` of CYCLE70; refused if not",
+        |s, v| put(&mut s.cycles.thread_digits, flag(v)),
+    )
+    .or("false"),
+    key(
         "multi_edge_start",
         Kind::Choice(&["refuse", "edge", "corner"]),
         "SINUMERIK: what of the multi-edge of CYCLE79 lies on the first axis, turned by `_STA`: the middle of an edge, or a corner",
@@ -162,6 +179,13 @@ pub enum SpigotSize {
     Radius,
 }
 
+/// How the side of the cutter is seen on a contour that runs backwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BackwardSide {
+    Travel,
+    Contour,
+}
+
 /// What of a multi-edge lies on its first axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MultiEdgeStart {
@@ -182,6 +206,10 @@ pub struct Cycles {
     pub layers: LayerCycles,
     /// `None` refuses the old form.
     pub spigot_size: Option<SpigotSize>,
+    /// `None` refuses contours that are milled backwards on a side.
+    pub backward_side: Option<BackwardSide>,
+    /// The digits for sense and hand of a milled thread are read.
+    pub thread_digits: bool,
     /// `None` refuses multi-edges.
     pub multi_edge_start: Option<MultiEdgeStart>,
 }
@@ -193,6 +221,8 @@ impl Default for Cycles {
             groove_dwell_revolutions: 1.0,
             cutoff_reference: None,
             spigot_size: None,
+            backward_side: None,
+            thread_digits: false,
             multi_edge_start: None,
             layers: LayerCycles::default(),
         }

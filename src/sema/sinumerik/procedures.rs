@@ -12,7 +12,7 @@ use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
-use super::{Channel, Core, Outcome, Run};
+use super::{Core, Outcome, Run};
 
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.

@@ -360,7 +360,7 @@ fn case(text: String, outline: Outline, places: Vec<([f64; 2], f64)>, c: &Common
 #[test]
 fn pockets_at_random_keep_the_properties_of_cycles() {
     let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
-    let (count, seed) = (from("PARTC_POCKETS", 400), from("PARTC_POCKETS_SEED", 1));
+    let (count, seed) = (from("PARTC_POCKETS", 250), from("PARTC_POCKETS_SEED", 1));
     let settings = Settings::default();
     let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let mut bad = Vec::new();

@@ -64,6 +64,7 @@ impl CycleCall<'_, '_> {
         self.digits_are_known()?;
         self.frame_is_not_scaled()?;
         let plane = self.plane_of_mode()?;
+        self.frame_keeps_the_tool_axis(plane)?;
         let (first, second, third) = plane.axes();
         for axis in [first, second, third] {
             self.no_diameters(args.name(), Axis::ALL[axis], args.span)?;
@@ -96,6 +97,23 @@ impl CycleCall<'_, '_> {
         }
         let help = "switch SCALE off before the cycle: the cutter is not scaled with its shape";
         self.cycle_fault(self.args.span, 61011, "a scaling is active", help)
+    }
+
+    /// The heights of the cycle lie along the tool axis of the machine, and its way out of the workpiece is the tool's.
+    fn frame_keeps_the_tool_axis(&self, plane: Plane) -> Outcome {
+        let (first, second, third) = plane.axes();
+        let linear = self.st.ctx.frame.linear();
+        let tilted =
+            [first, second].iter().any(|a| linear[(third, *a)].abs() > 1e-9 || linear[(*a, third)].abs() > 1e-9);
+        if !tilted && linear[(third, third)] > 0.0 {
+            return Ok(());
+        }
+        let message = format!(
+            "{}: a frame mirrors or tilts the tool axis, and the tool would come from the far side",
+            self.args.name()
+        );
+        let help = "turn and mirror in the plane of the cycle only";
+        self.fail_help(codes::S9015, self.args.span, message, help)
     }
 
     /// The radius of the active tool.

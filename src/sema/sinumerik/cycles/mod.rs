@@ -17,11 +17,13 @@ mod grooves;
 mod layers;
 mod milling;
 mod modes;
+mod path_milling;
 mod pattern;
 mod pockets;
 mod spigots;
 mod table;
 mod thread;
+mod thread_milling;
 mod undercut;
 mod undercut_call;
 
