@@ -2,9 +2,25 @@
 
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::tree::{ConfigError, Node};
-use crate::machine::values::{flag, is, number, put};
+use crate::machine::values::{flag, is, number, put, text};
 
 pub const KEYS: &[Key] = &[
+    key(
+        "transmit",
+        Kind::Choice(&["refuse", "cartesian", "polar"]),
+        "SINUMERIK: TRANSMIT and TRACYL: refused, the axes that the program sees, or X and the rotary axis of the machine",
+        |s, v| {
+            put(
+                &mut s.cycles.transmit,
+                match text(v) {
+                    "cartesian" => Transmit::Cartesian,
+                    "polar" => Transmit::Polar,
+                    _ => Transmit::Refuse,
+                },
+            )
+        },
+    )
+    .or(r#""refuse""#),
     key("groove_dwell", Kind::Flag, "SINUMERIK: CYCLE930 waits at the floor of a groove", |s, v| {
         put(&mut s.cycles.groove_dwell, flag(v))
     })
@@ -172,6 +188,17 @@ pub enum CutOffReference {
     Tip,
 }
 
+/// How faces and mantles are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Transmit {
+    #[default]
+    Refuse,
+    /// In the axes that the program sees.
+    Cartesian,
+    /// In the axes of the machine.
+    Polar,
+}
+
 /// What the size of a round spigot is in the old form of its cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpigotSize {
@@ -197,6 +224,7 @@ pub enum MultiEdgeStart {
 /// `[cycles]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
+    pub transmit: Transmit,
     /// A groove cycle with a dwell of its own waits at the floor.
     pub groove_dwell: bool,
     /// Turns of the spindle that it waits (SD 55510).
@@ -217,6 +245,7 @@ pub struct Cycles {
 impl Default for Cycles {
     fn default() -> Cycles {
         Cycles {
+            transmit: Transmit::Refuse,
             groove_dwell: true,
             groove_dwell_revolutions: 1.0,
             cutoff_reference: None,
