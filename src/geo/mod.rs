@@ -16,6 +16,7 @@ pub mod open;
 pub mod pattern;
 pub mod plane;
 pub mod profile;
+pub mod soft;
 pub mod undercut;
 pub mod wall;
 

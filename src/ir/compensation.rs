@@ -22,6 +22,8 @@ pub struct Compensation {
     pub constant: bool,
     /// Where the feed of an arc counts.
     pub feed: FeedAt,
+    /// The element belongs to a way that a cycle makes to its contour, not to the contour: the path may come near to it.
+    pub is_way: bool,
     /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
     pub joints_are_documented: bool,
     pub alarms: Alarms,
@@ -40,6 +42,7 @@ impl Default for Compensation {
             ends: Ends::default(),
             constant: false,
             feed: FeedAt::default(),
+            is_way: false,
             joints_are_documented: false,
             alarms: Alarms::default(),
         }

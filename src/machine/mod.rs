@@ -15,6 +15,7 @@ pub mod undercut;
 mod values;
 
 pub use axis::{Axis, AxisSet};
+pub use options::cycles::Transmit;
 pub use options::klartext::{
     ApproachDepth, CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes,
 };

@@ -97,6 +97,8 @@ pub struct Machine {
     pub fixed_point: [BTreeMap<Axis, f64>; 4],
     /// Rotary axes that count modulo 360 degrees.
     pub modulo: AxisSet,
+    /// The axis that turns the workpiece about Z under a transformation.
+    pub rotary_axis: Axis,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
     /// The same of its retraction as far as possible along the tool.
@@ -116,6 +118,7 @@ impl Default for Machine {
             reference_point: BTreeMap::new(),
             fixed_point: Default::default(),
             modulo: AxisSet::EMPTY,
+            rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
             swivel_retract_most: BTreeMap::new(),
         }

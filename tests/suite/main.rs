@@ -62,6 +62,7 @@ mod tamper;
 mod targets;
 #[allow(dead_code, reason = "the closing line of a run uses more of it")]
 mod tools;
+mod transformations;
 mod turning_forms;
 mod turning_parameters;
 mod turning_words;

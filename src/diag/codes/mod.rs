@@ -17,6 +17,7 @@ mod pockets;
 mod sinumerik;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
+mod transformation;
 mod turning;
 
 pub use compensation::*;
@@ -33,6 +34,7 @@ pub use pockets::*;
 pub use sinumerik::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
+pub use transformation::*;
 pub use turning::*;
 
 use super::Severity;
@@ -112,6 +114,7 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
+        transformation::TRANSFORMATION,
         layers::LAYERS,
         turning::TURNING,
         milling::MILLING,

@@ -10,12 +10,14 @@ pub mod grooving;
 pub mod layers;
 pub mod long_hole;
 pub mod milling;
+pub mod path_milling;
 pub mod pocket;
 pub mod recess;
 pub mod region;
 pub mod roughing;
 pub mod spigot;
 pub mod thread;
+pub mod thread_milling;
 pub mod turning;
 pub mod undercut;
 
@@ -31,12 +33,14 @@ pub use finishing::Finishing;
 pub use grooving::Grooving;
 pub use layers::Layers;
 pub use long_hole::LongHole;
+pub use path_milling::PathMilling;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
 pub use roughing::Roughing;
 pub use spigot::Spigot;
 pub use thread::Thread;
+pub use thread_milling::ThreadMilling;
 pub use undercut::UndercutCycle;
 
 /// What the resolved arguments of all cycles can say.
@@ -82,6 +86,8 @@ macro_rules! families {
             Region(crate::ir::cycle::Region),
             Facing(crate::ir::cycle::Facing),
             Spigot(crate::ir::cycle::Spigot),
+            PathMilling(crate::ir::cycle::PathMilling),
+            ThreadMilling(crate::ir::cycle::ThreadMilling),
         }
     };
 }

@@ -139,7 +139,9 @@ impl Damage {
         self.forget();
         self.elements = first.index;
         self.refuses = first.rules.search.bottlenecks;
-        self.contour.add(Known::new(&first.contour, first.index, first.origin));
+        if !first.rules.is_way {
+            self.contour.add(Known::new(&first.contour, first.index, first.origin));
+        }
     }
 
     /// The control itself goes beyond the contour.
@@ -159,8 +161,16 @@ impl Damage {
         self.contour.add(known);
     }
 
+    /// An element that belongs to a way of its own to the contour or from it.
+    pub fn way(&mut self) {
+        self.elements += 1;
+    }
+
     /// A settled piece of the path.
     pub fn path(&mut self, piece: &Piece, way: &Element, d: f64, diags: &Diags) {
+        if piece.rules.is_way {
+            return;
+        }
         let known = Known { corner: piece.kind == Kind::Joint, ..Known::new(way, piece.index, piece.origin) };
         if !self.reported
             && let Some(of) = self.contour.first(|contour| known.damages(contour, d.abs() - NEARER))

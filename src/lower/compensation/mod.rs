@@ -18,38 +18,21 @@ mod tests;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, Diags};
+use crate::diag::Diagnostic;
 use crate::geo::{Element, Plane, SAME_POINT, Vec2, distance, joint};
 use crate::ir::compensation::Compensation;
-use crate::ir::motion::{self, Move, Path};
+use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
-use crate::machine::Machine;
 
-use super::{limits, step};
+use super::carrier::Out;
+use super::step;
 use damage::Damage;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
-pub use reports::cycle_beside;
+pub use reports::{cycle_beside, still_on};
 
 /// Functions and moves that may wait for one element of a contour.
 const MOST_ITEMS: usize = 4096;
-
-/// Where the path goes.
-pub struct Out<'a> {
-    pub diags: &'a Diags,
-    pub machine: &'a Machine,
-    pub sink: &'a mut dyn motion::Sink,
-}
-
-impl Out<'_> {
-    #[inline]
-    pub fn movement(&mut self, mv: &Move, origin: &Origin) {
-        if !self.machine.limits.is_empty() && !mv.machine {
-            limits::check(mv, &self.machine.limits, *origin, self.diags);
-        }
-        self.sink.movement(mv, origin);
-    }
-}
 
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 enum Stage {
@@ -122,7 +105,7 @@ impl Compensator {
         out.diags.push(found);
         self.forget();
         self.stage = Stage::Refused;
-        out.sink.lost(origin);
+        out.lost(origin);
     }
 
     fn forget(&mut self) {
@@ -138,17 +121,17 @@ impl Compensator {
 
     pub fn function(&mut self, function: &Function, origin: &Origin, out: &mut Out<'_>) {
         match self.stage {
-            Stage::Off | Stage::Refused => out.sink.function(function, origin),
+            Stage::Off | Stage::Refused => out.function(function, origin),
             Stage::Leaving | Stage::Constant(_) => {
                 if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
                     self.at.clear();
                 }
-                out.sink.function(function, origin);
+                out.function(function, origin);
             }
             Stage::Entering | Stage::Contour => {
                 if let Err(found) = self.waits(function, origin) {
                     self.refuse(*found, origin, out);
-                    out.sink.function(function, origin);
+                    out.function(function, origin);
                 }
             }
         }
@@ -157,11 +140,16 @@ impl Compensator {
     /// The function happens where the last element ends.
     fn waits(&mut self, function: &Function, origin: &Origin) -> Result<(), Refused> {
         let breaks = match function {
-            Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Cutter(_) => true,
+            Function::ToolChange { .. }
+            | Function::End { .. }
+            | Function::WorkOffset(_)
+            | Function::Cutter(_)
+            | Function::Transformation(_) => true,
             Function::Plane(plane) => *plane != self.plane,
             Function::ToolPrepare { .. }
             | Function::Spindle(_)
             | Function::SpindleOf { .. }
+            | Function::FeedSpindle(_)
             | Function::Coolant(_)
             | Function::Dwell(_)
             | Function::Stop
@@ -203,7 +191,7 @@ impl Compensator {
                 self.stage = Stage::Refused;
             }
         }
-        out.sink.lost(origin);
+        out.lost(origin);
     }
 
     /// Nothing comes any more.
@@ -228,7 +216,7 @@ impl Compensator {
         {
             out.diags.push(*found);
             self.at.clear();
-            return out.sink.lost(origin);
+            return out.lost(origin);
         }
         out.movement(mv, origin);
         self.at.update(&mv.end);
@@ -243,7 +231,7 @@ impl Compensator {
     fn send_items(&mut self, items: Vec<Item>, out: &mut Out<'_>) {
         for item in items {
             match item {
-                Item::Function(function, origin) => out.sink.function(&function, &origin),
+                Item::Function(function, origin) => out.function(&function, &origin),
                 Item::Move(mv, origin) => {
                     let mv = aside(&mv, &self.at, self.plane);
                     self.send(&mv, &origin, out);
@@ -277,7 +265,7 @@ impl Compensator {
             return if leaves_others(mv, start) { Ok(()) } else { self.item(Item::Move(*mv, *origin), origin) };
         }
         let Some(contour) = element(mv, start) else { return Err(reports::start_unknown(origin)) };
-        out.sink.programmed(mv, start);
+        out.programmed(mv, start);
         match self.stage {
             Stage::Entering => {
                 if rules.constant {
@@ -303,7 +291,11 @@ impl Compensator {
                 let next = self.piece(mv, contour, rules, origin)?;
                 self.join(next, out)?;
                 self.damage.refuses = rules.search.bottlenecks;
-                self.damage.contour(&contour, origin, self.d, out.diags);
+                if rules.is_way {
+                    self.damage.way();
+                } else {
+                    self.damage.contour(&contour, origin, self.d, out.diags);
+                }
                 self.settle(rules.search.elements, out);
                 Ok(())
             }
@@ -422,6 +414,6 @@ fn element(mv: &Move, start: &Pos) -> Option<Element> {
     let (from, to) = (start.in_plane(mv.plane)?, mv.end.in_plane(mv.plane)?);
     Some(match &mv.path {
         Path::Arc(arc, _) => Element::Arc { from, to, center: arc.center, sweep: arc.sweep },
-        Path::Rapid | Path::Line(_) | Path::Thread { .. } => Element::Line { from, to },
+        Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => Element::Line { from, to },
     })
 }

@@ -149,7 +149,7 @@ mod tests {
         let mut last = Point2::new(5.0, 25.0);
         cut.expand(&start, &mut |item| match item {
             CycleItem::Function(function) => text.push(format!("{function:?}")),
-            CycleItem::Move(mv) => {
+            CycleItem::Move(mv) | CycleItem::Beside(mv, _) => {
                 let to = mv.end.in_plane(Plane::Zx).expect("a point");
                 let head = match mv.path {
                     contour::Path::Rapid => "G0",

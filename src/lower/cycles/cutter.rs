@@ -1,10 +1,12 @@
 //! The cutter of a milling cycle: sends moves of a shape at its place, and knows where the tool stands.
 
+use std::rc::Rc;
+
 use crate::geo::{Element, Point2, distance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::function::Spindle;
-use crate::ir::{Feed, Function, Pos, Side};
+use crate::ir::{Compensation, Feed, Function, Pos, Side};
 
 use super::{CycleItem, Start};
 
@@ -27,6 +29,27 @@ pub struct Cutter<'a> {
     out: &'a mut dyn FnMut(CycleItem),
 }
 
+/// A contour beside which the cutter works.
+#[derive(Debug, Clone)]
+pub struct Beside {
+    pub side: Side,
+    pub rules: Rc<Compensation>,
+}
+
+/// How the cutter gets along a contour.
+#[derive(Debug, Clone, Copy)]
+pub enum Way {
+    Rapid,
+    Line(Feed),
+    /// The end may lie `tol` mm beside the circle.
+    Arc {
+        center: Point2,
+        ccw: bool,
+        tol: f64,
+        feed: Feed,
+    },
+}
+
 impl core::fmt::Debug for Cutter<'_> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Cutter").field("at", &self.at).field("height", &self.height).finish_non_exhaustive()
@@ -47,13 +70,23 @@ impl<'a> Cutter<'a> {
     /// How every milling cycle begins a place: up to the retract height if the tool stands below it, over `to`, and down to
     /// the safety distance above the surface.
     pub fn approach(&mut self, to: Point2) {
+        self.rise();
+        self.rapid(to);
+        self.lift(self.mill.heights.safe());
+    }
+
+    /// Up to the retract height if the tool stands below it.
+    pub fn rise(&mut self) {
         let heights = &self.mill.heights;
         // Where the tool may stand anywhere, the retract height is the one that is free.
         if !self.height.is_some_and(|height| (height - heights.retract) * heights.outward() >= 0.0) {
             self.lift(heights.retract);
         }
-        self.rapid(to);
-        self.lift(heights.safe());
+    }
+
+    /// Does the tool stand above `height`, out of the material?
+    pub fn is_above(&self, height: f64) -> bool {
+        self.height.is_none_or(|at| (at - height) * self.mill.heights.outward() > NOTHING)
     }
 
     /// How every milling cycle ends a place.
@@ -162,6 +195,24 @@ impl<'a> Cutter<'a> {
         }
     }
 
+    /// To a point of the contour, or to a height, with the cutter on one side of the contour; the path of its centre follows
+    /// from the rules.
+    pub fn beside(&mut self, contour: &Beside, to: Option<Point2>, height: Option<f64>, way: Way) {
+        self.go_on();
+        let end = to.map(|to| self.place.point(to));
+        let path = match way {
+            Way::Rapid => Path::Rapid,
+            Way::Line(feed) => Path::Line(feed),
+            Way::Arc { center, ccw, tol, feed } => {
+                let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: tol + ARC_TOLERANCE };
+                Path::Arc(Arc { plane: self.mill.plane, shape, turns: 0 }, feed)
+            }
+        };
+        let mv = self.to(end, height, path, contour.side);
+        (self.at, self.height) = (end.or(self.at), height.or(self.height));
+        (self.out)(CycleItem::Beside(mv, Rc::clone(&contour.rules)));
+    }
+
     fn straight(&mut self, to: Point2, path: Path) {
         let end = self.place.point(to);
         if self.at.is_some_and(|at| distance(at, end) <= NOTHING) {
@@ -181,6 +232,11 @@ impl<'a> Cutter<'a> {
     }
 
     fn send(&mut self, point: Option<Point2>, height: Option<f64>, path: Path) {
+        let mv = self.to(point, height, path, Side::None);
+        (self.out)(CycleItem::Move(mv));
+    }
+
+    fn to(&self, point: Option<Point2>, height: Option<f64>, path: Path, side: Side) -> Move {
         let mut end = Pos::UNKNOWN;
         if let Some(point) = point {
             end.set_in_plane(self.mill.plane, point);
@@ -188,6 +244,6 @@ impl<'a> Cutter<'a> {
         if let Some(height) = height {
             end.set(self.mill.axis(), height);
         }
-        (self.out)(CycleItem::Move(Move { end, path, side: Side::None, coords: Coords::Frame }));
+        Move { end, path, side, coords: Coords::Frame }
     }
 }

@@ -5,7 +5,6 @@ use crate::geo::{Element, Point2};
 use crate::ir::cycle::{Family, Spigot};
 
 use super::cutter::Cutter;
-use super::pocket::reversed;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
@@ -52,7 +51,7 @@ impl Spigot {
     fn at(&self, distance: f64) -> Circuit {
         let mut elements = self.shape.circuit(distance);
         if !self.counter_clockwise {
-            elements = elements.iter().rev().map(reversed).collect();
+            elements = elements.iter().rev().map(Element::reversed).collect();
         }
         let start = elements.first().map_or(Point2::origin(), Element::from);
         Circuit { start, elements }

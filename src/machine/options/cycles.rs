@@ -2,9 +2,25 @@
 
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::tree::{ConfigError, Node};
-use crate::machine::values::{flag, is, number, put};
+use crate::machine::values::{flag, is, number, put, text};
 
 pub const KEYS: &[Key] = &[
+    key(
+        "transmit",
+        Kind::Choice(&["refuse", "cartesian", "polar"]),
+        "SINUMERIK: TRANSMIT and TRACYL: refused, the axes that the program sees, or X and the rotary axis of the machine",
+        |s, v| {
+            put(
+                &mut s.cycles.transmit,
+                match text(v) {
+                    "cartesian" => Transmit::Cartesian,
+                    "polar" => Transmit::Polar,
+                    _ => Transmit::Refuse,
+                },
+            )
+        },
+    )
+    .or(r#""refuse""#),
     key("groove_dwell", Kind::Flag, "SINUMERIK: CYCLE930 waits at the floor of a groove", |s, v| {
         put(&mut s.cycles.groove_dwell, flag(v))
     })
@@ -88,6 +104,23 @@ pub const KEYS: &[Key] = &[
     )
     .or(r#""refuse""#),
     key(
+        "backward_side",
+        Kind::Choice(&["refuse", "travel", "contour"]),
+        "SINUMERIK: side of the cutter where CYCLE72 runs its contour backwards: seen in the direction of travel, or of the contour",
+        |s, v| {
+            let side = if is(v, "travel") { BackwardSide::Travel } else { BackwardSide::Contour };
+            put(&mut s.cycles.backward_side, (!is(v, "refuse")).then_some(side))
+        },
+    )
+    .or(r#""refuse""#),
+    key(
+        "thread_milling_digits",
+        Kind::Flag,
+        "SINUMERIK: read the tens (1 down, 2 up) and hundreds (1 left-hand) of `_VARI` of CYCLE70; refused if not",
+        |s, v| put(&mut s.cycles.thread_digits, flag(v)),
+    )
+    .or("false"),
+    key(
         "multi_edge_start",
         Kind::Choice(&["refuse", "edge", "corner"]),
         "SINUMERIK: what of the multi-edge of CYCLE79 lies on the first axis, turned by `_STA`: the middle of an edge, or a corner",
@@ -155,11 +188,29 @@ pub enum CutOffReference {
     Tip,
 }
 
+/// How faces and mantles are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Transmit {
+    #[default]
+    Refuse,
+    /// In the axes that the program sees.
+    Cartesian,
+    /// In the axes of the machine.
+    Polar,
+}
+
 /// What the size of a round spigot is in the old form of its cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpigotSize {
     Diameter,
     Radius,
+}
+
+/// How the side of the cutter is seen on a contour that runs backwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BackwardSide {
+    Travel,
+    Contour,
 }
 
 /// What of a multi-edge lies on its first axis.
@@ -173,6 +224,7 @@ pub enum MultiEdgeStart {
 /// `[cycles]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycles {
+    pub transmit: Transmit,
     /// A groove cycle with a dwell of its own waits at the floor.
     pub groove_dwell: bool,
     /// Turns of the spindle that it waits (SD 55510).
@@ -182,6 +234,10 @@ pub struct Cycles {
     pub layers: LayerCycles,
     /// `None` refuses the old form.
     pub spigot_size: Option<SpigotSize>,
+    /// `None` refuses contours that are milled backwards on a side.
+    pub backward_side: Option<BackwardSide>,
+    /// The digits for sense and hand of a milled thread are read.
+    pub thread_digits: bool,
     /// `None` refuses multi-edges.
     pub multi_edge_start: Option<MultiEdgeStart>,
 }
@@ -189,10 +245,13 @@ pub struct Cycles {
 impl Default for Cycles {
     fn default() -> Cycles {
         Cycles {
+            transmit: Transmit::Refuse,
             groove_dwell: true,
             groove_dwell_revolutions: 1.0,
             cutoff_reference: None,
             spigot_size: None,
+            backward_side: None,
+            thread_digits: false,
             multi_edge_start: None,
             layers: LayerCycles::default(),
         }

@@ -186,6 +186,19 @@ impl Channel<'_> {
         }
     }
 
+    /// The rules for a path that a cycle makes: it comes to the contour by itself, and damages nothing of it.
+    pub(super) fn rules_of_cycle(&self, radius: f64, place: Where) -> Outcome<ir::Compensation> {
+        let rules = self.rules(Cutter { radius, nose: Vec2::zeros() }, place)?;
+        Ok(ir::Compensation {
+            radius,
+            approach: Border::Perpendicular,
+            retract: Border::Perpendicular,
+            search: Search { bottlenecks: true, ..rules.search },
+            constant: false,
+            ..rules
+        })
+    }
+
     fn rules(&self, cutter: Cutter, place: Where) -> Outcome<ir::Compensation> {
         self.plane_is_straight(place)?;
         let codes_on = &self.st.codes;
@@ -243,6 +256,7 @@ impl Channel<'_> {
                 GCode::CFC => FeedAt::Contour,
                 _ => FeedAt::HollowContour,
             },
+            is_way: false,
             joints_are_documented: true,
             alarms: ALARMS,
         })

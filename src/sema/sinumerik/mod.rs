@@ -59,6 +59,7 @@ mod tangent;
 mod technology;
 mod threads;
 mod tool;
+mod transformation;
 mod undercut_sizes;
 mod unexecuted;
 mod value;

@@ -12,7 +12,7 @@ use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
-use super::{Channel, Core, Outcome, Run};
+use super::{Core, Outcome, Run};
 
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
@@ -34,6 +34,7 @@ impl Run<'_> {
                     | Procedure::Return
                     | Procedure::SetAlarm
                     | Procedure::SetMaster
+                    | Procedure::Transformation(_)
                     | Procedure::Refused(_)
             );
             if alone && (self.has_other_words(w) || w.calls.passes.is_some()) {
@@ -241,10 +242,18 @@ impl Run<'_> {
             }
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
-            Procedure::TransformationOff | Procedure::Swivel if formulas.is_empty() => {
-                if procedure == Procedure::Swivel {
-                    self.swivel_off();
+            Procedure::Transformation(_) if self.own_program(&name) => {
+                self.call_program(&name, call.span, Some(call), None, block, text)
+            }
+            Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
+            Procedure::TransformationOff if formulas.is_empty() => {
+                if !self.transformation_off(call.span)? {
+                    self.control_words_are_left_out(call.span);
                 }
+                Ok(())
+            }
+            Procedure::Swivel if formulas.is_empty() => {
+                self.swivel_off();
                 self.control_words_are_left_out(call.span);
                 Ok(())
             }

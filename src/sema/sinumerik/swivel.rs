@@ -61,7 +61,7 @@ impl Run<'_> {
                 self.lost();
                 let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
                 let message = format!(
-                    "CYCLE800 swivels the working plane by {name} = {value} (argument {}), which plain G-code in three axes cannot say",
+                    "CYCLE800 swivels the working plane by `{name}` = {value} (argument {}), which plain G-code in three axes cannot say",
                     at + 1
                 );
                 let help = "have the CAM system put out the swivelled part by itself";

@@ -400,7 +400,7 @@ impl Channel<'_> {
         let ends = match function {
             // The path was computed, and stays where it is.
             Function::ToolChange { .. } => !self.resolves(),
-            _ => matches!(function, Function::WorkOffset(_) | Function::Plane(_)),
+            _ => matches!(function, Function::WorkOffset(_) | Function::Plane(_) | Function::Transformation(_)),
         };
         if !ends || !self.st.compensation.leaving_open {
             return Ok(());

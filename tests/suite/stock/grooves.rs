@@ -302,14 +302,28 @@ fn height(line: &[P], x: f64) -> f64 {
     if bx > ax { ay + (by - ay) * (x - ax) / (bx - ax) } else { by }
 }
 
+fn to_segment([a, b]: [P; 2], p: P) -> f64 {
+    let (d, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+    let square = d[0] * d[0] + d[1] * d[1];
+    let t = if square > 0.0 { ((v[0] * d[0] + v[1] * d[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (v[0] - t * d[0]).hypot(v[1] - t * d[1])
+}
+
+/// Distance to a falling line, looked for from the place of the point to both sides.
 fn to_line(line: &[P], p: P) -> f64 {
+    let middle = line.partition_point(|q| q[0] < p[0]).clamp(1, line.len() - 1);
     let mut least = f64::INFINITY;
-    for pair in line.windows(2) {
-        let (a, b) = (pair[0], pair[1]);
-        let (d, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-        let square = d[0] * d[0] + d[1] * d[1];
-        let t = if square > 0.0 { ((v[0] * d[0] + v[1] * d[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
-        least = least.min((v[0] - t * d[0]).hypot(v[1] - t * d[1]));
+    for i in (1..=middle).rev() {
+        if p[0] - line[i][0] > least {
+            break;
+        }
+        least = least.min(to_segment([line[i - 1], line[i]], p));
+    }
+    for i in middle + 1..line.len() {
+        if line[i - 1][0] - p[0] > least {
+            break;
+        }
+        least = least.min(to_segment([line[i - 1], line[i]], p));
     }
     least
 }
@@ -347,9 +361,13 @@ impl Shape {
             return self.height(x);
         }
         let over = |line: &[P], x: f64| {
-            let pairs = line.windows(2).filter(|pair| pair[0][0] - around <= x && x <= pair[1][0] + around);
+            let from = line.partition_point(|p| p[0] < x - around).max(1) - 1;
+            let to = (line.partition_point(|p| p[0] <= x + around) + 1).min(line.len());
             let low = |p: P| [p[0], -p[1]];
-            pairs.map(|pair| -disc(low(pair[0]), low(pair[1]), around, x)).fold(f64::NEG_INFINITY, f64::max)
+            line[from..to]
+                .windows(2)
+                .map(|pair| -disc(low(pair[0]), low(pair[1]), around, x))
+                .fold(f64::NEG_INFINITY, f64::max)
         };
         let [a, b] = self.seen(x);
         over(&self.walls[0], a).max(over(&self.walls[1], b))

@@ -15,8 +15,7 @@ use crate::ir::cycle::pocket::{Finish, Insertion, Pocket, Strategy};
 use super::cutter::Cutter;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
-use area::Area;
-pub(super) use area::reversed;
+use area::{Area, reversed};
 
 /// Smaller arcs of approach are straight lines, mm.
 const SMALLEST_APPROACH: f64 = 0.1;

@@ -213,6 +213,30 @@ impl Run<'_> {
         if failed { Err(Reported) } else { Ok(made) }
     }
 
+    /// The contour that a milling cycle goes along: named by it, or called in front of it.
+    pub(super) fn contour_to_mill(&mut self, args: &Arguments) -> Outcome<Captured> {
+        let call = if args.text(KNAME).is_some_and(|name| !name.is_empty()) {
+            self.named_contour(args)?
+        } else {
+            self.contours.taken = true;
+            match &self.contours.list[..] {
+                [call] => call.clone(),
+                [] => self.named_contour(args)?,
+                _ => {
+                    let help = "call one contour by CYCLE62 in front of each cycle";
+                    let what = "more than one contour is called";
+                    return self.cycle(args).cycle_fault(args.span, 61704, what, help);
+                }
+            }
+        };
+        let contour = self.capture(&call)?;
+        if contour.pieces.is_empty() {
+            return self.contour_fault(&call, args.span, 61930, "it has no element");
+        }
+        self.check_elements(&call, &contour)?;
+        Ok(contour)
+    }
+
     /// `"NAME"` or `"LABEL1:LABEL2"`.
     fn named_contour(&mut self, args: &Arguments) -> Outcome<ContourCall> {
         let key = if args.place(NPP) > 0 { NPP } else { KNAME };

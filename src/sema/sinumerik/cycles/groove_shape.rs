@@ -236,7 +236,7 @@ mod tests {
     #[test]
     fn reference_at_the_floor() {
         let shape = GrooveShape { at_floor: true, reference: Point2::new(-31.0, 24.0), ..shape() };
-        let top = -31.0 + 6.0 * 15f64.to_radians().tan();
+        let top = -31.0 + 6.0 * libm::tan(15f64.to_radians());
         assert_eq!(points(&shape)[0], ((top * 1e4).round() / 1e4, 30.0));
         assert_eq!(points(&shape)[1], (-31.0, 24.0));
         assert_eq!((shape.surface(), shape.floor()), (30.0, 24.0));
@@ -303,7 +303,7 @@ mod tests {
         assert_eq!(made, GrooveAllowance { around: 0.1, walls: [0.0; 2], depth: 0.0 });
         // Raised by 0.1 more, the right flank of 15 degrees slides outwards.
         let made = shape.allowance(Left::Square { floor: 0.2, flanks: 0.1 });
-        assert!((made.walls[0] + 0.1 * 15f64.to_radians().tan()).abs() < 1e-12, "{made:?}");
+        assert!((made.walls[0] + 0.1 * libm::tan(15f64.to_radians())).abs() < 1e-12, "{made:?}");
         assert_eq!(shape.left_for(Left::Square { floor: 0.1, flanks: 0.1 }, 3.0), None);
         let plain = GrooveShape { flanks: [Deg(0.0); 2], ..shape };
         let less = plain.left_for(Left::Square { floor: 0.1, flanks: 0.2 }, 9.8);

@@ -17,11 +17,13 @@ mod grooves;
 mod layers;
 mod milling;
 mod modes;
+mod path_milling;
 mod pattern;
 mod pockets;
 mod spigots;
 mod table;
 mod thread;
+mod thread_milling;
 mod undercut;
 mod undercut_call;
 
@@ -134,6 +136,7 @@ impl Run<'_> {
 
     fn run_cycle(&mut self, args: &Arguments) -> Outcome {
         self.begins_executing();
+        self.no_turning_cycle_here(args.name(), args.span)?;
         self.pending_must_be_done(args.span)?;
         if self.st.side() != Side::None {
             return self.cycle(args).cycle_fault(
@@ -154,7 +157,7 @@ impl Run<'_> {
         if !args.cycle.work.is_read_only() {
             self.speed_is_known()?;
             if self.st.codes.per_revolution() {
-                self.master_is_main(args.span, "a feed per revolution")?;
+                self.master_feeds(args.span);
             }
         }
         match &args.cycle.work {
@@ -240,7 +243,7 @@ impl Channel<'_> {
         self.no_cycle_by_time(Where::Block)?;
         self.speed_is_known()?;
         if self.st.codes.per_revolution() {
-            self.master_is_main(Where::Block, "a feed per revolution")?;
+            self.master_feeds(Where::Block);
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
             return self.fail_help(

@@ -13,12 +13,10 @@ const MEASURING: &str = "measuring cycle";
 
 pub(super) const ROWS: &[Cycle] = &[
     named("CYCLE60", "engraving"),
-    named("CYCLE70", "thread milling"),
     named("CYCLE73", "pocket with islands"),
     named("CYCLE74", "contour of a pocket"),
     named("CYCLE75", "contour of an island"),
     named("CYCLE78", "drilling and thread milling"),
-    named("CYCLE90", "thread milling"),
     named("CYCLE91", "machining cycle"),
     named("CYCLE210", "machining cycle"),
     named("CYCLE830", "deep-hole drilling 2"),
