@@ -249,10 +249,8 @@ impl Channel<'_> {
             return None;
         }
         let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
-        let listed = || {
-            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
-            Some(tool.radius? + tool.deltas[1])
-        };
+        // A tool that is called by its name stands under that in the table.
+        let listed = || self.job.settings.tools.radius_of_printed(number).filter(|_| edge == 1);
         Some(written(6).or_else(listed)? + written(15).unwrap_or(0.0))
     }
 

@@ -292,7 +292,8 @@ fn finish_calls(dice: &mut Dice, text: &mut String, tens: usize, call: impl Fn(&
 
 fn circle(dice: &mut Dice) -> Case {
     let c = common(dice);
-    let size = c.radius + c.wall + number(dice, 0.0, 5.0 * c.radius);
+    // A pocket of one point would have no cut in the plane by whose feed its phases are told apart.
+    let size = c.radius + c.wall + number(dice, 0.01, 5.0 * c.radius);
     let (tens, rad, pitch) = insertion(dice, 2, c.radius);
     let helical = if dice.roll(3) == 0 { 1000 } else { 0 };
     let mut text = header(c.radius, "7");

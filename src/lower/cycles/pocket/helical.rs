@@ -58,7 +58,11 @@ impl Tool<'_> {
         let heights = self.pocket.mill.heights;
         let (center, ccw) = (Point2::origin(), self.pocket.counter_clockwise);
         if crate::geo::distance(at, center) < SMALLEST_APPROACH / 2.0 {
-            return self.cutter.plunge(floor);
+            self.cutter.plunge(floor);
+            if at.x > 1e-3 {
+                self.cutter.arc(at, center, ccw, feed);
+            }
+            return;
         }
         let turns = parts((heights.reference - floor).abs(), heights.step).min(MOST_LEVELS) as u32;
         self.cutter.helix(center, ccw, turns, floor, feed);
