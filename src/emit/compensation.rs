@@ -157,7 +157,7 @@ impl Compensation {
             Path::Arc(arc, _) if arc.plane != mv.plane => {
                 Some(("an arc outside the working plane cannot run under the target's radius compensation", resolve))
             }
-            Path::Rapid | Path::Line(_) | Path::Arc(..) => None,
+            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => None,
         }
     }
 
@@ -187,6 +187,8 @@ impl Compensation {
             Function::ToolPrepare { .. }
             | Function::Spindle(_)
             | Function::SpindleOf { .. }
+            | Function::FeedSpindle(_)
+            | Function::Transformation(_)
             | Function::Coolant(_)
             | Function::Dwell(_)
             | Function::Stop

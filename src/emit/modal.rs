@@ -109,6 +109,11 @@ impl Modal {
         self.feed.replace(new) != Some(new) || each
     }
 
+    /// A feed was printed that holds for its own line.
+    pub fn forget_feed(&mut self) {
+        (self.feed, self.given) = (None, None);
+    }
+
     /// Was the last feed this one, so that it holds without a word?
     #[inline(always)]
     pub fn holds(&self, feed: Feed) -> bool {

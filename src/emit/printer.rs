@@ -1,5 +1,6 @@
 //! The printer core: modal words, one concern a line, arcs on the printed numbers. All words are the target's.
 
+mod carried;
 mod functions;
 mod moves;
 mod refusals;
@@ -155,6 +156,7 @@ impl<'a> Printer<'a> {
         let word = match &mv.path {
             Path::Rapid => self.target.motion.rapid,
             Path::Line(_) => self.target.motion.line,
+            Path::Carried { feed, length } => return self.carried(*feed, *length, mv, origin),
             Path::Thread { lead } => return self.thread(*lead, mv, origin),
             Path::Arc(arc, feed) => return self.arc(arc, *feed, mv, origin),
         };

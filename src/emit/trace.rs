@@ -46,7 +46,7 @@ impl<'a> Trace<'a> {
         let mut line = Map::new();
         let kind = match &mv.path {
             Path::Rapid => "rapid",
-            Path::Line(_) => "line",
+            Path::Line(_) | Path::Carried { .. } => "line",
             Path::Arc(..) => "arc",
             Path::Thread { .. } => "thread",
         };
@@ -61,6 +61,10 @@ impl<'a> Trace<'a> {
         }
         if let Path::Thread { lead } = &mv.path {
             line.insert("lead".to_owned(), json!(lead));
+        }
+        if let Path::Carried { feed, length } = &mv.path {
+            line.insert("feed".to_owned(), json!(feed));
+            line.insert("length".to_owned(), json!(length));
         }
         match mv.path.feed() {
             Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(f)),

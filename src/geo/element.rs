@@ -84,6 +84,14 @@ impl Element {
         }
     }
 
+    /// The element from its end to its start.
+    pub fn reversed(&self) -> Element {
+        match *self {
+            Element::Line { from, to } => Element::Line { from: to, to: from },
+            Element::Arc { from, to, center, sweep } => Element::Arc { from: to, to: from, center, sweep: -sweep },
+        }
+    }
+
     /// Point at half the way.
     pub fn middle(&self) -> Point2 {
         match *self {

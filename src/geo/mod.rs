@@ -15,6 +15,8 @@ pub mod offset;
 pub mod open;
 pub mod pattern;
 pub mod plane;
+pub mod profile;
+pub mod soft;
 pub mod undercut;
 pub mod wall;
 

@@ -28,6 +28,9 @@ const SHORTEST_ARC: f64 = 1.5 * NEARLY_ONE_POINT;
 /// Curves closer than this are one, mm.
 const SAME_CURVE: f64 = 1e-9;
 
+/// A piece holds the nose this far below its end, mm, so that no rounding between two pieces lets it in.
+const BELOW: f64 = 1e-9;
+
 /// How a piece of the way runs. Points are those of the nose's lowest point below its centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Curve {
@@ -158,7 +161,7 @@ impl Wall {
     fn best(&self, y: f64) -> Option<usize> {
         let mut best: Option<(usize, f64)> = None;
         for (i, piece) in self.pieces.iter().enumerate() {
-            if piece.low <= y && y < piece.high {
+            if piece.low - BELOW <= y && y < piece.high {
                 let x = piece.curve.x(y);
                 if best.is_none_or(|(_, most)| x > most) {
                     best = Some((i, x));
@@ -175,7 +178,7 @@ impl Wall {
         let most = self.pieces[best].curve.x(y);
         let stays = |i: &usize| {
             let piece = &self.pieces[*i];
-            piece.low <= y && y < piece.high && piece.curve.x(y) > most - SAME_CURVE
+            piece.low - BELOW <= y && y < piece.high && piece.curve.x(y) > most - SAME_CURVE
         };
         Some(before.filter(stays).unwrap_or(best))
     }
@@ -456,6 +459,31 @@ mod tests {
         let wall = Wall::new(&[line((0.0, 0.0), (5.0, -5.0))], 1.0).unwrap();
         // Centre on the line x + y = √2, centre height y + 1.
         assert!((wall.touch(-3.0) - (2f64.sqrt() + 2.0)).abs() < 1e-12);
+    }
+
+    /// A slope with a hollow at its foot, far from the origin: rounding puts the end of the hollow a little above the floor.
+    #[test]
+    fn the_way_never_turns_back_at_the_foot() {
+        let (sin, cos) = libm::sincos(37.662_f64.to_radians());
+        let (depth, hollow, nose) = (4.055, 1.566, 0.681);
+        for k in 0..200 {
+            let rim = Point2::new(150.0 + 0.0137 * f64::from(k), -7.0 + 0.003 * f64::from(k));
+            let foot = rim + Vec2::new(depth * sin / cos, -depth);
+            let back = hollow * (1.0 - sin) / cos;
+            let slope = line((rim.x, rim.y), (foot.x - back * sin, foot.y + back * cos));
+            let center = Point2::new(foot.x + back, foot.y + hollow);
+            let end = Point2::new(center.x, foot.y);
+            let sweep = libm::acos(sin);
+            let arc = Element::Arc { from: slope.to(), to: end, center, sweep };
+            let wall = Wall::new(&[slope, arc], nose).unwrap();
+            let (start, legs) = wall.way(rim.y + 1.0, foot.y);
+            let mut at = start.x;
+            for leg in &legs {
+                assert!(leg.to().x >= at - 1e-6, "{k}: {legs:?}");
+                at = leg.to().x;
+            }
+            assert!((at - center.x).abs() < 1e-5, "{k}: {at} {}", center.x);
+        }
     }
 
     #[test]

@@ -24,6 +24,8 @@ pub struct Compensation {
     pub feed: FeedAt,
     /// A chamfer or rounding may stand beside the way to the contour or from it: the producer has looked at it.
     pub rounded_border: bool,
+    /// The element belongs to a way that a cycle makes to its contour, not to the contour: the path may come near to it.
+    pub is_way: bool,
     /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
     pub joints_are_documented: bool,
     pub alarms: Alarms,
@@ -43,6 +45,7 @@ impl Default for Compensation {
             constant: false,
             feed: FeedAt::default(),
             rounded_border: false,
+            is_way: false,
             joints_are_documented: false,
             alarms: Alarms::default(),
         }

@@ -2,6 +2,8 @@
 
 use crate::geo::Plane;
 
+use super::Transformation;
+
 /// Sense of rotation of a spindle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
@@ -61,6 +63,10 @@ pub enum Function {
         number: u8,
         spindle: Spindle,
     },
+    /// Feeds per revolution count the turns of this spindle from here on, 1 for the first. Lower carries it out.
+    FeedSpindle(u8),
+    /// The program sees other axes from here on, or again those of the machine. Lower carries it out.
+    Transformation(Option<Transformation>),
     Coolant(Coolant),
     /// Wait, seconds.
     Dwell(f64),

@@ -12,6 +12,7 @@ pub mod frame;
 pub mod function;
 pub mod motion;
 pub mod pos;
+pub mod transformation;
 pub mod undercut;
 pub mod verify;
 
@@ -22,6 +23,7 @@ pub use compensation::Compensation;
 pub use frame::Frame;
 pub use function::Function;
 pub use pos::Pos;
+pub use transformation::Transformation;
 
 /// Where an item comes from: the block, and how the program got there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -32,6 +32,10 @@ pub enum Path {
     Line(Feed),
     /// The other axes go evenly along. The feed is above zero and finite.
     Arc(Arc, Feed),
+    /// A straight line in the axes of the machine by which it makes `length` mm of a contour that the program sees in other
+    /// axes, at `feed` mm per minute along that contour. Both are above zero and finite. What F that is depends on what the
+    /// target measures.
+    Carried { feed: f64, length: f64 },
     /// A line in step with the spindle: mm along the path per turn, above zero.
     Thread { lead: f64 },
 }
@@ -43,11 +47,11 @@ impl Path {
         feed.map_or(Path::Rapid, Path::Line)
     }
 
-    /// The feed where one counts: a thread goes with the spindle.
+    /// The feed where one counts along the axes: a thread goes with the spindle, what is carried out has its own.
     #[inline]
     pub fn feed(&self) -> Option<Feed> {
         match self {
-            Path::Rapid | Path::Thread { .. } => None,
+            Path::Rapid | Path::Thread { .. } | Path::Carried { .. } => None,
             Path::Line(feed) | Path::Arc(_, feed) => Some(*feed),
         }
     }

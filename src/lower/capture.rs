@@ -72,7 +72,7 @@ impl Recording {
         let Some(element) = step.element(plane) else { return Err(Unfit::Leaves(origin)) };
         let kind = match step.mv.path {
             Path::Rapid => CapturedKind::Rapid,
-            Path::Line(_) | Path::Arc(..) => CapturedKind::Cut,
+            Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => CapturedKind::Cut,
             Path::Thread { .. } => CapturedKind::Thread,
         };
         if element.length() > crate::geo::SAME_POINT {

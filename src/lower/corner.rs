@@ -103,7 +103,11 @@ impl Corners {
     pub fn function(&mut self, function: &Function, origin: &Origin, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         let breaks = matches!(
             function,
-            Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Plane(_)
+            Function::ToolChange { .. }
+                | Function::End { .. }
+                | Function::WorkOffset(_)
+                | Function::Plane(_)
+                | Function::Transformation(_)
         );
         let waiting = if self.corner.is_some() { &mut self.between } else { &mut self.behind };
         if self.held && !breaks && waiting.len() < MOST_BETWEEN {

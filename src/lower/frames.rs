@@ -30,7 +30,7 @@ pub fn workpiece(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
                 return Err((codes::G3022, what.to_owned(), help.to_owned()));
             }
         },
-        straight @ (Path::Rapid | Path::Line(_)) => *straight,
+        straight @ (Path::Rapid | Path::Line(_) | Path::Carried { .. }) => *straight,
     };
     // Tilted working planes never get here with compensation on.
     let (plane, flips) = match frame.plane_map(mv.plane) {

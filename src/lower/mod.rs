@@ -2,34 +2,38 @@
 //!
 //! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
 //! look-ahead), [`frames`] map to workpiece coordinates, the radius of the tool is compensated ([`compensation`]),
-//! [`limits`] are checked.
+//! other axes than the program sees carry it out ([`carrier`], [`transformation`]), [`limits`] are checked.
 
 #![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
 
 pub mod arcs;
 pub mod capture;
+pub mod carrier;
 pub mod compensation;
 pub mod corner;
 pub mod cycles;
 pub mod frames;
 pub mod limits;
 pub mod step;
+pub mod transformation;
 pub mod undercut;
 
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, Diags};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos, Side, motion, verify};
+use crate::ir::{Function, Origin, Pos, Side, Transformation, motion, verify};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, LastDirection};
 use capture::{Recording, SavedPasses};
-use compensation::{Compensator, Out};
+use carrier::{Carrier, Out};
+use compensation::Compensator;
 use corner::{Corners, Event};
 use step::{Checked, Step};
+use transformation::Transformer;
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.
 const ARC: u64 = 3;
@@ -50,6 +54,7 @@ pub struct Lower<'a> {
     /// What the steps behind the corners led to, for their check.
     chain: Checked,
     compensator: Compensator,
+    carrier: Carrier,
     /// A contour that is described now.
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
@@ -79,6 +84,7 @@ impl<'a> Lower<'a> {
             corners: Corners::default(),
             chain: Checked::default(),
             compensator: Compensator::default(),
+            carrier: Carrier::default(),
             recording: None,
             start: Pos::UNKNOWN,
             moves: 0,
@@ -106,23 +112,25 @@ impl<'a> Lower<'a> {
     }
 
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
-        let out = Out { diags: self.diags, machine: self.machine, sink: &mut *self.out };
+        let out = Out { diags: self.diags, machine: self.machine, sink: &mut *self.out, carrier: &mut self.carrier };
         let recording = self.recording.as_deref_mut();
         let (chain, compensator) = (&mut self.chain, &mut self.compensator);
         (&mut self.corners, Finish { diags: self.diags, out, chain, compensator, recording })
     }
 
     fn compensator(&mut self) -> (&mut Compensator, Out<'_>) {
-        (&mut self.compensator, Out { diags: self.diags, machine: self.machine, sink: &mut *self.out })
+        let out = Out { diags: self.diags, machine: self.machine, sink: &mut *self.out, carrier: &mut self.carrier };
+        (&mut self.compensator, out)
     }
 
     /// The frame changed: the tool stays, its programmed position does not.
     #[cold]
-    fn enter_frame(&mut self, ctx: &CtxRef) {
+    fn enter_frame(&mut self, ctx: &CtxRef, origin: &Origin) {
         if self.ctx.frame != ctx.frame {
             let workpiece = self.ctx.frame.apply(&self.at);
             self.at = ctx.frame.unapply(&workpiece);
             self.last.forget();
+            self.rotary_stays(ctx, origin);
         }
         self.ctx = Rc::clone(ctx);
     }
@@ -231,7 +239,11 @@ impl<'a> Lower<'a> {
     /// Some functions change where the tool tip is in workpiece coordinates.
     fn displace(&mut self, function: &Function) {
         if let Function::WorkOffset(_) = function {
-            self.at = self.ctx.frame.unapply(&self.start);
+            self.at = match self.carrier.transformer {
+                // What the start says is said of the axes of the machine.
+                Some(_) => Pos::UNKNOWN,
+                None => self.ctx.frame.unapply(&self.start),
+            };
             self.last.forget();
         } else if let Function::ToolChange { .. } = function {
             // A tool of another length.
@@ -239,6 +251,48 @@ impl<'a> Lower<'a> {
             self.at.forget(Axis::ALL[third]);
             self.start.forget(Axis::ALL[third]);
             self.last.forget();
+        }
+    }
+
+    /// The program sees other axes from here on.
+    #[cold]
+    fn transform(&mut self, by: Option<Transformation>, origin: &Origin) {
+        self.flush();
+        if !self.compensator.is_idle(Side::None) {
+            self.diags.push(*compensation::still_on(&Function::Transformation(by), origin));
+            self.position_lost(origin);
+        }
+        let workpiece = self.ctx.frame.apply(&self.at);
+        let mut real = match self.carrier.transformer.take() {
+            Some(before) => {
+                self.moves += before.parts;
+                before.left()
+            }
+            None => workpiece,
+        };
+        if let Some(by) = by {
+            let transformer = Transformer::new(by, &real);
+            real = transformer.seen();
+            for axis in [Axis::X, Axis::Y, by.rotary] {
+                self.start.forget(axis);
+            }
+            self.carrier.transformer = Some(Box::new(transformer));
+        }
+        self.at = self.ctx.frame.unapply(&real);
+        self.last.forget();
+        self.chain.lost();
+        let ctx = Rc::clone(&self.ctx);
+        self.rotary_stays(&ctx, origin);
+    }
+
+    /// The zero of an axis that a transformation moves cannot be shifted.
+    fn rotary_stays(&self, ctx: &CtxRef, origin: &Origin) {
+        let Some(rotary) = self.carrier.transformer.as_ref().map(|transformer| transformer.rotary()) else { return };
+        if ctx.frame.shift_of(rotary) != 0.0 {
+            let letter = rotary.letter();
+            let message = format!("the frame shifts {letter}, which the transformation moves");
+            self.diags
+                .push(at(codes::G3339, *origin, message).help(format!("turn the plane by ROT instead of {letter}")));
         }
     }
 
@@ -260,22 +314,22 @@ impl<'a> Lower<'a> {
     }
 
     #[inline]
-    fn follow_ctx(&mut self, ctx: &CtxRef) {
+    fn follow_ctx(&mut self, ctx: &CtxRef, origin: &Origin) {
         if !Rc::ptr_eq(&self.ctx, ctx) {
-            self.enter_frame(ctx);
+            self.enter_frame(ctx, origin);
         }
     }
 }
 
 impl Sink for Lower<'_> {
     fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
-        self.follow_ctx(ctx);
+        self.follow_ctx(ctx, origin);
         self.moves += if matches!(mv.path, contour::Path::Arc(..)) { ARC } else { 1 };
         self.path_element(mv, origin);
     }
 
     fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin) {
-        self.follow_ctx(ctx);
+        self.follow_ctx(ctx, origin);
         self.last.corner();
         if let contour::CornerShape::Undercut(_) = &corner.shape
             && let Err(found) = undercut::admit(self.machine, ctx.plane, origin)
@@ -288,7 +342,10 @@ impl Sink for Lower<'_> {
     }
 
     fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin) {
-        self.follow_ctx(ctx);
+        self.follow_ctx(ctx, origin);
+        if let Function::Transformation(by) = function {
+            return self.transform(*by, origin);
+        }
         self.displace(function);
         let (corners, mut finish) = self.split();
         corners.function(function, origin, finish.diags, &mut |event| finish.event(event));
@@ -298,7 +355,7 @@ impl Sink for Lower<'_> {
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
-        self.follow_ctx(ctx);
+        self.follow_ctx(ctx, origin);
         if !self.compensator.is_idle(Side::None) {
             self.flush();
             if !self.compensator.is_idle(Side::None) {
@@ -330,11 +387,12 @@ impl Sink for Lower<'_> {
     }
 
     fn load(&self) -> Load {
-        Load { moves: self.moves, full: self.out.full() }
+        let parts = self.carrier.transformer.as_ref().map_or(0, |transformer| transformer.parts);
+        Load { moves: self.moves + parts, full: self.out.full() }
     }
 
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin) {
-        self.follow_ctx(ctx);
+        self.follow_ctx(ctx, origin);
         if self.diags.has_errors() {
             self.abandon();
         } else {
@@ -345,8 +403,8 @@ impl Sink for Lower<'_> {
         self.position_lost(origin);
     }
 
-    fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, _: &Origin) {
-        self.follow_ctx(ctx);
+    fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx, origin);
         let before = SavedPasses {
             at: std::mem::replace(&mut self.at, Pos::UNKNOWN),
             ctx: Rc::clone(&self.ctx),

@@ -30,7 +30,9 @@ impl Step {
         let from = self.start.in_plane(plane)?;
         let to = self.mv.end.in_plane(plane)?;
         match &self.mv.path {
-            Path::Rapid | Path::Line(_) | Path::Thread { .. } => Some(Element::Line { from, to }),
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
+                Some(Element::Line { from, to })
+            }
             Path::Arc(arc, _) if arc.plane == plane => {
                 Some(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
             }
@@ -58,7 +60,7 @@ impl Step {
     pub fn is_exact(&self, origin: Origin) -> Result<(), Box<Diagnostic>> {
         let centre = match &self.mv.path {
             Path::Arc(arc, _) => arc.center.x.abs().max(arc.center.y.abs()),
-            Path::Rapid | Path::Line(_) | Path::Thread { .. } => 0.0,
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => 0.0,
         };
         if self.mv.end.exceeds(FAR) || self.start.exceeds(FAR) || centre.is_nan() || centre > FAR {
             return exact_far_out(&self.start, &self.mv, origin);
@@ -71,7 +73,7 @@ impl Step {
     pub fn plane(&self) -> Plane {
         match &self.mv.path {
             Path::Arc(arc, _) => arc.plane,
-            Path::Rapid | Path::Line(_) | Path::Thread { .. } => self.mv.plane,
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => self.mv.plane,
         }
     }
 

@@ -64,7 +64,7 @@ pub fn relieve(
     }
     let line = |step: &Step, which: &str| match step.mv.path {
         Path::Line(feed) if !step.mv.machine && !step.leaves(plane) && step.mv.plane == plane => Ok(feed),
-        Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Thread { .. } => {
+        Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Thread { .. } | Path::Carried { .. } => {
             let message = format!("the block {which} the undercut is no straight line at feed in the plane");
             Err(refuse(codes::G3063, message))
         }

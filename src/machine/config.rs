@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
-use super::settings::{Datums, Settings, StandIn};
+use super::settings::{ChangeCall, Datums, Settings, StandIn};
 use super::tools::{Corner, Tool};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean, parse};
 use super::values::*;
@@ -96,7 +96,7 @@ impl Reader {
         Ok(())
     }
 
-    /// `{ tool = 1 }`, `{ ignore = true }` or `{ file = "stubs/TC.SPF" }`
+    /// `{ tool = 1, d = 2 }`, `{ change = true }`, `{ ignore = true }` or `{ file = "stubs/TC.SPF" }`
     fn stand_in(&mut self, table: &Table, at: &Node) -> Result<StandIn, ConfigError> {
         for (name, node) in table {
             match PROGRAM_KEYS.iter().find(|key| key.name == name) {
@@ -104,17 +104,26 @@ impl Reader {
                 None => self.unknown(name, node, PROGRAM_KEYS.iter().map(|key| key.name)),
             }
         }
-        let mut entries = table.iter();
-        match (entries.next(), entries.next()) {
-            (Some((name, node)), None) if name == "tool" => match usize::try_from(whole(node)) {
-                Ok(n @ 1..=127) => Ok(StandIn::Tool(n)),
-                _ => Err(node.fail("arguments are counted from 1")),
-            },
-            (Some((name, node)), None) if name == "ignore" && flag(node) => Ok(StandIn::Ignored),
-            (Some((name, node)), None) if name == "file" && !text(node).is_empty() => {
+        let argument = |node: &Node| match usize::try_from(whole(node)) {
+            Ok(n @ 1..=127) => Ok(n),
+            _ => Err(node.fail("arguments are counted from 1")),
+        };
+        let edge = table.get("d").map(argument).transpose()?;
+        let mut others = table.iter().filter(|(name, _)| *name != "d");
+        match (others.next(), others.next(), edge) {
+            (Some((name, node)), None, edge) if name == "tool" => {
+                Ok(StandIn::Change(ChangeCall { tool: Some(argument(node)?), edge }))
+            }
+            (Some((name, node)), None, edge) if name == "change" && flag(node) => {
+                Ok(StandIn::Change(ChangeCall { tool: None, edge }))
+            }
+            (Some((name, node)), None, None) if name == "ignore" && flag(node) => Ok(StandIn::Ignored),
+            (Some((name, node)), None, None) if name == "file" && !text(node).is_empty() => {
                 Ok(StandIn::File(text(node).to_owned()))
             }
-            _ => Err(at.fail("a program needs one of `tool = 1`, `ignore = true`, `file = \"…\"`")),
+            _ => Err(at.fail(
+                "a program needs one of `tool = 1`, `change = true`, `ignore = true`, `file = \"…\"`; `d = 2` beside the first two",
+            )),
         }
     }
 

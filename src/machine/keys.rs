@@ -1,6 +1,6 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, klartext, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{control, cycles, klartext, machine, mtc200, output, sinumerik, turning, undercut};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -110,6 +110,8 @@ pub(super) const TOOL_KEYS: &[Key] = &[
 
 pub(super) const PROGRAM_KEYS: &[Key] = &[
     part("tool", Kind::Whole, "argument that names the tool, from 1: the call changes to it"),
+    part("change", Kind::Flag, "the call changes to the tool that T has chosen, as M6 does"),
+    part("d", Kind::Whole, "argument that is the D number, from 1; D1 if not given"),
     part("ignore", Kind::Flag, "the call is left out, with a note"),
     part("file", Kind::Text, "program that runs instead, beside the program or in an include root"),
 ];
@@ -147,6 +149,12 @@ pub const SECTIONS: &[Section] = &[
         doc: "sizes of undercuts that differ from DIN 509 and DIN 76",
         entry: &[],
         keys: &[undercut::KEYS],
+    },
+    Section {
+        name: "cycles",
+        doc: "what a control decides inside its machining cycles",
+        entry: &[],
+        keys: &[cycles::KEYS],
     },
     Section {
         name: "start",

@@ -15,12 +15,13 @@ pub mod undercut;
 mod values;
 
 pub use axis::{Axis, AxisSet};
+pub use options::cycles::Transmit;
 pub use options::klartext::{
     ApproachDepth, CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes,
 };
 pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use settings::{
-    AxisUse, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
+    AxisUse, ChangeCall, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

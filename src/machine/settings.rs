@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use crate::target::{self, Target};
 
 use super::axis::{Axis, AxisSet};
+use super::options::cycles::Cycles;
 use super::options::klartext::{
     CcMissing, CpSign, Generation, KlartextChoices, KlartextReadings, Modulo, PolarMissing, RepeatCount, ShiftAxes,
 };
@@ -24,6 +25,7 @@ pub struct Settings {
     pub datums: Datums,
     pub include: Include,
     pub undercut: Undercuts,
+    pub cycles: Cycles,
     /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
     pub programs: BTreeMap<String, StandIn>,
     /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins
@@ -46,12 +48,21 @@ pub enum MachineKind {
 /// What stands for a program that is found nowhere.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum StandIn {
-    /// It changes to the tool that this argument names, counted from 1.
-    Tool(usize),
+    /// It changes the tool.
+    Change(ChangeCall),
     /// Nothing that is printed.
     Ignored,
     /// Another program.
     File(String),
+}
+
+/// The call of a program that changes the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ChangeCall {
+    /// Argument that names the tool, counted from 1; `None` for the tool that T has chosen.
+    pub tool: Option<usize>,
+    /// Argument that is the D number, counted from 1.
+    pub edge: Option<usize>,
 }
 
 /// What the name of a channel axis stands for.
@@ -86,8 +97,12 @@ pub struct Machine {
     pub fixed_point: [BTreeMap<Axis, f64>; 4],
     /// Rotary axes that count modulo 360 degrees.
     pub modulo: AxisSet,
+    /// The axis that turns the workpiece about Z under a transformation.
+    pub rotary_axis: Axis,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
+    /// The same of its retraction as far as possible along the tool.
+    pub swivel_retract_most: BTreeMap<Axis, f64>,
 }
 
 impl Default for Machine {
@@ -103,7 +118,9 @@ impl Default for Machine {
             reference_point: BTreeMap::new(),
             fixed_point: Default::default(),
             modulo: AxisSet::EMPTY,
+            rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
+            swivel_retract_most: BTreeMap::new(),
         }
     }
 }

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Line, MFunctions, Motion, SpindleWords, Target,
-    ToolWords,
+    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Line, MFunctions, Measure, Motion, SpindleWords,
+    Target, ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -25,7 +25,13 @@ pub(super) const TARGET: Target = Target {
     line: Line { length: 79, digits: 8 },
     axes: "XYZ",
     motion: Motion { rapid: "G0", line: "G1", machine: "G53", thread: None, planes: ["G17", "G18", "G19"] },
-    feed: FeedWords { address: b'F', per_minute: "G94", per_revolution: None, inverse_time: Some("G93") },
+    feed: FeedWords {
+        address: b'F',
+        per_minute: "G94",
+        per_revolution: None,
+        inverse_time: Some("G93"),
+        measure: Measure::Linear,
+    },
     arcs: Arcs {
         clockwise: "G2",
         counter_clockwise: "G3",

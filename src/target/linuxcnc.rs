@@ -4,7 +4,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, LengthWords, Line,
-    MFunctions, Motion, SpindleWords, Target, ToolWords,
+    MFunctions, Measure, Motion, SpindleWords, Target, ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -29,7 +29,13 @@ pub(super) const TARGET: Target = Target {
         thread: Some(("G33", b'K')),
         planes: ["G17", "G18", "G19"],
     },
-    feed: FeedWords { address: b'F', per_minute: "G94", per_revolution: Some("G95"), inverse_time: Some("G93") },
+    feed: FeedWords {
+        address: b'F',
+        per_minute: "G94",
+        per_revolution: Some("G95"),
+        inverse_time: Some("G93"),
+        measure: Measure::Linear,
+    },
     arcs: Arcs {
         clockwise: "G2",
         counter_clockwise: "G3",

@@ -102,6 +102,15 @@ pub struct FeedWords {
     pub per_minute: &'static str,
     pub per_revolution: Option<&'static str>,
     pub inverse_time: Option<&'static str>,
+    /// What F counts in a move of linear and rotary axes together.
+    pub measure: Measure,
+}
+
+/// What a feed per minute counts where linear and rotary axes move together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// The way of X, Y and Z; where none of them moves, the degrees of the rotary axes.
+    Linear,
 }
 
 /// Arcs by offset from the start to the centre.

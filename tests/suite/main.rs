@@ -57,12 +57,14 @@ mod sinumerik;
 mod sinumerik_alarms;
 mod skip_marks;
 mod start;
+mod stock;
 mod sweep;
 mod tamper;
 #[path = "../../fuzz/src/targets.rs"]
 mod targets;
 #[allow(dead_code, reason = "the closing line of a run uses more of it")]
 mod tools;
+mod transformations;
 mod turning_forms;
 mod turning_parameters;
 mod turning_words;

@@ -148,6 +148,8 @@ pub struct Recorder {
     offset: u8,
     length: u32,
     tool_length: bool,
+    /// Units in a millimetre.
+    scale: f64,
     ended: bool,
 }
 
@@ -161,6 +163,7 @@ impl Recorder {
             offset: 1,
             length: 0,
             tool_length: settings.output.tool_length,
+            scale: 10f64.powi(i32::from(settings.output.decimals)),
             ended: false,
         }
     }
@@ -220,6 +223,13 @@ impl Recorder {
         }
     }
 
+    /// How far axes go, as printed.
+    fn way(&self, before: &[Option<f64>; AXES], axes: std::ops::Range<usize>) -> f64 {
+        let printed = |v: Option<f64>| (v.expect("a known start") * self.scale).round() / self.scale;
+        let moved = axes.filter(|i| self.at[*i] != before[*i]);
+        moved.map(|i| printed(self.at[i]) - printed(before[i])).map(|d| d * d).sum::<f64>().sqrt()
+    }
+
     fn length(&mut self, number: u32) {
         if self.tool_length && std::mem::replace(&mut self.length, number) != number {
             self.does(Does::Length(number));
@@ -243,7 +253,27 @@ impl Sink for Recorder {
         let printed = |v: Option<f64>| v.map(|v| (v * 1e4).round());
         let same = (0..AXES).all(|i| printed(before[i]) == printed(self.at[i]));
         if arc.is_some() || !same || mv.machine && mv.axes.iter().next().is_some() {
-            let (rapid, how) = (mv.path == Path::Rapid, self.how(mv));
+            let (rapid, mut how) = (mv.path == Path::Rapid, self.how(mv));
+            if let Path::Carried { feed, length } = mv.path {
+                let (linear, rotary) = (self.way(&before, 0..3), self.way(&before, 3..6));
+                how.feed = Some((
+                    Kind::PerMinute,
+                    match (linear, rotary) {
+                        (_, 0.0) => feed,
+                        (0.0, _) => feed * rotary / length,
+                        _ => feed * linear / length,
+                    },
+                ));
+                // Where F is too coarse, the rotary axes go first.
+                let small = (1.0 / self.scale).max(0.0005);
+                if linear > 0.0 && rotary > 0.0 && linear <= small && feed * linear / length * self.scale < 99.5 {
+                    let turned = How { feed: Some((Kind::PerMinute, feed * rotary / length)), ..how };
+                    let mut end = before;
+                    end[3..6].copy_from_slice(&self.at[3..6]);
+                    self.items.push(Meant::Move(Box::new(Move { rapid, end, arc, how: turned })));
+                    how.feed = Some((Kind::PerMinute, feed));
+                }
+            }
             self.items.push(Meant::Move(Box::new(Move { rapid, end: self.at, arc, how })));
         }
         if mv.machine {
@@ -283,6 +313,7 @@ impl Sink for Recorder {
                 self.does(Does::End { rewind: *rewind });
                 self.ended = true;
             }
+            Function::FeedSpindle(_) | Function::Transformation(_) => panic!("{function:?} reached the target"),
             Function::Plane(_) | Function::Comment(_) => {}
         }
     }

@@ -22,7 +22,7 @@ impl motion::Sink for Printed {
         let at = mv.end.in_plane(Plane::Zx).expect("both axes");
         let word = match &mv.path {
             motion::Path::Rapid => "G0".to_owned(),
-            motion::Path::Line(_) => "G1".to_owned(),
+            motion::Path::Line(_) | motion::Path::Carried { .. } => "G1".to_owned(),
             motion::Path::Thread { .. } => "G33".to_owned(),
             motion::Path::Arc(arc, _) => {
                 format!("{} K{:.4} I{:.4}", if arc.sweep > 0.0 { "G3" } else { "G2" }, arc.center.x, arc.center.y)

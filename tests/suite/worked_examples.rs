@@ -326,7 +326,7 @@ fn does(mv: &motion::Move, item: &str) -> bool {
         .all(|(axis, letter)| at(end_words, *letter).is_none_or(|w| mv.end.get(*axis).is_none_or(|v| near(v, w))));
     let path = match &mv.path {
         motion::Path::Rapid => item.starts_with("G0"),
-        motion::Path::Line(_) => item.starts_with("G1"),
+        motion::Path::Line(_) | motion::Path::Carried { .. } => item.starts_with("G1"),
         motion::Path::Thread { .. } => item.starts_with("thread"),
         motion::Path::Arc(arc, _) => {
             let letters = match arc.plane {

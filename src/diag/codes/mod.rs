@@ -6,27 +6,37 @@
 mod compensation;
 mod general;
 mod geometry;
+mod grooves;
 mod klartext;
 mod klartext_free_contours;
 mod klartext_readings;
+mod layers;
+mod milling;
 mod mtc200;
 mod output;
+mod pockets;
 mod sinumerik;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
+mod transformation;
 mod turning;
 
 pub use compensation::*;
 pub use general::*;
 pub use geometry::*;
+pub use grooves::*;
 pub use klartext::*;
 pub use klartext_free_contours::*;
 pub use klartext_readings::*;
+pub use layers::*;
+pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
+pub use pockets::*;
 pub use sinumerik::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
+pub use transformation::*;
 pub use turning::*;
 
 use super::Severity;
@@ -100,12 +110,17 @@ pub fn all() -> Vec<&'static Code> {
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
+        grooves::GROOVES,
         compensation::COMPENSATION,
         output::OUTPUT,
+        pockets::POCKETS,
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
+        transformation::TRANSFORMATION,
+        layers::LAYERS,
         turning::TURNING,
+        milling::MILLING,
         mtc200::MTC200,
     ]
     .iter()

@@ -47,7 +47,7 @@ top of the program, by PROC, or in a definition file (SGUD, MGUD, UGUD, GUD4 to 
 
 S2002 Error "siemens-program-missing" "called program is not found"
 "A word that is no word of the language is the call of a program (alarm 14011). It is looked for in the same archive, beside the program and \
-in the include roots, as .MPF and .SPF. A mistyped word ends here, too."
+in the include roots, as .MPF and .SPF. Programs of the machine builder are answered in partc.toml: `[programs] TC = { tool = 1 }`. A mistyped word ends here, too."
 
 S2003 Error "siemens-target-missing" "jump target is not found"
 "GOTOF searches to the end of the program, GOTOB to its start, GOTO first forward and then backward, and only in the program that jumps. \

@@ -18,11 +18,12 @@ S9005 Error "siemens-cycle" "cycle is not supported"
 "The cycle or procedure of the control is known by name and not built. Nothing is left out in silence, so the program is refused."
 
 S9006 Error "siemens-transformation" "transformation is not supported"
-"TRAORI, TRANSMIT, TRACYL, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine."
+"TRAORI, TRAANG, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine. TRANSMIT and TRACYL are \
+compiled where `[cycles] transmit` says how they are printed: \"polar\" with X and the rotary axis, \"cartesian\" as the program sees them."
 
 S9007 Error "siemens-other-spindle" "word for another spindle"
-"Only speed and sense of rotation of further spindles can be printed. Feed per revolution, threads, tapping and G96 follow the master spindle \
-(SETMS); the target follows its first one, so they are refused while another is the master."
+"Threads, tapping and G96 follow the master spindle (SETMS); the target follows its first one, so they are refused while another is the \
+master. Speed, sense of rotation and stop at an angle of further spindles are printed where the target has words for them."
 
 S9008 Error "siemens-axis-motion" "axis motion that cannot be printed"
 "Positioning axes that run beside the path, and approaches of machine-fixed points, need data of the machine. Reference and fixed points can be \

@@ -128,8 +128,8 @@ of the two was changed by hand. The blocks are compiled, as the control does."
 S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be checked"
 "The hidden records of this contour use elements that cannot be solved here. The NC blocks are compiled; nothing is lost but the check."
 
-S8029 Note "siemens-swivel-zero" "swivelling by nothing is left out"
-"CYCLE800 with angles, offsets and retraction of 0 leaves the plane where it is. Rotary axes stay where they are: the output has a machine in \
+S8029 Note "siemens-swivel-zero" "swivelling by nothing"
+"CYCLE800 without angles leaves the plane where it is; its offsets before and after the rotation shift the workpiece. Rotary axes stay where they are: the output has a machine in \
 mind whose plane is not swivelled."
 
 S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
@@ -233,7 +233,7 @@ through such moves and is taken off in the next G0 or G1 with an axis of the pla
 
 S8135 Note "siemens-stand-in" "program that `[programs]` stands for"
 "The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; whatever else the program does on \
-the machine is not in the output. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
+the machine (coolant, retraction, speed) is not in the output, and the axes stand where the call found them, or behind a tool change nowhere that is known. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
 
 S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
 "Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \

@@ -269,7 +269,7 @@ impl Sink for Plot<'_> {
             (Some(from), Some(to)) if !mv.machine => {
                 let pen = match mv.path {
                     Path::Rapid => Pen::Rapid,
-                    Path::Line(_) | Path::Arc(..) => Pen::Cut,
+                    Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => Pen::Cut,
                     Path::Thread { .. } => Pen::Thread,
                 };
                 self.rapids |= pen == Pen::Rapid;
@@ -280,12 +280,14 @@ impl Sink for Plot<'_> {
                         self.arc(view, arc, from, to, mv);
                     }
                     // Seen along its own direction a cut is a point: where a drill goes in.
-                    Path::Rapid | Path::Line(_) | Path::Thread { .. } if distance(from, to) <= SAME_POINT => {
+                    Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. }
+                        if distance(from, to) <= SAME_POINT =>
+                    {
                         if pen != Pen::Rapid {
                             self.dot(to);
                         }
                     }
-                    Path::Rapid | Path::Line(_) | Path::Thread { .. } => {
+                    Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
                         self.pen(pen, from);
                         self.line(to, pen);
                     }
@@ -317,7 +319,9 @@ impl Sink for Plot<'_> {
         }
         match &mv.path {
             Path::Arc(arc, _) if view.shows(arc.plane) => self.arc(view, arc, from, to, mv),
-            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } => self.line(to, Pen::Rapid),
+            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
+                self.line(to, Pen::Rapid)
+            }
         }
         std::mem::swap(&mut self.text, &mut self.contour);
         self.extents.cut = cut;

@@ -24,6 +24,8 @@ impl Printer<'_> {
             Function::Cutter(cutter) => self.compensation.cutter = *cutter,
             Function::Spindle(spindle) => self.spindle(*spindle, None, origin),
             Function::SpindleOf { number, spindle } => self.spindle(*spindle, Some(*number), origin),
+            // What they change has happened to the moves.
+            Function::FeedSpindle(_) | Function::Transformation(_) => {}
             Function::Coolant(coolant) => self.coolant(*coolant, origin),
             Function::Dwell(seconds) => self.dwell(*seconds, origin),
             Function::Stop => {

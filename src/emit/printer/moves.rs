@@ -81,7 +81,7 @@ impl Printer<'_> {
     }
 
     /// An axis with its coordinate in units.
-    fn axis_word(&mut self, axis: Axis, units: i64) {
+    pub(super) fn axis_word(&mut self, axis: Axis, units: i64) {
         let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
         self.page.text.number(axis.letter() as u8, units, self.places);
     }
@@ -112,7 +112,7 @@ impl Printer<'_> {
 
     /// The F word where it changes; a change of its kind gets a line of its own.
     #[inline(never)]
-    fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
+    pub(super) fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
         let units = self.places.units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));

@@ -2,11 +2,22 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod cut_off;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
+pub mod grooving;
+pub mod layers;
+pub mod long_hole;
+pub mod milling;
+pub mod path_milling;
+pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
+pub mod spigot;
 pub mod thread;
+pub mod thread_milling;
 pub mod turning;
 pub mod undercut;
 
@@ -15,11 +26,21 @@ use core::fmt;
 use super::Pos;
 use super::function::Spindle;
 
+pub use cut_off::CutOff;
 pub use drilling::Drilling;
+pub use facing::Facing;
 pub use finishing::Finishing;
+pub use grooving::Grooving;
+pub use layers::Layers;
+pub use long_hole::LongHole;
+pub use path_milling::PathMilling;
+pub use pocket::Pocket;
 pub use recess::RecessTurning;
+pub use region::Region;
 pub use roughing::Roughing;
+pub use spigot::Spigot;
 pub use thread::Thread;
+pub use thread_milling::ThreadMilling;
 pub use undercut::UndercutCycle;
 
 /// What the resolved arguments of all cycles can say.
@@ -52,11 +73,21 @@ macro_rules! families {
     ($take:ident) => {
         $take! {
             Finishing(crate::ir::cycle::Finishing),
+            Grooving(crate::ir::cycle::Grooving),
+            CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
+            Layers(crate::ir::cycle::Layers),
             Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),
+            Pocket(crate::ir::cycle::Pocket),
+            LongHole(crate::ir::cycle::LongHole),
+            Region(crate::ir::cycle::Region),
+            Facing(crate::ir::cycle::Facing),
+            Spigot(crate::ir::cycle::Spigot),
+            PathMilling(crate::ir::cycle::PathMilling),
+            ThreadMilling(crate::ir::cycle::ThreadMilling),
         }
     };
 }

@@ -34,6 +34,11 @@ impl Towards {
         matches!(self, Towards::MinusX | Towards::PlusX)
     }
 
+    /// Outwards, in a bore.
+    pub fn is_inside(self) -> bool {
+        self == Towards::PlusX
+    }
+
     /// The infeed axis and the cutting axis.
     pub fn axes(self) -> (Axis, Axis) {
         if self.is_radial() { (Axis::X, Axis::Z) } else { (Axis::Z, Axis::X) }
@@ -42,6 +47,11 @@ impl Towards {
     /// The coordinate of `p` on the infeed axis.
     pub fn depth_coordinate(self, p: Point2) -> f64 {
         if self.is_radial() { p.y } else { p.x }
+    }
+
+    /// The coordinate of `p` on the cutting axis.
+    pub fn cutting_coordinate(self, p: Point2) -> f64 {
+        if self.is_radial() { p.x } else { p.y }
     }
 }
 

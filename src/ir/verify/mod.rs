@@ -11,6 +11,7 @@ mod tests;
 use crate::machine::Axis;
 
 use super::function::Spindle;
+use super::transformation::Surface;
 use super::{Feed, Function, Pos};
 
 pub use contour::Contour;
@@ -99,6 +100,12 @@ fn near(a: f64, b: f64) -> bool {
 fn function(function: &Function) -> Result<(), Fault> {
     let amount = match function {
         Function::Cutter(cutter) => return finite(&[cutter.radius.unwrap_or(0.0), cutter.known.unwrap_or(0.0)]),
+        Function::Transformation(by) => {
+            return match by.map(|by| by.surface) {
+                Some(Surface::Mantle { diameter }) => lead(diameter),
+                Some(Surface::Face) | None => Ok(()),
+            };
+        }
         Function::Dwell(seconds) => *seconds,
         Function::Spindle(spindle) | Function::SpindleOf { spindle, .. } => match spindle {
             Spindle::Start(_) | Spindle::Stop => return Ok(()),
@@ -108,6 +115,7 @@ fn function(function: &Function) -> Result<(), Fault> {
         },
         Function::ToolChange { .. }
         | Function::ToolPrepare { .. }
+        | Function::FeedSpindle(_)
         | Function::Coolant(_)
         | Function::Stop
         | Function::OptionalStop
@@ -123,5 +131,5 @@ fn function(function: &Function) -> Result<(), Fault> {
 
 /// Does `function` leave open where the tool tip is?
 fn displaces(function: &Function) -> bool {
-    matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. })
+    matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. } | Function::Transformation(_))
 }

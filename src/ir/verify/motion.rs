@@ -2,7 +2,7 @@
 
 use crate::geo::{distance, turned};
 use crate::ir::motion::{Arc, Move, Path, Sink};
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Feed, Function, Origin, Pos};
 use crate::machine::Axis;
 
 use super::{Fault, MOST_TURNS, TOLERANCE, displaces, ensure, feed, finite, finite_pos, function, hold, lead, near};
@@ -83,6 +83,7 @@ pub fn element(start: &Pos, mv: &Move) -> Result<(), Fault> {
     }
     match &mv.path {
         Path::Rapid | Path::Line(_) => Ok(()),
+        Path::Carried { feed: along, length } => feed(Feed::PerMinute(*along)).and_then(|()| lead(*length)),
         Path::Thread { lead: along } => lead(*along),
         Path::Arc(arc, _) => circle(arc, start, mv),
     }

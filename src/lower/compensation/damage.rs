@@ -244,11 +244,13 @@ impl Compensator {
         if self.damage.reported {
             return;
         }
-        let Some(newest) = self.ahead.back_mut().or(self.path.back_mut()) else { return };
+        let Some(newest) = self.ahead.back_mut().or(self.path.back_mut()).filter(|newest| !newest.rules.is_way) else {
+            return;
+        };
         let (d, origin, newest) = (self.d, newest.origin, newest.element());
         let pieces = self.damage.behind.iter_mut();
         let hit = pieces
-            .filter(|piece| piece.kind != Kind::Gone && piece.index < since)
+            .filter(|piece| piece.kind != Kind::Gone && !piece.rules.is_way && piece.index < since)
             .find_map(|piece| piece.way().damages(&newest, d.abs() - NEARER).then_some(piece.origin));
         if let Some(path) = hit {
             self.damage.report(&path, &origin, d, diags);
@@ -268,13 +270,13 @@ impl Compensator {
     /// Does a piece of the path damage elements of the contour?
     #[inline(never)]
     fn look_at_contour(&mut self, piece: &mut Piece, since: u32, diags: &Diags) {
-        if self.damage.reported {
+        if self.damage.reported || piece.rules.is_way {
             return;
         }
         let (d, origin, way) = (self.d, piece.origin, piece.way());
         let pieces = self.damage.behind.iter_mut().chain(&mut self.path).chain(&mut self.ahead);
         let hit = pieces
-            .filter(|piece| piece.kind.is_of_contour() && piece.index < since)
+            .filter(|piece| piece.kind.is_of_contour() && !piece.rules.is_way && piece.index < since)
             .find_map(|piece| way.damages(&piece.element(), d.abs() - NEARER).then_some(piece.origin));
         if let Some(contour) = hit {
             self.damage.report(&origin, &contour, d, diags);

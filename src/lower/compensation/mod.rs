@@ -18,40 +18,23 @@ mod tests;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, Diags};
+use crate::diag::Diagnostic;
 use crate::geo::joint::Headings;
 use crate::geo::{Element, Plane, SAME_POINT, Vec2, joint};
 use crate::ir::compensation::Compensation;
-use crate::ir::motion::{self, Move, Path};
+use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
-use crate::machine::Machine;
 
-use super::{limits, step};
+use super::carrier::Out;
+use super::step;
 use damage::{Damage, Seen};
 use joints::Bench;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
-pub use reports::cycle_beside;
+pub use reports::{cycle_beside, still_on};
 
 /// Functions and moves that may wait for one element of a contour.
 const MOST_ITEMS: usize = 4096;
-
-/// Where the path goes.
-pub struct Out<'a> {
-    pub diags: &'a Diags,
-    pub machine: &'a Machine,
-    pub sink: &'a mut dyn motion::Sink,
-}
-
-impl Out<'_> {
-    #[inline]
-    pub fn movement(&mut self, mv: &Move, origin: &Origin) {
-        if !self.machine.limits.is_empty() && !mv.machine {
-            limits::check(mv, &self.machine.limits, *origin, self.diags);
-        }
-        self.sink.movement(mv, origin);
-    }
-}
 
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 enum Stage {
@@ -123,7 +106,7 @@ impl Compensator {
         out.diags.push(found);
         self.forget();
         self.stage = Stage::Refused;
-        out.sink.lost(origin);
+        out.lost(origin);
     }
 
     fn forget(&mut self) {
@@ -139,21 +122,21 @@ impl Compensator {
 
     pub fn function(&mut self, function: &Function, origin: &Origin, out: &mut Out<'_>) {
         match self.stage {
-            Stage::Off | Stage::Refused => out.sink.function(function, origin),
+            Stage::Off | Stage::Refused => out.function(function, origin),
             Stage::Constant(_) if self.ends_contour(function) => {
                 self.refuse(*reports::still_on(function, origin), origin, out);
-                out.sink.function(function, origin);
+                out.function(function, origin);
             }
             Stage::Leaving | Stage::Constant(_) => {
                 if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
                     self.at.clear();
                 }
-                out.sink.function(function, origin);
+                out.function(function, origin);
             }
             Stage::Entering | Stage::Contour => {
                 if let Err(found) = self.waits(function, origin) {
                     self.refuse(*found, origin, out);
-                    out.sink.function(function, origin);
+                    out.function(function, origin);
                 }
             }
         }
@@ -163,10 +146,12 @@ impl Compensator {
     fn ends_contour(&self, function: &Function) -> bool {
         match function {
             Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Cutter(_) => true,
+            Function::Transformation(_) => true,
             Function::Plane(plane) => *plane != self.plane,
             Function::ToolPrepare { .. }
             | Function::Spindle(_)
             | Function::SpindleOf { .. }
+            | Function::FeedSpindle(_)
             | Function::Coolant(_)
             | Function::Dwell(_)
             | Function::Stop
@@ -210,7 +195,7 @@ impl Compensator {
                 self.stage = Stage::Refused;
             }
         }
-        out.sink.lost(origin);
+        out.lost(origin);
     }
 
     /// Nothing comes any more.
@@ -241,7 +226,7 @@ impl Compensator {
         {
             out.diags.push(*found);
             self.at.clear();
-            return out.sink.lost(origin);
+            return out.lost(origin);
         }
         out.movement(mv, origin);
         self.at.update(&mv.end);
@@ -256,7 +241,7 @@ impl Compensator {
     fn send_items(&mut self, items: Vec<Item>, out: &mut Out<'_>) {
         for item in items {
             match item {
-                Item::Function(function, origin) => out.sink.function(&function, &origin),
+                Item::Function(function, origin) => out.function(&function, &origin),
                 Item::Move(mv, origin) => {
                     let mv = aside(&mv, &self.at, self.plane);
                     self.send(&mv, &origin, out);
@@ -285,7 +270,7 @@ impl Compensator {
             Way::Unknown => return Err(reports::start_unknown(origin)),
             Way::Stays => return self.beside(mv, start, origin, out),
         };
-        out.sink.programmed(mv, start);
+        out.programmed(mv, start);
         match self.stage {
             Stage::Contour if !rules.constant => {
                 let next = self.piece(mv, contour, rules, origin)?;
@@ -458,8 +443,10 @@ impl Way {
             Path::Arc(arc, _) if moves || arc.plane == mv.plane => {
                 Way::Element(Element::Arc { from, to, center: arc.center, sweep: arc.sweep })
             }
-            Path::Rapid | Path::Line(_) | Path::Thread { .. } if moves => Way::Element(Element::Line { from, to }),
-            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } => Way::Stays,
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } if moves => {
+                Way::Element(Element::Line { from, to })
+            }
+            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => Way::Stays,
         }
     }
 

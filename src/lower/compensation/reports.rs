@@ -93,10 +93,12 @@ pub fn still_on(function: &Function, origin: &Origin) -> Refused {
         Function::End { .. } => "the program ends",
         Function::WorkOffset(_) => "the work offset changes",
         Function::Cutter(_) => "the tool data change",
+        Function::Transformation(_) => "a transformation begins or ends",
         Function::Plane(_)
         | Function::ToolPrepare { .. }
         | Function::Spindle(_)
         | Function::SpindleOf { .. }
+        | Function::FeedSpindle(_)
         | Function::Coolant(_)
         | Function::Dwell(_)
         | Function::Stop
@@ -125,7 +127,7 @@ pub fn admit(mv: &Move, origin: &Origin) -> Result<(), Refused> {
         _ if mv.machine => "a block in machine coordinates",
         Path::Thread { .. } => "a thread",
         Path::Arc(arc, _) if arc.plane != mv.plane => "an arc outside the working plane",
-        Path::Rapid | Path::Line(_) | Path::Arc(..) => return Ok(()),
+        Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => return Ok(()),
     };
     Err(stands_inside(what, origin))
 }

@@ -2,12 +2,16 @@
 
 use std::rc::Rc;
 
+use super::super::carrier::Carrier;
 use super::*;
+use crate::diag::Diags;
 use crate::geo::{Point2, arc};
 use crate::ir::Feed;
 use crate::ir::compensation::{Border, Ends, Inside, Search};
+use crate::ir::motion;
 use crate::ir::motion::Arc;
 use crate::machine::AxisSet;
+use crate::machine::Machine;
 
 /// Writes what comes out as blocks.
 #[derive(Default)]
@@ -90,7 +94,8 @@ impl Program {
         let mut at = Pos::UNKNOWN;
         at.set_in_plane(Plane::Xy, Point2::new(self.start.0, self.start.1));
         at.set(crate::machine::Axis::Z, 0.0);
-        let mut out = Out { diags: &diags, machine: &machine, sink: &mut paper };
+        let mut carrier = Carrier::default();
+        let mut out = Out { diags: &diags, machine: &machine, sink: &mut paper, carrier: &mut carrier };
         let steps = self.contour.iter().map(|(to, change)| (*to, *change, self.side));
         for (to, change, side) in steps.chain([(self.end, same as fn(&mut Compensation), Side::None)]) {
             let mut rules = self.rules;

@@ -3,24 +3,38 @@
 // The enums matched here belong to one family each.
 #![allow(clippy::wildcard_enum_match_arm)]
 
+pub mod cut_off;
+pub mod cutter;
 pub mod drilling;
+pub mod facing;
 pub mod finishing;
+mod groove_cutter;
+pub mod grooving;
 pub mod infeed;
+pub mod layers;
+pub mod long_hole;
+pub mod path_milling;
+pub mod pocket;
 pub mod recess;
+pub mod region;
 pub mod roughing;
 #[cfg(test)]
 mod simulate;
 pub mod slope;
+pub mod spigot;
 pub mod thread;
+pub mod thread_milling;
 pub mod track;
 pub mod undercut;
 pub mod valley;
 
+use std::rc::Rc;
+
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2};
-use crate::ir::contour::{CtxRef, Move, Sink};
+use crate::ir::contour::{Ctx, CtxRef, Move, Sink};
 use crate::ir::cycle::{Cycle, families};
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Compensation, Function, Origin, Pos};
 use crate::machine::Axis;
 
 use track::{Failure, Stroke};
@@ -29,6 +43,8 @@ use track::{Failure, Stroke};
 #[derive(Debug, Clone, PartialEq)]
 pub enum CycleItem {
     Move(Move),
+    /// A move beside a contour, by rules of the cycle's own.
+    Beside(Move, Rc<Compensation>),
     Function(Function),
 }
 
@@ -83,8 +99,17 @@ pub fn expand(
 ) -> Result<(), Box<Diagnostic>> {
     let (first, second, third) = ctx.plane.axes();
     let start = Start { at: *start, axes: [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]] };
+    let mut beside: Option<CtxRef> = None;
     let mut send = |part: CycleItem| match part {
         CycleItem::Move(mv) => out.movement(&mv, ctx, origin),
+        CycleItem::Beside(mv, rules) => {
+            let known = beside
+                .take()
+                .filter(|known| known.compensation.as_ref().is_some_and(|of| Rc::ptr_eq(of, &rules)))
+                .unwrap_or_else(|| Rc::new(Ctx { compensation: Some(rules), ..(**ctx).clone() }));
+            out.movement(&mv, &known, origin);
+            beside = Some(known);
+        }
         CycleItem::Function(function) => out.function(&function, ctx, origin),
     };
     expand_family(cycle, &start, &mut send).map_err(|failure| {

@@ -1,7 +1,7 @@
 //! A groove as a recessing tool sees it: between two walls that fall to one floor.
 
 use crate::geo::wall::{Leg, NoWall, Wall, quarters};
-use crate::geo::{Element, Point2, Vec2};
+use crate::geo::{Element, Point2, Vec2, left};
 
 use super::track::View;
 
@@ -14,6 +14,26 @@ pub struct Valley {
     first: Vec<Element>,
     second: Vec<Element>,
     floor: f64,
+}
+
+/// What is left on a groove.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Oversize {
+    /// Square to the contour.
+    pub around: f64,
+    /// How far the first and the second wall move towards each other.
+    pub along: [f64; 2],
+    /// How far all moves out of the material.
+    pub up: f64,
+}
+
+/// What lies above the rims of a groove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Above {
+    /// The walls go on straight up.
+    Material,
+    /// Nothing: the noses come down beside the rim.
+    Nothing,
 }
 
 /// Why a contour is no groove.
@@ -96,23 +116,35 @@ impl Valley {
         Ok(valley)
     }
 
-    /// The groove for a tool of `width` with noses of radius `nose`, `oversize` being left on both walls (x)
-    /// and on the floor (y). `None` if the tool does not fit between the walls down to the floor.
-    pub fn slot(&self, width: f64, nose: f64, oversize: Vec2) -> Option<Slot> {
-        let wall = |chain: &[Element]| {
-            let moved: Vec<Element> = chain.iter().map(|e| shifted(e, oversize)).collect();
-            Wall::new(&moved, nose).ok()
+    /// The groove for a tool of `width` with noses of radius `nose`. `None` if the tool does not fit between the walls down
+    /// to the floor.
+    pub fn slot(&self, width: f64, nose: f64, left: Oversize, above: Above) -> Option<Slot> {
+        let wall = |chain: &[Element], along: f64| {
+            let mut moved: Vec<Element> = chain.iter().map(|e| shifted(e, Vec2::new(along, left.up))).collect();
+            let radius = nose + left.around;
+            if above == Above::Nothing {
+                moved.splice(0..0, free_rim(moved.first()?, radius));
+            }
+            Wall::new(&moved, radius).ok()
         };
         let slot = Slot {
-            first: wall(&self.first)?,
-            second: wall(&self.second)?,
-            floor: self.floor + oversize.y,
+            first: wall(&self.first, left.along[0])?,
+            second: wall(&self.second, left.along[1])?,
+            floor: self.floor + left.up + left.around,
             width,
             nose,
+            around: left.around,
         };
         let room = slot.raw_end(slot.floor) - slot.begin(slot.floor);
         (room >= -LEVEL).then_some(slot)
     }
+}
+
+/// The surface beside the rim, as far as the nose hangs over it where it touches the first element.
+fn free_rim(first: &Element, nose: f64) -> Option<Element> {
+    let over = nose * (1.0 - left(first.start_direction()?).x);
+    let rim = first.from();
+    (over > 0.0).then(|| Element::Line { from: rim - Vec2::new(over, 0.0), to: rim })
 }
 
 /// Where a recessing tool may be. Positions are those of its edge towards -x.
@@ -123,12 +155,13 @@ pub struct Slot {
     pub floor: f64,
     width: f64,
     nose: f64,
+    around: f64,
 }
 
 impl Slot {
     /// Nearest position to the first wall with the cutting edge at height `y`.
     pub fn begin(&self, y: f64) -> f64 {
-        self.first.touch(y) - self.nose
+        self.first.touch(y - self.around) - self.nose
     }
 
     /// Nearest position to the second wall.
@@ -138,7 +171,7 @@ impl Slot {
     }
 
     fn raw_end(&self, y: f64) -> f64 {
-        -(self.second.touch(y) - self.nose) - self.width
+        -(self.second.touch(y - self.around) - self.nose) - self.width
     }
 
     /// Least height of the cutting edge with the tool at `x`, not below the floor and not above `top`.
@@ -162,15 +195,15 @@ impl Slot {
 
     /// The way down the first wall from `top` to the floor.
     pub fn down_first(&self, top: f64) -> (Point2, Vec<Leg>) {
-        let place = |p: Point2| Point2::new(p.x - self.nose, p.y);
-        let (start, legs) = self.first.way(top, self.floor);
+        let place = |p: Point2| Point2::new(p.x - self.nose, p.y + self.around);
+        let (start, legs) = self.first.way(top - self.around, self.floor - self.around);
         (place(start), legs.iter().map(|leg| moved(leg, place, false)).collect())
     }
 
     /// The way down the second wall.
     pub fn down_second(&self, top: f64) -> (Point2, Vec<Leg>) {
-        let place = |p: Point2| Point2::new(-(p.x - self.nose) - self.width, p.y);
-        let (start, legs) = self.second.way(top, self.floor);
+        let place = |p: Point2| Point2::new(-(p.x - self.nose) - self.width, p.y + self.around);
+        let (start, legs) = self.second.way(top - self.around, self.floor - self.around);
         (place(start), legs.iter().map(|leg| moved(leg, place, true)).collect())
     }
 }
@@ -206,10 +239,10 @@ mod tests {
     #[test]
     fn a_tool_that_is_too_wide_has_no_slot() {
         let valley = Valley::new(&lines(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 5.0)])).expect("a groove");
-        assert!(valley.slot(4.0, 0.2, Vec2::zeros()).is_some());
-        assert!(valley.slot(4.0, 0.2, Vec2::new(0.1, 0.0)).is_none());
+        assert!(valley.slot(4.0, 0.2, Oversize::default(), Above::Material).is_some());
+        assert!(valley.slot(4.0, 0.2, Oversize { along: [0.1; 2], ..Oversize::default() }, Above::Material).is_none());
         let vee = Valley::new(&lines(&[(0.0, 5.0), (3.0, 0.0), (6.0, 5.0)])).expect("a groove");
-        assert!(vee.slot(1.0, 0.2, Vec2::zeros()).is_none());
+        assert!(vee.slot(1.0, 0.2, Oversize::default(), Above::Material).is_none());
     }
 
     #[test]
@@ -223,7 +256,7 @@ mod tests {
         let valley = Valley::new(&[half]).expect("a groove");
         assert!((valley.floor + 5.0).abs() < 1e-12);
         // A full-radius tool reaches the floor, a flat one does not.
-        assert!(valley.slot(2.0, 1.0, Vec2::zeros()).is_some());
-        assert!(valley.slot(2.0, 0.2, Vec2::zeros()).is_none());
+        assert!(valley.slot(2.0, 1.0, Oversize::default(), Above::Material).is_some());
+        assert!(valley.slot(2.0, 0.2, Oversize::default(), Above::Material).is_none());
     }
 }

@@ -52,6 +52,9 @@ pub const KEYS: &[Key] = &[
     key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0", |s, v| {
         coordinates(&mut s.machine.swivel_retract, v)
     }),
+    key("swivel_retract_most", Kind::Free, "the same as far as possible along the tool (`_FR` 4): Z = 0.0", |s, v| {
+        coordinates(&mut s.machine.swivel_retract_most, v)
+    }),
     key("fixed_point", Kind::Free, "machine coordinates of the fixed point (G75): Z = 0.0", |s, v| {
         coordinates(&mut s.machine.fixed_point[0], v)
     }),
@@ -64,11 +67,23 @@ pub const KEYS: &[Key] = &[
     key("fixed_point_4", Kind::Free, "the same of the fourth fixed point (G75 FP=4)", |s, v| {
         coordinates(&mut s.machine.fixed_point[3], v)
     }),
+    key(
+        "rotary_axis",
+        Kind::Text,
+        "SINUMERIK: axis that turns the workpiece about Z under TRANSMIT and TRACYL",
+        |s, v| put(&mut s.machine.rotary_axis, rotary_axis(v)?),
+    )
+    .or(r#""C""#),
     key("modulo", Kind::Texts, "SINUMERIK: rotary axes that count modulo 360 degrees", |s, v| {
         put(&mut s.machine.modulo, rotary_axes(v)?)
     })
     .or("[]"),
 ];
+
+fn rotary_axis(node: &Node) -> Result<Axis, ConfigError> {
+    let axis = axis(text(node), node)?;
+    if axis.is_rotary() { Ok(axis) } else { Err(node.fail("the axis that turns the workpiece is A, B or C")) }
+}
 
 fn diameter_axis(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {
     let name = text(node);

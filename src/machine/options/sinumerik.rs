@@ -61,6 +61,7 @@ pub const KEYS: &[Key] = &[
                 "curve_feed",
                 Kind::Choice(&["programmed", "control"]),
                 "SINUMERIK: F on compensated arcs: as programmed, or as CFC, CFTCP and CFIN say, so that the centre gets F times its radius by that of the contour", |s, v| put(&mut s.control.sinumerik.compensation.curve_feed, is(v, "control"))).or(r#""programmed""#),
+    key("md10602", Kind::Whole, "SINUMERIK: what becomes of a frame where TRANSMIT, TRACYL and TRAFOOF change the axes; 1: it stays, others are refused", |s, v| put(&mut s.control.sinumerik.transformation_keeps_frame, whole(v) == 1)),
     key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.sinumerik.main_variables_visible, flag(v))).or("false"),
 ];
 
@@ -95,6 +96,8 @@ pub struct Sinumerik {
     pub save_restores_offset: Option<bool>,
     /// G40 in front of a move that leaves the plane alone is refused, as alarm 10754 has it.
     pub g40_needs_motion: bool,
+    /// A frame stays where a transformation begins or ends (MD 10602).
+    pub transformation_keeps_frame: bool,
     /// Variables of the main program are seen in subprograms (MD 11120).
     pub main_variables_visible: bool,
     /// Feed at the start of a program is per revolution (MD 20150).
@@ -155,6 +158,7 @@ impl Default for Sinumerik {
             tool_change_by_t: None,
             save_restores_offset: None,
             g40_needs_motion: false,
+            transformation_keeps_frame: false,
             main_variables_visible: false,
             feed_per_revolution: None,
             machine_moves_without_tool: false,

@@ -3,7 +3,6 @@
 //! Source: S 5.6 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::StandIn;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::run::{Level, Where, open_program};
@@ -102,11 +101,21 @@ impl Run<'_> {
         }
     }
 
-    /// Finds the program `name`: in the archive, beside it, in the include roots.
+    /// Finds the program `name` and reports one that is nowhere.
     pub(super) fn find_program(&mut self, name: &str, span: Span) -> Outcome<usize> {
-        let (bare, _) = bare_name(&name.to_ascii_uppercase());
-        let plain = bare.rsplit(['/', '\\']).next().unwrap_or(&bare).to_owned();
-        let (plain, _) = bare_name(&plain);
+        self.look_for(name, span).or_else(|missing| match missing {
+            Missing::Reported => Err(Reported),
+            Missing::Nowhere { tried, like } => {
+                let help = "put the program beside this one or into an include root; or correct the word";
+                self.program_missing(&called_name(name), &tried, like, help, span)
+            }
+        })
+    }
+
+    /// Looks for the program `name` in the archive, beside it, and in the include roots; for the one that `[programs]`
+    /// gives in its place, where it is in none of them.
+    pub(super) fn look_for(&mut self, name: &str, span: Span) -> Result<usize, Missing> {
+        let plain = called_name(name);
         let file = self.units.list[self.unit()].file;
         if self.list_programs(file).is_ok()
             && let Some(unit) = self.units.find_in_file(file, without_extension(&plain))
@@ -122,10 +131,7 @@ impl Run<'_> {
             return Ok(unit);
         }
         let loc = self.loc(span);
-        let stand_in = match self.job.settings.programs.get(without_extension(&plain)) {
-            Some(StandIn::File(file)) if !self.own_program(without_extension(&plain)) => Some(file.clone()),
-            _ => None,
-        };
+        let stand_in = self.file_in_place_of(without_extension(&plain));
         let name = stand_in.as_deref().unwrap_or(name);
         let wanted = if stand_in.is_some() {
             name.to_owned()
@@ -136,16 +142,15 @@ impl Run<'_> {
         };
         let request = Request { from: &self.job.sources.identity(loc.file), name: &wanted, extensions: EXTENSIONS };
         if let Err(FileError::NotFound { tried, similar }) = self.job.files.open(&request) {
-            let like = similar.first().cloned();
-            return self.program_missing(&plain, &tried, like, span);
+            return Err(Missing::Nowhere { tried, like: similar.into_iter().next() });
         }
         let Some(id) = open_program(&self.job, &wanted, EXTENSIONS, loc, self.here.origin.call) else {
             self.stop_run();
-            return Err(Reported);
+            return Err(Missing::Reported);
         };
         let Some(file) = self.open(id, loc) else {
             self.stop_run();
-            return Err(Reported);
+            return Err(Missing::Reported);
         };
         let unit = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, file);
         let file = self.units.list[unit].file;
@@ -157,7 +162,14 @@ impl Run<'_> {
         Ok(unit)
     }
 
-    fn program_missing<T>(&mut self, name: &str, tried: &[String], like: Option<String>, span: Span) -> Outcome<T> {
+    pub(super) fn program_missing<T>(
+        &mut self,
+        name: &str,
+        tried: &[String],
+        like: Option<String>,
+        help: &str,
+        span: Span,
+    ) -> Outcome<T> {
         self.stop_run();
         let found = Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), format!("there is no program `{name}`"))
             .here(format!("looked for {}", tried.join(", ")));
@@ -168,7 +180,7 @@ impl Run<'_> {
             None if name.starts_with("F_") || name.starts_with("E_") => found.help(
                 "names like this are steps of ShopMill and ShopTurn, which only the control runs; put the program out as G code",
             ),
-            None => found.help("put the program beside this one or into an include root; or correct the word"),
+            None => found.help(help),
         });
         Err(Reported)
     }
@@ -259,8 +271,7 @@ impl Run<'_> {
         match form {
             CallForm::Text(formula) | CallForm::External(formula) => {
                 let name = self.program_name(formula, block, text)?;
-                let unit = self.find_program(&name, formula.span)?;
-                self.call_unit(unit, Vec::new(), 1, false)
+                self.call_by_name(&name, formula.span, Vec::new(), 1)
             }
             CallForm::Section { program, from, to } => {
                 let unit = match program {
@@ -275,8 +286,7 @@ impl Run<'_> {
             CallForm::Path { path, args } => {
                 let name = String::from_utf8_lossy(path.of(text)).replace(' ', "");
                 let arguments = self.arguments(args, block, text)?;
-                let unit = self.find_program(&name, path)?;
-                self.call_unit(unit, arguments, 1, false)
+                self.call_by_name(&name, path, arguments, 1)
             }
             CallForm::Modal { name, args } => self.modal_call(name, args, block, text),
             CallForm::ModalOff => {
@@ -342,7 +352,11 @@ impl Run<'_> {
         if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
             return result;
         }
-        if let Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) = self.vocabulary.get(&word[..]) {
+        let refused = match self.vocabulary.get(&word[..]) {
+            Some(Meaning::Procedure(Procedure::Refused(Refusal { what, .. }))) => Some(*what),
+            _ => None,
+        };
+        if let Some(what) = refused.filter(|_| !self.own_program(&word)) {
             return self.fail_help(
                 codes::S9005,
                 block.span,
@@ -351,7 +365,10 @@ impl Run<'_> {
             );
         }
         let arguments = self.arguments(args, block, text)?;
-        let unit = self.find_program(&word, block.span)?;
+        if let Some(done) = self.modal_stand_in(&word, block.span) {
+            return done;
+        }
+        let unit = self.find_called(&word, block.span, &arguments)?;
         self.st.modal_call.set_program(unit, arguments);
         Ok(())
     }
@@ -459,8 +476,25 @@ impl Core<'_> {
     }
 }
 
+/// Why a program is not found.
+pub(super) enum Missing {
+    Reported,
+    /// What was looked for, and a file with a similar name.
+    Nowhere {
+        tried: Vec<String>,
+        like: Option<String>,
+    },
+}
+
 /// Extensions of programs that are called by name.
 pub(super) const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
+
+/// The name of a program without folder, `_N_` and `_SPF`.
+pub(super) fn called_name(name: &str) -> String {
+    let (bare, _) = bare_name(&name.to_ascii_uppercase());
+    let last = bare.rsplit(['/', '\\']).next().unwrap_or(&bare);
+    bare_name(last).0
+}
 
 /// `/_N_SPF_DIR/_N_X_SPF` is `/_N_SPF_DIR/X.SPF`.
 fn file_name(path: &str) -> String {

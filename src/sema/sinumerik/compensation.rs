@@ -190,6 +190,19 @@ impl Channel<'_> {
         }
     }
 
+    /// The rules for a path that a cycle makes: it comes to the contour by itself, and damages nothing of it.
+    pub(super) fn rules_of_cycle(&self, radius: f64, place: Where) -> Outcome<ir::Compensation> {
+        let rules = self.rules(Cutter { radius, nose: Vec2::zeros() }, place)?;
+        Ok(ir::Compensation {
+            radius,
+            approach: Border::Perpendicular,
+            retract: Border::Perpendicular,
+            search: Search { bottlenecks: true, ..rules.search },
+            constant: false,
+            ..rules
+        })
+    }
+
     fn rules(&self, cutter: Cutter, place: Where) -> Outcome<ir::Compensation> {
         self.plane_is_straight(place)?;
         let codes_on = &self.st.codes;
@@ -248,6 +261,7 @@ impl Channel<'_> {
                 GCode::CFC => FeedAt::Contour,
                 _ => FeedAt::HollowContour,
             },
+            is_way: false,
             joints_are_documented: true,
             alarms: ALARMS,
         })
@@ -339,7 +353,7 @@ impl Core<'_> {
 
 /// Way from the tip to the centre of a nose of radius 1 along Z and X, by the position of the edge: seen with Z to the
 /// right and X up.
-fn nose_of(position: f64) -> Option<Vec2> {
+pub(super) fn nose_of(position: f64) -> Option<Vec2> {
     let (z, x) = match position as i64 {
         _ if position.fract() != 0.0 => return None,
         1 => (-1.0, -1.0),

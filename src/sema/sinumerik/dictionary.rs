@@ -7,8 +7,8 @@ use crate::diag::codes;
 use super::g_groups::named_codes;
 use super::known_words::KNOWN;
 use super::vocabulary::{
-    ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, Procedure, REFUSED, Refusal,
-    TRANSFORMATIONS,
+    ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, OnSurface, Procedure,
+    REFUSED, Refusal, TRANSFORMATIONS,
 };
 
 /// Every word of the language by name.
@@ -40,6 +40,8 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
         ("CALLPATH", Procedure::CallPath),
         ("EXECSTRING", Procedure::ExecString),
         ("RET", Procedure::Return),
+        ("TRANSMIT", Procedure::Transformation(OnSurface::Face)),
+        ("TRACYL", Procedure::Transformation(OnSurface::Mantle)),
         ("TRAFOOF", Procedure::TransformationOff),
         ("CYCLE800", Procedure::Swivel),
         ("GEOAX", Procedure::GeoAxes),

@@ -123,7 +123,7 @@ impl Channel<'_> {
         }
         if let Some(fb) = self.block_feed(w)? {
             if self.st.codes.per_revolution() {
-                self.master_is_main(fb.span, "a feed per revolution")?;
+                self.master_feeds(fb.span);
             }
             return Ok(self.st.feed_of(fb.value));
         }
@@ -148,7 +148,7 @@ impl Channel<'_> {
             Some(feed) => {
                 self.feed_kind_is_said();
                 if matches!(feed, Feed::PerRevolution(_)) {
-                    self.master_is_main(Where::Block, "a feed per revolution")?;
+                    self.master_feeds(Where::Block);
                     self.spindle_feeds();
                 }
                 let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);

@@ -245,6 +245,8 @@ fn linear(parts: &Parts) -> Matrix3<f64> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Frames {
     programmable: FrameValue,
+    /// The shift of CYCLE800.
+    swivelled: FrameValue,
     /// Work offsets that the program wrote, by number (0 is G500).
     written: BTreeMap<u8, FrameValue>,
     /// The work offset in force, where the program wrote it.
@@ -299,11 +301,21 @@ impl Frames {
         self.written.insert(number, frame);
     }
 
+    /// The shift of CYCLE800, between the work offset and the programmable frame.
+    pub fn swivelled(&self) -> &FrameValue {
+        &self.swivelled
+    }
+
+    pub fn set_swivelled(&mut self, frame: FrameValue) {
+        self.swivelled = frame;
+    }
+
     /// All of them together.
     pub fn total(&self) -> FrameValue {
+        let inner = self.swivelled.chain(&self.programmable);
         match &self.settable {
-            Some(outer) => outer.chain(&self.programmable),
-            None => self.programmable.clone(),
+            Some(outer) => outer.chain(&inner),
+            None => inner,
         }
     }
 

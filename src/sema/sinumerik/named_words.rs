@@ -158,12 +158,8 @@ impl Run<'_> {
                     self.speed_limit_of(spindle, given)?;
                     return Ok(false);
                 }
-                self.fail_help(
-                    codes::S9007,
-                    word.span,
-                    format!("spindle {spindle} is not the master spindle"),
-                    "only speed and sense of rotation of further spindles can be printed",
-                )
+                let given = self.given(word, block, text)?;
+                self.spindle_position_of(spindle, given).map(|()| false)
             }
             Meaning::Address(Address::Dynamics) => {
                 self.given(word, block, text)?;

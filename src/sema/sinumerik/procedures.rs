@@ -3,15 +3,16 @@
 //! Source: S 1.5, 5.6 and 6 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::ir::{Function, Pos, Side};
-use crate::machine::{Axis, AxisSet};
+use crate::ir::Function;
+use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
+use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
-use super::{Channel, Core, Outcome, Run};
+use super::{Core, Outcome, Run};
 
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
@@ -33,6 +34,7 @@ impl Run<'_> {
                     | Procedure::Return
                     | Procedure::SetAlarm
                     | Procedure::SetMaster
+                    | Procedure::Transformation(_)
                     | Procedure::Refused(_)
             );
             if alone && (self.has_other_words(w) || w.calls.passes.is_some()) {
@@ -76,8 +78,9 @@ impl Run<'_> {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
             let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
-            let help = "replace it by plain moves, or put its program beside this one";
-            return self.fail_help(codes::S9005, call.span, message, help);
+            let line = NameOfCall { name: &name, text: None, arguments: true, tool_waits: false }.line();
+            let help = format!("replace it by plain moves, or put its program beside this one; or {line}");
+            return self.fail_help(codes::S9005, call.span, message, &help);
         }
         if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
             let message = format!("{name} is a word of the language and lacks its value");
@@ -87,8 +90,13 @@ impl Run<'_> {
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
 
-    /// A program of the user with the name of a cycle goes before it.
+    /// A program of the user with the name of a cycle goes before it, and so does what `[programs]` gives in its place.
     pub(super) fn own_program(&mut self, name: &str) -> bool {
+        self.job.settings.programs.contains_key(name) || self.is_here(name)
+    }
+
+    /// Is there a program of this name in the file, or beside it?
+    pub(super) fn is_here(&mut self, name: &str) -> bool {
         let file = self.units.list[self.unit()].file;
         let listed = self.list_programs(file).is_ok();
         if listed && (self.units.find_in_file(file, name).is_some() || self.units.find_in_file(0, name).is_some()) {
@@ -139,20 +147,7 @@ impl Run<'_> {
             None => Vec::new(),
         };
         self.pending_must_be_done(span)?;
-        if let Some(done) = self.stand_in(name, span, &arguments, passes) {
-            return done;
-        }
-        let result = self.find_program(name, span);
-        let unit = match result {
-            Ok(unit) => unit,
-            Err(reported) => {
-                // What it would have done is not known.
-                self.st.position.lose(AxisSet::ALL);
-                self.lost();
-                return Err(reported);
-            }
-        };
-        self.call_unit(unit, arguments, passes, false)
+        self.call_by_name(name, span, arguments, passes)
     }
 
     /// A word of the language that is written like a call.
@@ -247,7 +242,18 @@ impl Run<'_> {
             }
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
-            Procedure::TransformationOff | Procedure::Swivel if formulas.is_empty() => {
+            Procedure::Transformation(_) if self.own_program(&name) => {
+                self.call_program(&name, call.span, Some(call), None, block, text)
+            }
+            Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
+            Procedure::TransformationOff if formulas.is_empty() => {
+                if !self.transformation_off(call.span)? {
+                    self.control_words_are_left_out(call.span);
+                }
+                Ok(())
+            }
+            Procedure::Swivel if formulas.is_empty() => {
+                self.swivel_off();
                 self.control_words_are_left_out(call.span);
                 Ok(())
             }
@@ -307,37 +313,6 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// `CYCLE800(…)`. Without retraction, offsets and angles the plane stays where it is; everything else moves axes.
-    fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
-        /// Places of offsets and angles.
-        const MOVES: [usize; 9] = [4, 5, 6, 7, 8, 9, 10, 11, 12];
-        for at in MOVES {
-            let Some(formula) = formulas.get(at).filter(|formula| !formula.is_missing()) else { continue };
-            if self.number(*formula, block, text)? == 0.0 {
-                continue;
-            }
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
-            return self.fail_help(
-                codes::S9006,
-                formula.span,
-                "CYCLE800 swivels or shifts the working plane, which plain G-code in three axes cannot say",
-                "have the CAM system put out the swivelled part by itself",
-            );
-        }
-        let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
-        if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
-            let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
-            return self.fail_help(codes::S9006, span, message, "program the rotary axis, and leave CYCLE800 out");
-        }
-        if let Some(mode) = formulas.first().filter(|formula| !formula.is_missing()) {
-            let value = self.number(*mode, block, text)?;
-            self.swivel_retracts(value, mode.span)?;
-        }
-        self.note_once(codes::S8029, span, "CYCLE800 without angles and offsets turns nothing and is left out");
-        Ok(())
-    }
-
     pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let [formula] = *formulas else {
             return self.fail(codes::S2021.alarm(14021), span, "EXECSTRING takes one text");
@@ -381,42 +356,6 @@ impl Run<'_> {
             }
         }
         self.control_words_are_left_out(span);
-        Ok(())
-    }
-}
-
-impl Channel<'_> {
-    /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y.
-    fn swivel_retracts(&mut self, mode: f64, span: Span) -> Outcome {
-        let steps: &[&[Axis]] = match mode {
-            0.0 => return Ok(()),
-            1.0 => &[&[Axis::Z]],
-            2.0 => &[&[Axis::Z], &[Axis::X, Axis::Y]],
-            _ => &[],
-        };
-        let points = &self.job.settings.machine.swivel_retract;
-        if steps.is_empty() || !steps.concat().iter().all(|axis| points.contains_key(axis)) {
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
-            return self.fail_help(
-                codes::S9006,
-                span,
-                "CYCLE800 retracts the tool to a place that is a machine datum",
-                "give it in machine coordinates: `[machine] swivel_retract = { Z = 0.0 }`; or program the retraction \
-                 (SUPA G0 Z…) and 0 as the first argument",
-            );
-        }
-        self.pending_must_be_done(span)?;
-        if self.st.side() != Side::None {
-            return self.fail(codes::S2080, span, "CYCLE800 retracts under radius compensation");
-        }
-        for axes in steps {
-            let mut end = Pos::UNKNOWN;
-            for axis in *axes {
-                end.set(*axis, points[axis]);
-            }
-            self.machine_rapid(end);
-        }
         Ok(())
     }
 }

@@ -14,7 +14,8 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::tangent_at;
-use crate::geo::{Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction, left};
+use crate::geo::soft::{Shape, touch};
+use crate::geo::{Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction};
 use crate::ir::compensation::Border;
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{self, Feed, Function, Origin, Pos, Side};
@@ -32,13 +33,6 @@ use super::{Channel, Outcome, Reported};
 const MOST_HELD: usize = 256;
 /// How far a computed end may lie beside its circle, in mm.
 const CLOSE: f64 = 1e-6;
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Shape {
-    Line,
-    Quadrant,
-    Semicircle,
-}
 
 /// A height along the tool axis.
 #[derive(Debug, Clone, Copy)]
@@ -84,14 +78,6 @@ pub(super) struct Soft {
     before: Path,
     feed: Option<Feed>,
     held: Vec<(Function, Origin)>,
-}
-
-/// Where a way touches the contour: its circle or line, seen from the contour and from the centre of the tool.
-struct Touch {
-    /// Ends of the way away from the contour.
-    contour: Point2,
-    centre: Point2,
-    circle: Option<Point2>,
 }
 
 fn shape_of(code: GCode) -> Option<(Shape, bool)> {
@@ -360,27 +346,6 @@ impl Channel<'_> {
         }
     }
 
-    fn touch(&self, sizes: &Sizes, at: Point2, away: Vec2, left_side: f64, radius: f64) -> Touch {
-        // `away` leads along the contour away from the point, seen backwards for an approach.
-        let m = left(away) * left_side;
-        let edge = at + m * radius;
-        match sizes.shape {
-            Shape::Line => {
-                let way = away * (sizes.size + radius);
-                Touch { contour: at + way, centre: edge + way, circle: None }
-            }
-            Shape::Quadrant | Shape::Semicircle => {
-                let out = if sizes.shape == Shape::Quadrant { away } else { m };
-                let center = edge + m * sizes.size;
-                Touch {
-                    contour: center + out * (sizes.size + radius),
-                    centre: center + out * sizes.size,
-                    circle: Some(center),
-                }
-            }
-        }
-    }
-
     fn make_approach(&mut self, soft: &Soft, end: &Pos, path: &Path) -> Outcome {
         let plane = self.st.plane();
         let third = self.st.roles()[2];
@@ -397,7 +362,7 @@ impl Channel<'_> {
         let s = self.soft_side(side, soft.from.in_plane(plane), at, heading, soft.span)?;
         let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
         // Backwards along the contour its sides are swapped.
-        let touch = self.touch(&soft.sizes, at, -heading, -s, radius);
+        let touch = touch(soft.sizes.shape, soft.sizes.size, at, -heading, -s, radius);
         let heights = self.approach_heights(soft, third)?;
         self.straight_border();
         let printed = self.st.printed_side(side);
@@ -521,7 +486,7 @@ impl Channel<'_> {
         let far = Point2::new(corner(first, at.x), corner(second, at.y));
         let s = self.soft_side(side, named.then_some(far), at, heading, span)?;
         let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
-        let touch = self.touch(&sizes, at, heading, s, radius);
+        let touch = touch(sizes.shape, sizes.size, at, heading, s, radius);
         let contour = self.st.position.get(third);
         let heights = match (contour, end.get(third).or(contour)) {
             (Some(contour), Some(top)) => {

@@ -35,8 +35,16 @@ impl Channel<'_> {
         }
     }
 
-    /// Feed per revolution, threads and cutting speed count with the turns of the master; the target counts those
-    /// of its first spindle.
+    /// Says once that a feed per revolution counts the turns of another spindle than the target's first one.
+    pub(super) fn master_feeds(&self, place: impl Into<Where>) {
+        let master = self.st.spindles.master();
+        if master != MAIN_SPINDLE && !self.is_capturing() {
+            let message = format!("the feed per revolution of spindle {master}, the master, is printed per minute");
+            self.note_once(codes::S8253, place, message);
+        }
+    }
+
+    /// Threads and cutting speed count with the turns of the master; the target counts those of its first spindle.
     pub(super) fn master_is_main(&self, place: impl Into<Where>, what: &str) -> Outcome {
         let master = self.st.spindles.master();
         if master == MAIN_SPINDLE {
@@ -46,7 +54,7 @@ impl Channel<'_> {
             codes::S9007,
             place,
             format!("{what} follows spindle {master}, the master; the target follows its first spindle"),
-            "program a feed per minute (G94), or make spindle 1 the master: SETMS(1)",
+            "make spindle 1 the master: SETMS(1)",
         )
     }
 
@@ -219,8 +227,7 @@ impl Channel<'_> {
         let from = match given.mode {
             Mode::Plain | Mode::Ac | Mode::Dc => 0.0,
             Mode::Acp | Mode::Acn => {
-                let message = "the sense in which SPOS=ACP(…) and ACN(…) turn the spindle is not printed";
-                self.note_once(codes::S8031, given.span, message);
+                self.sense_of_position_is_left_out(given.span);
                 0.0
             }
             Mode::Ic => match self.st.spindles.angle() {
@@ -241,6 +248,31 @@ impl Channel<'_> {
         self.st.spindles.stop_at(angle);
         self.send_spindle(master, Spindle::Orient(angle));
         Ok(())
+    }
+
+    /// `SPOS[2]=90` of a spindle that is not the master.
+    pub(super) fn spindle_position_of(&mut self, n: u8, given: Given) -> Outcome {
+        self.spindle_number(n, given.span)?;
+        match given.mode {
+            Mode::Plain | Mode::Ac | Mode::Dc => {}
+            Mode::Acp | Mode::Acn => self.sense_of_position_is_left_out(given.span),
+            Mode::Ic => {
+                return self.fail_help(
+                    codes::S2045,
+                    given.span,
+                    format!("where spindle {n} stands, from which SPOS=IC(…) counts, is not known"),
+                    "program the angle absolutely",
+                );
+            }
+            _ => return self.does_not_fit(given.span),
+        }
+        self.st.spindles.set_turn_of(n, None);
+        self.send_spindle(n, Spindle::Orient(super::rotary::reduced(given.value)));
+        Ok(())
+    }
+
+    fn sense_of_position_is_left_out(&self, span: Span) {
+        self.note_once(codes::S8031, span, "the sense in which SPOS=ACP(…) and ACN(…) turn the spindle is not printed");
     }
 
     /// `LIMS=` of the master.
@@ -297,6 +329,7 @@ impl Channel<'_> {
             );
         }
         self.st.spindles.select_master(n);
+        self.function(Function::FeedSpindle(n));
         self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));
         Ok(())
     }

@@ -1,47 +1,118 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::StandIn;
+use crate::machine::{AxisSet, ChangeCall, StandIn};
 use crate::text::Span;
 
+use super::calls::{Missing, called_name};
 use super::programs::without_extension;
-use super::value::{Val, whole};
+use super::value::Val;
 use super::vars::Argument;
-use super::{Channel, Outcome, Run};
+use super::{Channel, Outcome, Reported, Run};
 
 impl Run<'_> {
+    /// Calls the program `name`, or does what stands for it.
+    pub(super) fn call_by_name(&mut self, name: &str, span: Span, arguments: Vec<Argument>, passes: u32) -> Outcome {
+        if let Some(done) = self.stand_in(name, span, &arguments, passes) {
+            return done;
+        }
+        let unit = self.find_called(name, span, &arguments)?;
+        self.call_unit(unit, arguments, passes, false)
+    }
+
+    /// Finds a program that is called, and proposes what may stand for one that is nowhere.
+    pub(super) fn find_called(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome<usize> {
+        let found = self.look_for(name, span).or_else(|missing| match missing {
+            Missing::Reported => Err(Reported),
+            Missing::Nowhere { tried, like } => {
+                let plain = called_name(name);
+                let text = arguments.iter().position(|argument| matches!(argument.value, Val::Text(_)));
+                let call = NameOfCall {
+                    name: without_extension(&plain),
+                    text: text.map(|at| at + 1),
+                    arguments: !arguments.is_empty(),
+                    tool_waits: self.st.tool.next().is_some_and(|next| Some(next) != self.st.tool.active()),
+                };
+                let help = match self.job.settings.programs.get(call.name) {
+                    Some(StandIn::File(file)) => {
+                        format!("put `{file}`, which `[programs]` names, beside the program or into an include root")
+                    }
+                    _ => call.help(),
+                };
+                self.program_missing(&plain, &tried, like, &help, span)
+            }
+        });
+        if found.is_err() {
+            // What it would have done is not known.
+            self.st.position.lose(AxisSet::ALL);
+            self.lost();
+        }
+        found
+    }
+
+    /// The file that `[programs]` gives in place of `name`, unless there is a program of that name.
+    pub(super) fn file_in_place_of(&mut self, name: &str) -> Option<String> {
+        match self.job.settings.programs.get(name) {
+            Some(StandIn::File(file)) if !self.is_here(name) => Some(file.clone()),
+            _ => None,
+        }
+    }
+
     /// What the call of `name` does by `[programs]`; `None` for a program that is looked for.
-    pub(super) fn stand_in(&mut self, name: &str, span: Span, arguments: &[Argument], passes: u32) -> Option<Outcome> {
-        let name = without_extension(&name.to_ascii_uppercase()).to_owned();
-        let stand_in = self.job.settings.programs.get(&name)?.clone();
-        let place = match stand_in {
+    fn stand_in(&mut self, name: &str, span: Span, arguments: &[Argument], passes: u32) -> Option<Outcome> {
+        let name = called_name(name);
+        let name = without_extension(&name);
+        let change = match self.job.settings.programs.get(name)? {
             StandIn::File(_) => return None,
-            StandIn::Tool(place) => Some(place),
+            StandIn::Change(change) => Some(*change),
             StandIn::Ignored => None,
         };
-        if self.own_program(&name) {
+        if self.is_here(name) {
             return None;
         }
-        let what = match place {
-            Some(_) => format!("{name} changes the tool, as `[programs]` says; whatever else it does is left out"),
-            None => format!("{name} is left out, as `[programs]` says"),
-        };
-        let found = Diagnostic::new(codes::S8135, self.loc(span), what);
-        if !self.job.diags.knows(&found) {
-            self.report(found);
-        }
-        Some(match place {
-            Some(place) => self.change_by_program(&name, place, span, arguments, passes),
-            None => Ok(()),
+        Some(match change {
+            Some(change) => self.change_by_program(name, &change, span, arguments, passes),
+            None => {
+                self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
+                Ok(())
+            }
         })
+    }
+
+    /// The same of a call behind MCALL.
+    pub(super) fn modal_stand_in(&mut self, name: &str, span: Span) -> Option<Outcome> {
+        let name = without_extension(name);
+        let changes = match self.job.settings.programs.get(name)? {
+            StandIn::File(_) => return None,
+            StandIn::Change(_) => true,
+            StandIn::Ignored => false,
+        };
+        if self.is_here(name) {
+            return None;
+        }
+        self.st.modal_call.end();
+        if changes {
+            let message = format!("{name} changes the tool, as `[programs]` says, and MCALL calls it behind each move");
+            let help = "call it without MCALL; or look at what `[programs]` says of it";
+            return Some(self.fail_help(codes::S2043, span, message, help));
+        }
+        self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
+        Some(Ok(()))
     }
 }
 
 impl Channel<'_> {
+    fn says_stand_in(&mut self, span: Span, what: String) {
+        let found = Diagnostic::new(codes::S8135, self.loc(span), what);
+        if !self.job.diags.knows(&found) {
+            self.report(found);
+        }
+    }
+
     fn change_by_program(
         &mut self,
         name: &str,
-        place: usize,
+        change: &ChangeCall,
         span: Span,
         arguments: &[Argument],
         passes: u32,
@@ -49,30 +120,102 @@ impl Channel<'_> {
         if passes != 1 {
             return self.fail(codes::S2043, span, format!("{name} changes the tool {passes} times"));
         }
-        let number = match place.checked_sub(1).and_then(|at| arguments.get(at)).map(|argument| &argument.value) {
-            Some(Val::Text(text)) => {
-                let tool = String::from_utf8_lossy(text).into_owned();
-                self.tool_by_name(&tool, span)?
+        match change.tool {
+            Some(place) => {
+                let number = self.tool_of_argument(name, place, span, arguments)?;
+                self.st.tool.choose(number);
             }
-            Some(value) => match value.number().and_then(whole).and_then(|n| u32::try_from(n).ok()) {
-                Some(number) => number,
+            None if self.st.tool.next().is_none() => {
+                let message = format!("no tool is chosen for {name}");
+                let help = format!("program T in front of {name}, or name its argument: `{name} = {{ tool = 1 }}`");
+                return self.fail_help(codes::S2043, span, message, &help);
+            }
+            None => {}
+        }
+        self.change_tool()?;
+        let edge = change.edge.and_then(|place| Some((place, &arguments.get(place - 1)?.value)));
+        match edge.filter(|(_, value)| **value != Val::Missing) {
+            None => {}
+            Some((place, value)) => match value.number() {
+                Some(edge) => self.edge_number(edge, span)?,
                 None => {
-                    return self.fail(
-                        codes::S2043.alarm(17190),
-                        span,
-                        format!("argument {place} of {name} is no tool"),
-                    );
+                    let message = format!("argument {place} of {name} is no D number");
+                    return self.fail(codes::S2043.alarm(17180), span, message);
                 }
             },
-            None => {
-                let help = "count the arguments for `[programs]` from 1";
-                return self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help);
-            }
-        };
-        self.st.tool.choose(number);
-        self.change_tool()?;
+        }
         // Where it leaves the axes is not known.
         self.st.position.clear();
+        let left = left_out(change, arguments);
+        self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));
         Ok(())
+    }
+
+    /// The tool that an argument names, by its number or by its name in the tool table.
+    fn tool_of_argument(&mut self, name: &str, place: usize, span: Span, arguments: &[Argument]) -> Outcome<u32> {
+        match arguments.get(place - 1).map(|argument| &argument.value) {
+            Some(Val::Text(text)) => {
+                let tool = String::from_utf8_lossy(text).into_owned();
+                self.tool_by_name(&tool, span)
+            }
+            None | Some(Val::Missing) => {
+                let help = "count the arguments for `[programs]` from 1";
+                self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help)
+            }
+            Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
+                Some(number) => Ok(number as u32),
+                None => self.fail(codes::S2043.alarm(17190), span, format!("argument {place} of {name} is no tool")),
+            },
+        }
+    }
+}
+
+/// What of a tool change is not in the output, with its verb.
+fn left_out(change: &ChangeCall, arguments: &[Argument]) -> String {
+    let given = |at: usize, argument: &Argument| {
+        let taken = [change.tool, change.edge].contains(&Some(at));
+        !taken && argument.value != Val::Missing && argument.value.number() != Some(0.0)
+    };
+    let others: Vec<String> =
+        (1..).zip(arguments).filter(|(at, argument)| given(*at, argument)).map(|(at, _)| at.to_string()).collect();
+    match &others[..] {
+        [] => "whatever else it does is".to_owned(),
+        [one] => format!("argument {one} and whatever else it does are"),
+        more => format!("arguments {} and whatever else it does are", more.join(", ")),
+    }
+}
+
+/// A call as far as it tells what its program may be.
+pub(super) struct NameOfCall<'n> {
+    pub name: &'n str,
+    /// The first argument that is a text, counted from 1.
+    pub text: Option<usize>,
+    /// It has arguments.
+    pub arguments: bool,
+    /// T has chosen a tool that has not been changed.
+    pub tool_waits: bool,
+}
+
+impl NameOfCall<'_> {
+    /// How to answer for the program: by a file, or by the line that stands for it under `[programs]`.
+    pub fn help(&self) -> String {
+        // A word alone may be mistyped.
+        let mistyped = if self.arguments { "" } else { "; or correct the word" };
+        let line = self.line();
+        format!("put the program beside this one or into an include root; or {line}{mistyped}")
+    }
+
+    /// The line that stands for it.
+    pub fn line(&self) -> String {
+        let name = self.name;
+        let ignored = format!("`{name} = {{ ignore = true }}` leaves it out");
+        let said = match self.text {
+            Some(at) => format!("`{name} = {{ tool = {at} }}` changes to the tool of argument {at}, {ignored}"),
+            None if self.tool_waits => {
+                format!("`{name} = {{ change = true }}` changes to the tool that T chose, {ignored}")
+            }
+            None => format!("{ignored}, `{name} = {{ file = \"stubs/{name}.SPF\" }}` runs that file"),
+        };
+        format!("say under `[programs]` of partc.toml what stands for it: {said}")
     }
 }

@@ -27,6 +27,7 @@ use super::system_variables::SystemVariables;
 use super::tangent::Heading;
 use super::threads::Threads;
 use super::tool::{CompensationState, ToolInUse};
+use super::transformation::Transformed;
 
 /// Everything modal: what describing a contour leaves as it was.
 #[derive(Debug, Clone)]
@@ -52,6 +53,8 @@ pub(super) struct State {
     pub corners: Corners,
     pub pair: Pair,
     pub threads: Threads,
+    /// The program sees other axes than the machine has.
+    pub transformation: Option<Transformed>,
     pub modal_call: ModalCall,
     /// The contour of the contour editor that runs.
     pub stored: Option<Box<Stored>>,
@@ -101,6 +104,7 @@ impl State {
             corners: Corners::default(),
             pair: Pair::default(),
             threads: Threads::default(),
+            transformation: None,
             modal_call: ModalCall::default(),
             stored: None,
             system: SystemVariables::default(),

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
-use crate::machine::{Axis, AxisSet, Tool};
+use crate::machine::{Axis, AxisSet, ChangeCall, StandIn, Tool};
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -156,7 +156,11 @@ impl Channel<'_> {
 
     /// Turrets change with T (MD 22550 = 0), mills with M6.
     pub(super) fn changes_by_t(&self) -> bool {
-        self.job.settings.control.sinumerik.tool_change_by_t.unwrap_or(self.st.machine.lathe)
+        let settings = &self.job.settings;
+        // A program that changes to the chosen tool would have nothing to do.
+        let by_program =
+            || settings.programs.values().any(|known| matches!(known, StandIn::Change(ChangeCall { tool: None, .. })));
+        settings.control.sinumerik.tool_change_by_t.unwrap_or_else(|| self.st.machine.lathe && !by_program())
     }
 
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
@@ -195,10 +199,15 @@ impl Channel<'_> {
     }
 
     pub(super) fn edge(&mut self, d: Given) -> Outcome {
-        if d.value.fract() != 0.0 || !(0.0..=32_000.0).contains(&d.value) {
-            return self.fail(codes::S2043.alarm(17180), d.span, format!("D{} is no edge number", d.value));
+        self.edge_number(d.value, d.span)
+    }
+
+    /// Edge number `d` comes into force.
+    pub(super) fn edge_number(&mut self, d: f64, span: Span) -> Outcome {
+        if d.fract() != 0.0 || !(0.0..=32_000.0).contains(&d) {
+            return self.fail(codes::S2043.alarm(17180), span, format!("D{d} is no edge number"));
         }
-        let edge = d.value as u32;
+        let edge = d as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
             let [_, _, third] = self.st.roles();
             let axes = if self.st.machine.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
@@ -210,7 +219,7 @@ impl Channel<'_> {
         if self.st.side() != Side::None && !self.st.compensation.starts && changes {
             return self.fail_help(
                 codes::S2080,
-                d.span,
+                span,
                 "the cutting edge changes while radius compensation is on",
                 "program G40 in a block in front of it",
             );
@@ -219,7 +228,7 @@ impl Channel<'_> {
         if edge > 1 {
             self.note_once(
                 codes::S8010,
-                d.span,
+                span,
                 "cutting edges other than D1 are not printed: the target knows one offset a tool",
             );
         }
@@ -244,6 +253,19 @@ impl Channel<'_> {
         let wear = self.st.system.number(&format!("$TC_DP15[{number},{edge}]"));
         tool.radius = written.or(tool.radius.filter(|_| edge == 1)).map(|radius| radius + wear.unwrap_or(0.0));
         Some(tool)
+    }
+
+    /// The radius of the active edge with its wear: what the program wrote goes before the table.
+    pub(super) fn known_radius(&self) -> Option<f64> {
+        let (number, edge) = (self.st.tool.active?, self.st.tool.edge_or_first());
+        if self.st.system.is_written("$P_AD[6]") || self.st.system.is_written("$P_AD[15]") || self.st.tool.edge_in_doubt
+        {
+            return None;
+        }
+        let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
+        // A tool that is called by its name stands under that in the table.
+        let listed = || self.job.settings.tools.radius_of_printed(number).filter(|_| edge == 1);
+        Some(written(6).or_else(listed)? + written(15).unwrap_or(0.0))
     }
 
     pub(super) fn compensation_code(&mut self, code: GCode, span: Span) -> Outcome {
@@ -399,7 +421,7 @@ impl Channel<'_> {
         let ends = match function {
             // The path was computed, and stays where it is.
             Function::ToolChange { .. } => !self.resolves(),
-            _ => matches!(function, Function::WorkOffset(_) | Function::Plane(_)),
+            _ => matches!(function, Function::WorkOffset(_) | Function::Plane(_) | Function::Transformation(_)),
         };
         if !ends || !self.st.compensation.leaving_open {
             return Ok(());

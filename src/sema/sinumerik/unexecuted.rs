@@ -22,6 +22,7 @@ use super::dictionary;
 use super::g_groups::{GCode, GCodes};
 use super::macros::Sinumerik;
 use super::programs::{Skeleton, Units, bare_name, without_extension};
+use super::stand_in::NameOfCall;
 use super::vocabulary::{Meaning, Procedure};
 
 /// Looks at every block of the main program after its run.
@@ -197,14 +198,14 @@ impl<'a> Unexecuted<'a> {
         match form {
             CallForm::Text(formula) | CallForm::External(formula) => {
                 let (name, span) = written(formula)?;
-                self.program(&name, span, here)
+                self.program(&name, None, span, here)
             }
             CallForm::Modal { name, .. } => {
                 let word = self.symbols.name(name).to_owned();
                 match self.vocabulary.get(word.as_str()) {
-                    Some(_) if is_built(&word) => None,
+                    Some(_) if is_built(&word) || self.stands_for(&word) => None,
                     Some(_) => Some(refused(self.job, here, block.span, codes::S9005)),
-                    None => self.program(&word, block.span, here),
+                    None => self.program(&word, None, block.span, here),
                 }
             }
             CallForm::Iso => Some(refused(self.job, here, block.span, codes::S9003)),
@@ -212,8 +213,13 @@ impl<'a> Unexecuted<'a> {
         }
     }
 
-    /// A warning for a program that is not here.
-    fn program(&mut self, name: &str, span: Span, here: &Site) -> Option<Diagnostic> {
+    /// Does `[programs]` say what stands for this name?
+    fn stands_for(&self, name: &str) -> bool {
+        self.job.settings.programs.contains_key(name)
+    }
+
+    /// A warning for a program that is not here. `text` is the first argument that is a text, if there are arguments.
+    fn program(&mut self, name: &str, text: Option<Option<usize>>, span: Span, here: &Site) -> Option<Diagnostic> {
         let upper = name.to_ascii_uppercase();
         let last = upper.rsplit(['/', '\\']).next().unwrap_or(&upper);
         let (bare, _) = bare_name(last);
@@ -221,7 +227,9 @@ impl<'a> Unexecuted<'a> {
         let is_here = match self.looked_for.get(&symbol) {
             Some(known) => *known,
             None => {
-                let is_here = self.units.find_in_file(0, without_extension(&bare)).is_some() || self.opens(&bare);
+                let is_here = self.stands_for(without_extension(&bare))
+                    || self.units.find_in_file(0, without_extension(&bare)).is_some()
+                    || self.opens(&bare);
                 self.looked_for.insert(symbol, is_here);
                 is_here
             }
@@ -231,8 +239,13 @@ impl<'a> Unexecuted<'a> {
                 "this block does not run; if it did, it would call `{bare}`, which is not here ({})",
                 codes::S2002.id
             );
-            Diagnostic::new(codes::S8040, here.loc(self.job, span), message)
-                .help("put the program beside this one or into an include root; or correct the word")
+            let call = NameOfCall {
+                name: without_extension(&bare),
+                text: text.flatten(),
+                arguments: text.is_some(),
+                tool_waits: false,
+            };
+            Diagnostic::new(codes::S8040, here.loc(self.job, span), message).help(call.help())
         })
     }
 
@@ -303,7 +316,7 @@ impl<'a> Unexecuted<'a> {
         match (word.target, word.value) {
             (Target::Letter(b'L'), Value::Literal { value, digits, whole: true }) => {
                 let width = usize::from(digits);
-                self.program(&format!("L{value:0width$}"), word.span, here)
+                self.program(&format!("L{value:0width$}"), None, word.span, here)
             }
             (Target::Letter(b'M'), Value::Literal { value, .. }) => {
                 let known = value <= 9.0 || matches!(value as u32, 17 | 19 | 30 | 40..=45);
@@ -312,6 +325,9 @@ impl<'a> Unexecuted<'a> {
             }
             (Target::Name(name), Value::None | Value::Call(_)) => {
                 let shown = self.symbols.name(name).to_owned();
+                if self.stands_for(&shown) {
+                    return None;
+                }
                 match self.vocabulary.get(shown.as_str()) {
                     Some(Meaning::Procedure(Procedure::Refused(_))) if is_built(&shown) => None,
                     Some(Meaning::Procedure(Procedure::Refused(refusal))) => {
@@ -322,7 +338,15 @@ impl<'a> Unexecuted<'a> {
                     }
                     Some(_) => None,
                     None if self.variables.contains(&name) || block.words.len() > 1 => None,
-                    None => self.program(&shown, word.span, here),
+                    None => {
+                        let arguments = match word.value {
+                            Value::Call(args) => Some(block.arguments(args)),
+                            _ => None,
+                        };
+                        let is_text = |formula: &Formula| matches!(block.formula(*formula), [Op::Text(_)]);
+                        let text = arguments.map(|list| list.iter().position(is_text).map(|at| at + 1));
+                        self.program(&shown, text, word.span, here)
+                    }
                 }
             }
             _ => None,

@@ -122,7 +122,8 @@ pub(super) enum Procedure {
     CallPath,
     ExecString,
     Return,
-    /// `TRAFOOF`, `CYCLE800()`: ends what the compiler never lets begin.
+    /// `TRANSMIT`, `TRACYL`
+    Transformation(OnSurface),
     TransformationOff,
     Swivel,
     GeoAxes,
@@ -130,6 +131,22 @@ pub(super) enum Procedure {
     DiameterChannel,
     /// Refused by name: what it is.
     Refused(Refusal),
+}
+
+/// What a transformation works on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum OnSurface {
+    Face,
+    Mantle,
+}
+
+impl OnSurface {
+    pub fn word(self) -> &'static str {
+        match self {
+            OnSurface::Face => "TRANSMIT",
+            OnSurface::Mantle => "TRACYL",
+        }
+    }
 }
 
 /// Why a name is refused.
@@ -141,10 +158,8 @@ pub(super) struct Refusal {
 }
 
 /// Names of transformations, by what they are.
-pub(super) const TRANSFORMATIONS: &[(&str, &str)] = &[
-    ("five-axis transformation", "TRAORI TRAFOON ORIRESET"),
-    ("transformation", "TRANSMIT TRACYL TRAANG TRACON TRACOOF TRAINT"),
-];
+pub(super) const TRANSFORMATIONS: &[(&str, &str)] =
+    &[("five-axis transformation", "TRAORI TRAFOON ORIRESET"), ("transformation", "TRAANG TRACON TRACOOF TRAINT")];
 
 /// Names that are refused, by what they are.
 pub(super) const REFUSED: &[(&str, &str)] = &[

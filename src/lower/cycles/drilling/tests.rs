@@ -30,7 +30,7 @@ fn words(drilling: &Drilling) -> Vec<String> {
     let mut list = Vec::new();
     expand(drilling, &start, XYZ, &mut |part| {
         list.push(match part {
-            CycleItem::Move(mv) => {
+            CycleItem::Move(mv) | CycleItem::Beside(mv, _) => {
                 let end = mv.end;
                 let axes: Vec<_> = end.iter().map(|(axis, v)| format!("{}{}", axis.letter(), number(v))).collect();
                 let word = match mv.path {

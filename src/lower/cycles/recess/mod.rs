@@ -11,15 +11,14 @@
 //! ```
 
 use crate::diag::codes;
-use crate::geo::wall::Leg;
 use crate::geo::{Element, Point2, Vec2};
-use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 
+use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{NoValley, Slot, Valley, seen};
+use super::valley::{Above, NoValley, Oversize, Slot, Valley, seen};
 use super::{CycleItem, Expand, Start};
 
 /// Most levels of one groove.
@@ -41,7 +40,7 @@ impl Expand for RecessTurning {
 pub fn expand<'a>(recess: &RecessTurning, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
     recess.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the recess data"))?;
     let groove = Groove::of(recess)?;
-    let mut cutter = Cutter {
+    let mut cutter = GrooveCutter {
         track: Track::new(groove.view, from, out),
         shift: groove.shift,
         clear: groove.view.height(recess.clear()),
@@ -97,7 +96,10 @@ impl<'r> Groove<'r> {
 
         let tool = &recess.tool;
         let oversize = if recess.into.is_radial() { recess.oversize } else { recess.oversize.yx() };
-        let slot = |oversize| valley.slot(tool.width, tool.nose, oversize);
+        let slot = |left: Vec2| {
+            let left = Oversize { along: [left.x; 2], up: left.y, around: 0.0 };
+            valley.slot(tool.width, tool.nose, left, Above::Material)
+        };
         let (Some(rough), Some(finished)) = (slot(oversize), slot(Vec2::zeros())) else {
             let message = format!(
                 "the tool of {} mm width does not reach the floor of the recess between its walls and their oversize",
@@ -143,7 +145,7 @@ impl<'r> Groove<'r> {
         }
     }
 
-    fn rough(&self, cutter: &mut Cutter<'_>) {
+    fn rough(&self, cutter: &mut GrooveCutter<'_>) {
         let left = match self.recess.passes {
             Passes::BothWays => self.both_ways(cutter),
             Passes::OneWay => self.one_way(cutter, 0.0),
@@ -165,7 +167,7 @@ impl<'r> Groove<'r> {
     }
 
     /// Returns what stands at both walls.
-    fn both_ways(&self, cutter: &mut Cutter<'_>) -> [f64; 2] {
+    fn both_ways(&self, cutter: &mut GrooveCutter<'_>) -> [f64; 2] {
         let feeds = self.recess.feeds;
         let mut left = [0.0, 0.0];
         for k in 1..=self.levels {
@@ -193,7 +195,7 @@ impl<'r> Groove<'r> {
     }
 
     /// Each pass ends `offset` earlier than the one before. Returns what stands at both walls.
-    fn one_way(&self, cutter: &mut Cutter<'_>, offset: f64) -> [f64; 2] {
+    fn one_way(&self, cutter: &mut GrooveCutter<'_>, offset: f64) -> [f64; 2] {
         let feeds = self.recess.feeds;
         let mut left = 0.0;
         for k in 1..=self.levels {
@@ -213,7 +215,7 @@ impl<'r> Groove<'r> {
         [0.0, left]
     }
 
-    fn strokes(&self, cutter: &mut Cutter<'_>, width: f64, dwell: f64) -> [f64; 2] {
+    fn strokes(&self, cutter: &mut GrooveCutter<'_>, width: f64, dwell: f64) -> [f64; 2] {
         let (first, last) = (self.rough.begin(self.blank), self.rough.end(self.blank));
         let gaps = infeed::steps(last - first, width);
         for k in 0..=gaps {
@@ -229,7 +231,7 @@ impl<'r> Groove<'r> {
 
     /// Down the first wall and along the floor to where the stock of the second wall begins; down the second
     /// wall and back to that place.
-    fn finish(&self, cutter: &mut Cutter<'_>) {
+    fn finish(&self, cutter: &mut GrooveCutter<'_>) {
         let feed = self.recess.feeds.finish;
         let turned = self.finished.floor + self.recess.compensation;
         let meet = self.rough.end(self.rough.floor).max(self.finished.begin(self.finished.floor));
@@ -254,58 +256,6 @@ fn no_groove(why: NoValley) -> Failure {
         NoValley::Open => "the contour begins or ends at the floor of the recess: one of its walls is missing",
     };
     Failure::new(codes::G3044, message, "describe one recess from rim to rim, seen from the tool")
-}
-
-/// Moves the tool by its edge towards -x.
-struct Cutter<'t> {
-    track: Track<'t>,
-    shift: f64,
-    clear: f64,
-}
-
-impl Cutter<'_> {
-    fn place(&self, p: Point2) -> Point2 {
-        Point2::new(p.x + self.shift, p.y)
-    }
-
-    fn height(&self) -> f64 {
-        self.track.at().y
-    }
-
-    /// To the clear height above `x`.
-    fn above(&mut self, x: f64) {
-        let height = self.height().max(self.clear);
-        self.track.rapid(self.place(Point2::new(x, height)));
-        self.track.rapid(self.place(Point2::new(x, self.clear)));
-    }
-
-    fn rapid_down(&mut self, y: f64) {
-        let at = self.track.at();
-        self.track.rapid(Point2::new(at.x, y.min(at.y)));
-    }
-
-    fn lift(&mut self) {
-        self.track.rapid(Point2::new(self.track.at().x, self.clear));
-    }
-
-    fn line(&mut self, to: Point2, feed: Feed) {
-        let to = self.place(to);
-        self.track.line(to, feed);
-    }
-
-    /// Along a wall; returns the position at its foot.
-    fn down(&mut self, (start, legs): (Point2, Vec<Leg>), feed: Feed) -> f64 {
-        self.above(start.x);
-        let mut foot = start.x;
-        for leg in legs {
-            match leg {
-                Leg::Line { to } => self.track.line(self.place(to), feed),
-                Leg::Arc { to, center, ccw } => self.track.arc(self.place(to), self.place(center), ccw, feed),
-            }
-            foot = leg.to().x;
-        }
-        foot
-    }
 }
 
 #[cfg(test)]

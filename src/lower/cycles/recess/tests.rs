@@ -1,5 +1,6 @@
 use super::*;
 use crate::geo::{Vec2, distance};
+use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::tests::{groove, lines};
 use crate::ir::cycle::recess::{RecessFeeds, RecessTool};

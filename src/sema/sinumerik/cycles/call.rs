@@ -1,6 +1,9 @@
 //! A cycle that is called: its arguments are read, checked and carried out here.
 
+use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
+
+use crate::diag::{Code, Diagnostic, codes};
 
 use super::super::Channel;
 use super::arguments::Arguments;
@@ -9,11 +12,48 @@ use super::arguments::Arguments;
 pub(in super::super) struct CycleCall<'c, 'a> {
     channel: &'c mut Channel<'a>,
     pub args: &'c Arguments,
+    remarks: RefCell<Remarks>,
+}
+
+/// What is said of a call once it is carried out: one note of each kind.
+#[derive(Debug, Default)]
+struct Remarks {
+    /// What the call leaves open, and what to do.
+    open: Vec<(String, String)>,
+    /// Readings and ways of our own.
+    ways: Vec<String>,
 }
 
 impl<'a> Channel<'a> {
     pub(super) fn cycle<'c>(&'c mut self, args: &'c Arguments) -> CycleCall<'c, 'a> {
-        CycleCall { channel: self, args }
+        CycleCall { channel: self, args, remarks: RefCell::default() }
+    }
+}
+
+impl CycleCall<'_, '_> {
+    /// The call leaves something open that the control takes from elsewhere; said by [`CycleCall::say_remarks`].
+    pub(super) fn says_once(&self, what: &str, help: &str) {
+        self.remarks.borrow_mut().open.push((what.to_owned(), help.to_owned()));
+    }
+
+    /// A reading of the manuals or a path of our own; said by [`CycleCall::say_remarks`].
+    pub(super) fn own_way(&self, what: &str) {
+        self.remarks.borrow_mut().ways.push(what.to_owned());
+    }
+
+    /// Says what was remarked, unless another call was said to be the same.
+    pub(super) fn say_remarks(&self) {
+        let Remarks { open, ways } = self.remarks.take();
+        let (what, help): (Vec<String>, Vec<String>) = open.into_iter().unzip();
+        self.remark(codes::S8230, &what, &help.join("; "));
+        self.remark(codes::S8231, &ways, "docs/cycles.md describes the path; compare with what the machine does");
+    }
+
+    fn remark(&self, code: &'static Code, what: &[String], help: &str) {
+        let message = format!("{}: {}", self.args.name(), what.join("; "));
+        if !what.is_empty() && self.job.diags.first_text(code, &message) {
+            self.report(Diagnostic::new(code, self.loc(self.args.span), message).help(help));
+        }
     }
 }
 

@@ -15,9 +15,9 @@ use crate::text::blocks::Place;
 
 use super::super::value::{Val, to_text, whole};
 use super::super::{Core, Outcome, Reported, Run};
-use super::arguments::{AMODE, ANG1, ANG2, Arguments, DIAG, KNAME, Key, LAB1, LAB2, NPP, NR, SPD, TYPE, VARI, WIDG};
+use super::arguments::{Arguments, KNAME, Key, LAB1, LAB2, NPP, TYPE};
 use super::call::CycleCall;
-use super::table::{Source, Unpublished, Variant};
+use super::table::{Source, Unpublished};
 
 /// Most contours of one machining cycle.
 const MOST_CONTOURS: usize = 100;
@@ -146,14 +146,11 @@ impl Run<'_> {
     /// A cycle whose tracks the control keeps to itself.
     pub(super) fn unpublished_cycle(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome {
         self.cycle(args).check_parameters()?;
-        if let Some(variant) = &cycle.variant {
-            self.cycle(args).check_variant(variant)?;
-        }
         if cycle.turned {
             self.cycle(args).in_turning_plane()?;
         }
         let what = args.cycle.signature.what;
-        let contours = self.contours_of(args, cycle)?;
+        let contours = self.contours_of(args, cycle.contour, cycle.turned)?;
         let shown = contours.iter().map(|(call, made)| shape(&call.name, made)).collect::<Vec<_>>().join("; ");
         let message = if contours.is_empty() {
             format!("{} ({what}) is not supported", args.name())
@@ -169,8 +166,14 @@ impl Run<'_> {
         Err(Reported)
     }
 
-    fn contours_of(&mut self, args: &Arguments, cycle: &Unpublished) -> Outcome<Vec<(ContourCall, Captured)>> {
-        let calls = match cycle.contour {
+    /// The contours of a cycle, each run and checked.
+    pub(super) fn contours_of(
+        &mut self,
+        args: &Arguments,
+        source: Source,
+        turned: bool,
+    ) -> Outcome<Vec<(ContourCall, Captured)>> {
+        let calls = match source {
             Source::None => return Ok(Vec::new()),
             Source::Argument => vec![self.named_contour(args)?],
             Source::Turned | Source::Milled => {
@@ -179,11 +182,11 @@ impl Run<'_> {
             }
         };
         if calls.is_empty() {
-            let alarm = if cycle.contour == Source::Turned { 61701 } else { 61930 };
+            let alarm = if source == Source::Turned { 61701 } else { 61930 };
             let help = "call it by CYCLE62 in front of the cycle";
             return self.cycle(args).cycle_fault(args.span, alarm, "no contour is called", help);
         }
-        if cycle.contour == Source::Turned && calls.len() > 2 {
+        if source == Source::Turned && calls.len() > 2 {
             let help = "one contour is the finished part, two are blank and finished part";
             return self.cycle(args).cycle_fault(args.span, 61704, "more than two contours are called", help);
         }
@@ -191,13 +194,13 @@ impl Run<'_> {
         let mut failed = false;
         let count = calls.len();
         for (at, call) in calls.into_iter().enumerate() {
-            let closed = match cycle.contour {
+            let closed = match source {
                 Source::Turned if count == 2 && at == 0 => Some(61739),
                 Source::Milled => Some(61931),
                 _ => None,
             };
             let result = self.capture(&call).and_then(|contour| {
-                self.cycle(args).check_contour(cycle, &call, &contour, closed)?;
+                self.cycle(args).check_contour((source, turned), &call, &contour, closed)?;
                 Ok(contour)
             });
             match result {
@@ -208,6 +211,30 @@ impl Run<'_> {
             }
         }
         if failed { Err(Reported) } else { Ok(made) }
+    }
+
+    /// The contour that a milling cycle goes along: named by it, or called in front of it.
+    pub(super) fn contour_to_mill(&mut self, args: &Arguments) -> Outcome<Captured> {
+        let call = if args.text(KNAME).is_some_and(|name| !name.is_empty()) {
+            self.named_contour(args)?
+        } else {
+            self.contours.taken = true;
+            match &self.contours.list[..] {
+                [call] => call.clone(),
+                [] => self.named_contour(args)?,
+                _ => {
+                    let help = "call one contour by CYCLE62 in front of each cycle";
+                    let what = "more than one contour is called";
+                    return self.cycle(args).cycle_fault(args.span, 61704, what, help);
+                }
+            }
+        };
+        let contour = self.capture(&call)?;
+        if contour.pieces.is_empty() {
+            return self.contour_fault(&call, args.span, 61930, "it has no element");
+        }
+        self.check_elements(&call, &contour)?;
+        Ok(contour)
     }
 
     /// `"NAME"` or `"LABEL1:LABEL2"`.
@@ -230,17 +257,17 @@ impl Run<'_> {
 impl CycleCall<'_, '_> {
     fn check_contour(
         &mut self,
-        cycle: &Unpublished,
+        (source, turned): (Source, bool),
         call: &ContourCall,
         contour: &Captured,
         closed: Option<u32>,
     ) -> Outcome {
         let args = self.args;
-        let turned = cycle.turned && cycle.contour != Source::None;
+        let turned = turned && source != Source::None;
         if turned && contour.plane != Plane::Zx {
             return self.contour_fault(call, args.span, None, "it does not lie in the plane of Z and X (G18)");
         }
-        if turned && cycle.contour == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
+        if turned && source == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
             return self.contour_fault(call, args.span, 10933, "it has fewer than 3 blocks with moves");
         }
         if contour.pieces.is_empty() {
@@ -257,7 +284,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Every argument against its rule.
-    fn check_parameters(&mut self) -> Outcome {
+    pub(super) fn check_parameters(&mut self) -> Outcome {
         let args = self.args;
         for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
             let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
@@ -311,22 +338,6 @@ impl CycleCall<'_, '_> {
         let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };
         let message = format!("`{}` (argument {place}{meaning}) {what}", parameter.name);
         self.cycle_fault(span, alarm, &message, "arguments are counted by their commas")
-    }
-
-    /// The kind of machining, where its numbers are known.
-    fn check_variant(&self, variant: &Variant) -> Outcome {
-        let args = self.args;
-        if !(variant.fits)(args) {
-            let what = "there is no such kind of machining";
-            return self.cycle_fault(args.span_of(VARI), 61002, what, variant.help);
-        }
-        match (variant.infeed)(args).filter(|key| args.or_zero(*key) == 0.0) {
-            Some(key) => {
-                let help = "roughing needs the greatest depth of a cut";
-                self.cycle_fault(args.span_of(key), 61610, "no infeed is given", help)
-            }
-            None => Ok(()),
-        }
     }
 }
 
@@ -385,24 +396,6 @@ fn number(mm: f64) -> String {
     let text = format!("{mm:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
-
-/// Width of the top of a groove of CYCLE930: that of its floor and what its flanks take.
-pub(super) fn groove_width(args: &Arguments) -> Option<f64> {
-    if args.or_zero(NR) == 2.0 {
-        return None;
-    }
-    let depth = match args.digit(AMODE, 0) {
-        1 => args.number(DIAG)?.abs(),
-        _ => (args.number(DIAG)? - args.number(SPD)?).abs() / 2.0,
-    };
-    let tan = |key: Key| libm::tan(args.or_zero(key).to_radians());
-    Some(args.number(WIDG)? + depth * (tan(ANG1) + tan(ANG2)))
-}
-
-/// A coded number without the digits in front: modulo `base`.
-pub(super) fn last_digits(args: &Arguments, key: Key, base: i32) -> i32 {
-    args.number(key).and_then(whole).unwrap_or(0) % base
 }
 
 /// The arguments by their names.

@@ -6,11 +6,24 @@ mod alarms;
 mod arguments;
 mod call;
 mod called_contours;
+mod contour_pocket;
+mod contour_removal;
+mod corner_removal;
+mod cut_off;
 mod drilling;
+mod faces;
+mod groove_shape;
+mod grooves;
+mod layers;
+mod milling;
 mod modes;
+mod path_milling;
 mod pattern;
+mod pockets;
+mod spigots;
 mod table;
 mod thread;
+mod thread_milling;
 mod undercut;
 mod undercut_call;
 
@@ -81,8 +94,10 @@ impl Run<'_> {
         let cycle = find(name)?;
         match cycle.work {
             Work::Nothing => return None,
-            Work::Contour(_) | Work::Unpublished(_) if self.own_program(name) => return None,
-            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) => {}
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) if self.own_program(name) => {
+                return None;
+            }
+            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) => {}
         }
         let result =
             self.cycle_arguments(cycle, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
@@ -121,6 +136,7 @@ impl Run<'_> {
 
     fn run_cycle(&mut self, args: &Arguments) -> Outcome {
         self.begins_executing();
+        self.no_turning_cycle_here(args.name(), args.span)?;
         self.pending_must_be_done(args.span)?;
         if self.st.side() != Side::None {
             return self.cycle(args).cycle_fault(
@@ -141,7 +157,7 @@ impl Run<'_> {
         if !args.cycle.work.is_read_only() {
             self.speed_is_known()?;
             if self.st.codes.per_revolution() {
-                self.master_is_main(args.span, "a feed per revolution")?;
+                self.master_feeds(args.span);
             }
         }
         match &args.cycle.work {
@@ -149,8 +165,13 @@ impl Run<'_> {
                 let hole = self.cycle(args).hole(cycle)?;
                 self.drill(&hole)
             }
-            Work::Moves(run) => run(&mut self.cycle(args)),
-            Work::Contour(run) => run(self, args),
+            Work::Moves(run) => {
+                let mut call = self.cycle(args);
+                run(&mut call)?;
+                call.say_remarks();
+                Ok(())
+            }
+            Work::Contour(run) | Work::Along(run) => run(self, args),
             Work::Unpublished(cycle) => self.unpublished_cycle(args, cycle),
             Work::Nothing => Ok(()),
         }
@@ -222,7 +243,7 @@ impl Channel<'_> {
         self.no_cycle_by_time(Where::Block)?;
         self.speed_is_known()?;
         if self.st.codes.per_revolution() {
-            self.master_is_main(Where::Block, "a feed per revolution")?;
+            self.master_feeds(Where::Block);
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
             return self.fail_help(
@@ -246,7 +267,7 @@ impl Channel<'_> {
         let here = std::mem::replace(&mut self.here, modal.here);
         let made = match &modal.args.cycle.work {
             Work::Hole(drilling) => self.cycle(&modal.args).hole(drilling),
-            Work::Moves(_) | Work::Contour(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
+            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) | Work::Nothing => Err(Reported),
         };
         self.here = here;
         let hole = made?;
@@ -274,6 +295,7 @@ impl Channel<'_> {
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();
         self.core.send_cycle(&cycle, &self.st.ctx);
+        self.st.position.forget(self.st.position.at().known().without(end.known()));
         self.st.position.move_to(&end);
         if let Some(after) = cycle.spindle_after() {
             self.st.spindles.set_turn(match after {

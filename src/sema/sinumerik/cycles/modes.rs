@@ -14,7 +14,7 @@ use super::call::CycleCall;
 
 /// Which numbers give the depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Depth {
+pub(super) enum Depth {
     /// DPR where it is not 0, else DP.
     Classic,
     Incremental,
@@ -69,11 +69,7 @@ impl CycleCall<'_, '_> {
         if clearance < 0.0 {
             self.reading(SDIS, "SDIS has no sign, and its minus is left out");
         }
-        let by = match args.digit(AMODE, 0) {
-            1 => Depth::Incremental,
-            2 => Depth::Absolute,
-            _ => Depth::Classic,
-        };
+        let by = self.depth_by();
         let by_tens = args.digit(GMODE, 1) == 1;
         let (mut absolute, mut relative) = (self.length_of(args, DP), self.length_of(args, DPR));
         if by_tens && centring {
@@ -101,6 +97,15 @@ impl CycleCall<'_, '_> {
                 &fault.to_string(),
                 "RTP lies on the far side of RFP, seen from the depth",
             ),
+        }
+    }
+
+    /// Which of DP and DPR the units of `_AMODE` choose.
+    pub(super) fn depth_by(&self) -> Depth {
+        match self.args.digit(AMODE, 0) {
+            1 => Depth::Incremental,
+            2 => Depth::Absolute,
+            _ => Depth::Classic,
         }
     }
 
@@ -188,31 +193,36 @@ impl CycleCall<'_, '_> {
     }
 
     /// Digits whose meaning is not known.
-    fn digits_are_known(&self) -> Outcome {
+    pub(super) fn digits_are_known(&self) -> Outcome {
+        self.digits_of_are_known(GMODE)?;
+        self.digits_of_are_known(AMODE)
+    }
+
+    pub(super) fn digits_of_are_known(&self, key: Key) -> Outcome {
         let args = self.args;
-        for key in [GMODE, AMODE] {
-            let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
-                continue;
-            };
-            if let Some((places, way)) = digits.doubt
-                && places.iter().any(|place| args.digit(key, *place) == 1)
-            {
-                self.reading(key, way);
-            }
-            let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
-            let most = |place: u32| known(place).map_or(0, |digit| digit.most);
-            let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { continue };
-            let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
-                "" => format!("the digit {} at place {} from the right of `_AMODE`", args.digit(key, place), place + 1),
-                what => what.to_owned(),
-            };
-            return self.not_built(key, &what);
+        let Some(Kind::Digits(digits)) = args.cycle.parameter(key).map(|parameter| parameter.kind) else {
+            return Ok(());
+        };
+        if let Some((places, way)) = digits.doubt
+            && places.iter().any(|place| args.digit(key, *place) == 1)
+        {
+            self.reading(key, way);
         }
-        Ok(())
+        let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
+        let most = |place: u32| known(place).map_or(0, |digit| digit.most);
+        let Some(place) = (0..10).find(|place| args.digit(key, *place) > most(*place)) else { return Ok(()) };
+        let what = match known(place).map_or(digits.other, |digit| digit.unknown) {
+            "" => {
+                let (digit, name) = (args.digit(key, place), args.written(key));
+                format!("the digit {digit} at place {} from the right of `{name}`", place + 1)
+            }
+            what => what.to_owned(),
+        };
+        self.not_built(key, &what)
     }
 
     /// Leaves the depth that the units of `_AMODE` choose.
-    fn one_depth(&self, by: Depth, absolute: &mut Option<f64>, relative: &mut Option<f64>) -> Outcome {
+    pub(super) fn one_depth(&self, by: Depth, absolute: &mut Option<f64>, relative: &mut Option<f64>) -> Outcome {
         let args = self.args;
         // DPR 0 is none; DP 0 is a depth.
         let given = relative.filter(|way| *way != 0.0);

@@ -296,7 +296,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// The pitch in the unit of `_PITA`.
-    fn new_pitch(&self) -> Outcome<f64> {
+    pub(super) fn new_pitch(&self) -> Outcome<f64> {
         let args = self.args;
         let pitch = self.needed(PIT, "the pitch `_PIT`")?;
         if pitch <= 0.0 {

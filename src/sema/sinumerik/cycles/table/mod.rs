@@ -2,8 +2,13 @@
 
 mod contours;
 mod drilling;
+mod grooves;
+mod layers;
+mod milled;
+mod milling;
 mod named;
 mod patterns;
+mod pockets;
 mod threads;
 mod undercuts;
 
@@ -12,7 +17,7 @@ use crate::ir::cycle::drilling::{Levels, Method};
 use crate::sema::cycle_table::{Signature, Status};
 
 use super::super::{Outcome, Run};
-use super::arguments::{Arguments, Key};
+use super::arguments::Arguments;
 use super::call::CycleCall;
 
 /// A cycle: what a call gives, and what is done with it.
@@ -31,6 +36,8 @@ pub(in super::super) enum Work {
     Moves(fn(&mut CycleCall<'_, '_>) -> Outcome),
     /// Takes or names contours, all of which are read; a cycle of this name that is a program of the user goes before it.
     Contour(fn(&mut Run<'_>, &Arguments) -> Outcome),
+    /// Takes contours and makes moves along them.
+    Along(fn(&mut Run<'_>, &Arguments) -> Outcome),
     /// Takes contours, and is refused with what was read, because its tracks are not published.
     Unpublished(Unpublished),
     /// Refused by its name.
@@ -54,7 +61,6 @@ pub(in super::super) struct Unpublished {
     pub contour: Source,
     /// A turning cycle: in G18.
     pub turned: bool,
-    pub variant: Option<Variant>,
     /// What helps beside the general advice.
     pub advice: Option<fn(&Arguments) -> Option<String>>,
 }
@@ -72,15 +78,6 @@ pub(in super::super) enum Source {
     Milled,
 }
 
-/// The kinds of machining that `VARI` knows.
-#[derive(Debug)]
-pub(in super::super) struct Variant {
-    pub fits: fn(&Arguments) -> bool,
-    pub help: &'static str,
-    /// The greatest infeed, where this kind needs one.
-    pub infeed: fn(&Arguments) -> Option<Key>,
-}
-
 impl Work {
     /// Are its arguments checked by their rules alone?
     pub fn is_read_only(&self) -> bool {
@@ -90,12 +87,22 @@ impl Work {
 
 impl Cycle {
     pub fn is_built(&self) -> bool {
-        matches!(self.work, Work::Hole(_) | Work::Moves(_))
+        matches!(self.work, Work::Hole(_) | Work::Moves(_) | Work::Along(_))
     }
 }
 
-const FAMILIES: &[&[Cycle]] =
-    &[drilling::ROWS, patterns::ROWS, threads::ROWS, undercuts::ROWS, contours::ROWS, named::ROWS];
+const FAMILIES: &[&[Cycle]] = &[
+    drilling::ROWS,
+    patterns::ROWS,
+    threads::ROWS,
+    undercuts::ROWS,
+    contours::ROWS,
+    pockets::ROWS,
+    layers::ROWS,
+    milling::ROWS,
+    grooves::ROWS,
+    named::ROWS,
+];
 
 /// All cycles of the control, family by family.
 pub(in super::super) fn rows() -> impl Iterator<Item = &'static Cycle> {

@@ -1,0 +1,31 @@
+//! `G330` and `S22`, `S82`: stock removal in layers.
+
+super::codes! { LAYERS:
+
+G3301 Error "layers-approach" "no free way to where the cuts begin"
+"The cycle travels at rapid traverse to a point in front of the blank and clear of it. From where the tool stands every way there leads through the \
+blank or what lies below it. Position the tool in front of the blank before the cycle."
+
+G3302 Error "layers-tool" "cutting edge points out of the material"
+"The position of the cutting edge in the tool data says which way the nose points. For this cycle it has to point into the material, or along the \
+cuts. Select the tool that belongs to the cycle, or correct its edge position."
+
+G3303 Error "layers-limits" "limit of the area lies inside the blank"
+"The cuts begin in front of the blank. Where a limit of the area lies on that side inside of the blank, the tool would have to plunge into full \
+material. Set the limit in front of the blank, or machine the part in front of it first."
+
+S2201 Error "siemens-nose" "nose of the turning tool is not known"
+"Stock removal on a lathe runs the nose of the tool along the contour, so its radius and the position of its cutting edge have to be known: alarms 61000 and \
+61009. Give them in the configuration under [tools], or in the program by $TC_DP6 and $TC_DP2."
+
+S8210 Note "siemens-relief-left" "relief cut is left standing"
+"The call says that parts which fall behind higher ones are not machined. They stay level with the higher part, in roughing and in finishing. Machine them by a call with \
+relief cuts, or by a groove cycle."
+
+S8211 Note "siemens-relief-unchecked" "clearance of the tool in a relief cut is not checked"
+"On the falling side of a relief cut the flank of the tool has to clear the part: the side may be at most as steep as the clearance angle of the \
+tool. The tool data do not hold this angle, so nothing is checked here, as on a control where it is 0."
+
+S8212 Note "siemens-leaning" "leaning part is left to finishing"
+"Cuts along an axis cannot get behind a part that leans over, such as the side of an undercut of form F. Roughing leaves the little that stands there; finishing along the contour removes it."
+}

@@ -1,0 +1,46 @@
+//! Face and mantle: transformations and driven spindles.
+
+super::codes! { TRANSFORMATION:
+
+G3336 Error "feed-spindle-speed" "feed counts turns of a spindle without a speed"
+"A feed per revolution follows a spindle that is not the first one of the target. It is printed per minute, feed times speed, so the speed has to be \
+programmed in front of the cut."
+
+G3337 Error "transformation-pole" "way passes the axis of rotation"
+"Where the tool passes the axis of rotation of a face closer than 0.01 mm, the workpiece would have to turn over at once. Controls have ways of their own \
+around this pole, which are not reproduced. Lead the tool around it."
+
+G3338 Error "transformation-start" "place inside a transformation is not known"
+"A cut on a face or mantle becomes a motion of X and the rotary axis, which depends on where it starts. Position the tool by G0 with all coordinates of the \
+face or mantle first, or say where the rotary axis stands in front of the transformation."
+
+G3339 Error "transformation-inside" "what a transformation cannot carry out"
+"Inside a transformation X and the rotary axis follow X and Y of the program. Machine coordinates, threads, the rotary axis itself, other axes beside them and \
+feeds per turn of the workpiece spindle cannot be carried out there."
+
+S2280 Error "siemens-transformation-call" "argument of a transformation"
+"TRANSMIT takes the number of the transformation, TRACYL the working diameter, that number and the correction of groove walls. Only the first \
+transformation without wall correction is compiled: which axes another one uses is data of the machine."
+
+S2281 Error "siemens-transformation-switch" "transformation begins or ends where it cannot"
+"TRANSMIT, TRACYL and TRAFOOF want radius compensation off. What becomes of a frame in force is machine data (MD 10602): program it behind the switch, or set \
+`[control] md10602 = 1` if the control keeps it. A real Y axis has to stand at 0."
+
+S2282 Error "siemens-transformation-cycle" "turning cycle inside a transformation"
+"Turning cycles work on a turning contour and are not possible between TRANSMIT or TRACYL and TRAFOOF; the control raises alarm 61020."
+
+S8250 Note "siemens-transformation-virtual" "face or mantle is printed in Cartesian axes"
+"With `[cycles] transmit = \"cartesian\"` the moves between TRANSMIT or TRACYL and TRAFOOF are printed as programmed, in axes that the program sees. The \
+machine needs X and Y, or a control that transforms by itself."
+
+S8251 Note "siemens-transformation-axes" "face or mantle is printed with the rotary axis"
+"With `[cycles] transmit = \"polar\"` X is the distance from the axis of rotation and the rotary axis turns the workpiece. X0 and the zero of the rotary axis \
+in the work offset of the target have to be those of the control; each block has the F by which the contour has the programmed feed."
+
+S8252 Warning "siemens-transformation-diameter" "diameter programming on a face"
+"Under DIAMON the X of a face is read as a diameter, as everywhere. Most programs for faces are written in radii: program DIAMOF behind TRANSMIT, or check \
+the picture."
+
+S8253 Note "siemens-feed-per-minute" "feed per revolution of a driven spindle"
+"Targets count the turns of their first spindle. While another one is the master, G95 F is printed per minute: F times the speed in force at the cut."
+}

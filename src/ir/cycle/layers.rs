@@ -1,0 +1,239 @@
+//! Arguments of stock removal in layers: parallel cuts down to a contour, relief cuts, and the contour itself.
+
+use core::fmt;
+
+use crate::geo::profile::{Grown, LEVEL, Profile};
+use crate::geo::wall::quarters;
+use crate::geo::{Element, Plane, Point2, Vec2};
+use crate::ir::{Feed, Pos};
+
+use super::Family;
+use super::recess::{Operation, is_element, joined};
+use super::roughing::Nose;
+use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
+
+/// Most elements of a contour.
+pub const MOST_ELEMENTS: usize = 1000;
+
+/// How deep a relief cut is at least, mm: what the rounding of stored contours makes is none.
+pub const LEAST_DIP: f64 = 0.005;
+
+/// Stock removal in layers. Points are (Z, X) with X as a radius; all lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layers {
+    /// The finished contour, from the side where the cuts begin to the other.
+    pub contour: Vec<Element>,
+    pub into: Towards,
+    /// Sense of the cutting axis in which the cuts run, 1 or -1.
+    pub along: f64,
+    pub nose: Nose,
+    pub blank: Blank,
+    /// Left by roughing.
+    pub allowance: Allowance,
+    /// Greatest depth of a cut, over 0.
+    pub most: f64,
+    pub segmentation: Segmentation,
+    pub trace: Trace,
+    pub chips: Option<ChipBreaking>,
+    pub relief: Relief,
+    pub limits: Limits,
+    pub operation: Operation,
+    /// Finishing runs from the far end of the contour to where the cuts begin.
+    pub finish_backwards: bool,
+    pub clearance: Clearance,
+    pub feeds: LayerFeeds,
+    /// Where the cycle begins and ends, clear of the blank.
+    pub home: Point2,
+}
+
+/// The stock above the contour.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Blank {
+    /// Its outline, in either direction.
+    Outline(Vec<Element>),
+    /// This much on the contour along Z and X (radius).
+    On(Vec2),
+}
+
+/// What roughing leaves on the contour; the parts add up.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Allowance {
+    /// Along Z and X (radius).
+    pub axes: Vec2,
+    /// On all sides, at right angles to the contour.
+    pub around: f64,
+}
+
+/// Where the levels of the cuts lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Segmentation {
+    /// At equal distances.
+    #[default]
+    Uniform,
+    /// At the edges of the contour, equal between them.
+    Edges,
+}
+
+/// What removes the steps between the cuts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Trace {
+    /// Each cut goes on along the contour up to the level of the one before.
+    #[default]
+    Level,
+    /// The same and one nose radius farther.
+    Overlapping,
+    /// Nothing: the steps stay.
+    None,
+}
+
+/// What interrupts a long cut, each time after the way `every`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChipBreaking {
+    pub every: f64,
+    pub by: Interruption,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Interruption {
+    /// The tool waits, seconds.
+    Dwell(f64),
+    /// The tool goes back, mm.
+    Retract(f64),
+}
+
+/// What becomes of parts that fall behind higher ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Relief {
+    /// They are left standing, level with the higher one.
+    #[default]
+    Left,
+    Cut,
+}
+
+/// Borders of the area that is machined, absolute, where they are given.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Limits {
+    /// Along Z, in either order.
+    pub z: [Option<f64>; 2],
+    /// Along X (radius).
+    pub x: [Option<f64>; 2],
+}
+
+/// Distances of the tool, over 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clearance {
+    /// Along both axes when it lifts off.
+    pub lift: f64,
+    /// In front of the blank where a cut begins.
+    pub entry: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LayerFeeds {
+    pub rough: Feed,
+    /// Down the falling side of a relief cut.
+    pub plunge: Feed,
+    pub finish: Feed,
+}
+
+/// An argument that describes no stock removal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LayersFault {
+    Elements,
+    Point,
+    Gap,
+    Nose,
+    Blank,
+    Most,
+    Allowance,
+    Clearance,
+    Feed,
+    Chips,
+}
+
+impl fmt::Display for LayersFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            LayersFault::Elements => "the contour has 1 to 1000 elements",
+            LayersFault::Point => "a point of the contour is not a number",
+            LayersFault::Gap => "an element of the contour does not start where the one before ends",
+            LayersFault::Nose => "the nose radius must not be negative, and its point lies on the nose",
+            LayersFault::Blank => "the blank is not known",
+            LayersFault::Most => "the greatest infeed must be over 0",
+            LayersFault::Allowance => "an allowance must not be negative",
+            LayersFault::Clearance => "a clearance must be over 0",
+            LayersFault::Feed => "a feed must be over 0",
+            LayersFault::Chips => "the way between two interruptions must be over 0",
+        })
+    }
+}
+
+impl Family for Layers {
+    type Fault = LayersFault;
+
+    fn check(&self) -> Result<(), LayersFault> {
+        let unit = |v: f64| v == -1.0 || v == 0.0 || v == 1.0;
+        let nose = is_length(self.nose.radius) && unit(self.nose.tip.x) && unit(self.nose.tip.y);
+        let blank = match &self.blank {
+            Blank::Outline(list) => !list.is_empty() && list.iter().all(is_element),
+            Blank::On(by) => is_length(by.x) && is_length(by.y),
+        };
+        let allowance = [self.allowance.axes.x, self.allowance.axes.y, self.allowance.around];
+        let limits = self.limits.z.iter().chain(&self.limits.x).flatten();
+        let feeds = [self.feeds.rough, self.feeds.plunge, self.feeds.finish];
+        let rules = [
+            ((1..=MOST_ELEMENTS).contains(&self.contour.len()), LayersFault::Elements),
+            (self.contour.iter().all(is_element) && is_point(self.home), LayersFault::Point),
+            (limits.copied().all(is_coordinate) && self.along.abs() == 1.0, LayersFault::Point),
+            (joined(&self.contour), LayersFault::Gap),
+            (nose, LayersFault::Nose),
+            (blank, LayersFault::Blank),
+            (is_positive(self.most) || self.operation == Operation::Finish, LayersFault::Most),
+            (allowance.into_iter().all(is_length), LayersFault::Allowance),
+            (is_positive(self.clearance.lift) && is_positive(self.clearance.entry), LayersFault::Clearance),
+            (feeds.iter().all(|feed| is_positive(feed.value())), LayersFault::Feed),
+            (self.chips.is_none_or(|chips| is_positive(chips.every)), LayersFault::Chips),
+        ];
+        rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+
+    fn leaves(&self, at: &mut Pos) {
+        at.set_in_plane(Plane::Zx, self.home);
+    }
+}
+
+impl Layers {
+    /// The contour with the cuts towards +x and the infeed towards -y.
+    fn seen(&self) -> Vec<Element> {
+        let out = -(self.into.unit().x + self.into.unit().y);
+        let (along, radial) = (self.along, self.into.is_radial());
+        let point = |p: Point2| {
+            if radial { Point2::new(p.x * along, p.y * out) } else { Point2::new(p.y * along, p.x * out) }
+        };
+        let mirrors = (along * out < 0.0) == radial;
+        let element = |element: &Element| match *element {
+            Element::Line { from, to } => Element::Line { from: point(from), to: point(to) },
+            Element::Arc { from, to, center, sweep } => Element::Arc {
+                from: point(from),
+                to: point(to),
+                center: point(center),
+                sweep: if mirrors { -sweep } else { sweep },
+            },
+        };
+        self.contour.iter().map(element).collect()
+    }
+
+    /// Where the contour falls behind a higher part: places along the cutting axis.
+    pub fn reliefs(&self) -> Vec<(f64, f64)> {
+        let chain = self.seen();
+        let Some(start) = chain.first().map(Element::from) else { return Vec::new() };
+        let outline = Profile::new(&chain, Grown::default());
+        let dips = outline.dips(start, f64::INFINITY, LEAST_DIP);
+        dips.iter().map(|dip| (dip.left * self.along, dip.right * self.along)).collect()
+    }
+
+    /// Does a part of the contour lean over, out of the reach of the cuts?
+    pub fn leans_over(&self) -> bool {
+        self.seen().iter().flat_map(quarters).any(|element| element.to().x < element.from().x - LEVEL)
+    }
+}

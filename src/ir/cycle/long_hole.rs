@@ -1,0 +1,68 @@
+//! Arguments of long holes: slots as wide as the cutter, milled to and fro.
+
+use core::fmt;
+
+use crate::geo::{Point2, distance};
+use crate::ir::Pos;
+
+use super::Family;
+use super::milling::{Mill, MillFault};
+
+/// Long holes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LongHole {
+    pub mill: Mill,
+    /// Both ends of the path of the cutter's centre, one pair a hole.
+    pub holes: Vec<[Point2; 2]>,
+}
+
+/// Arguments that make no long hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LongHoleFault {
+    Mill(MillFault),
+    /// An end is not a number, or there is no hole.
+    Number,
+}
+
+impl fmt::Display for LongHoleFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LongHoleFault::Mill(fault) => fault.fmt(f),
+            LongHoleFault::Number => f.write_str("there is no hole, or an end of one is not a number"),
+        }
+    }
+}
+
+impl LongHole {
+    /// The holes, each from its end that is nearer to where the tool comes from.
+    pub fn in_order(&self, from: Option<Point2>) -> Vec<[Point2; 2]> {
+        // Every level is one way.
+        let back = self.mill.heights.levels().len() % 2 == 0;
+        let mut at = from;
+        let mut nearer = |[a, b]: [Point2; 2]| {
+            let turned = at.is_some_and(|at| distance(at, b) < distance(at, a));
+            let hole = if turned { [b, a] } else { [a, b] };
+            at = Some(hole[usize::from(!back)]);
+            hole
+        };
+        self.holes.iter().map(|hole| nearer(*hole)).collect()
+    }
+}
+
+impl Family for LongHole {
+    type Fault = LongHoleFault;
+
+    fn check(&self) -> Result<(), LongHoleFault> {
+        self.mill.check().map_err(LongHoleFault::Mill)?;
+        let finite = self.holes.iter().flatten().all(|p| p.x.is_finite() && p.y.is_finite());
+        if self.holes.is_empty() || !finite { Err(LongHoleFault::Number) } else { Ok(()) }
+    }
+
+    /// Above the end of the last way.
+    fn leaves(&self, at: &mut Pos) {
+        let back = self.mill.heights.levels().len() % 2 == 0;
+        if let Some(hole) = self.in_order(at.in_plane(self.mill.plane)).last() {
+            self.mill.leaves_above(hole[usize::from(!back)], at);
+        }
+    }
+}

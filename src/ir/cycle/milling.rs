@@ -1,0 +1,227 @@
+//! What all milling cycles share: plane, heights, cutter, feeds, and the places where a shape is milled.
+
+use core::fmt;
+
+use crate::geo::{Deg, Plane, Point2, angle};
+use crate::ir::{Feed, Pos};
+use crate::machine::Axis;
+
+/// Most levels of a cycle; more is a lost decimal point.
+pub const MOST_LEVELS: usize = 10_000;
+/// What arithmetic may add to a quotient without one more part.
+const WHOLE: f64 = 1e-9;
+
+/// Into how many equal parts of at most `most` a way is divided: at least one.
+pub fn parts(way: f64, most: f64) -> usize {
+    if most > 0.0 && way > most { libm::ceil(way / most - WHOLE).clamp(1.0, 1e9) as usize } else { 1 }
+}
+
+/// What every milling cycle takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mill {
+    /// The plane of the shape; the tool stands along its third axis.
+    pub plane: Plane,
+    pub heights: Heights,
+    /// Of the cutter, above 0.
+    pub radius: f64,
+    pub feeds: Feeds,
+}
+
+/// Feeds of a milling cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Feeds {
+    /// In the plane.
+    pub plane: Feed,
+    /// Into the depth.
+    pub depth: Feed,
+}
+
+/// Heights along the tool axis, and how the depth is divided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heights {
+    /// Where the tool travels between places, and stands in the end.
+    pub retract: f64,
+    /// Surface of the workpiece.
+    pub reference: f64,
+    /// In front of the surface, 0 or more: here rapid traverse ends.
+    pub clearance: f64,
+    pub depth: f64,
+    /// Greatest infeed in depth; 0 for one level.
+    pub step: f64,
+    /// What roughing leaves on the floor.
+    pub allowance: f64,
+}
+
+/// Where a shape lies: its own origin, and its own first axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    pub at: Point2,
+    pub turn: Deg,
+}
+
+/// Arguments that make no milling cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MillFault {
+    Number,
+    /// Retract height and depth do not lie on the two sides of the surface.
+    ReferencePlane,
+    RetractBelowStart,
+    /// The allowance on the floor is as large as the depth.
+    FloorAllowance,
+    Radius,
+    Feed,
+    TooManyLevels,
+}
+
+impl fmt::Display for MillFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            MillFault::Number => "a height is not a number, or an allowance, clearance or infeed is below 0",
+            MillFault::ReferencePlane => "the surface must lie between the retract height and the depth",
+            MillFault::RetractBelowStart => "the retract height lies below the surface plus the safety distance",
+            MillFault::FloorAllowance => "the allowance on the floor is not smaller than the depth",
+            MillFault::Radius => "the radius of the cutter must be over 0",
+            MillFault::Feed => "the feed must be over 0",
+            MillFault::TooManyLevels => "the infeed in depth is so small that the levels do not end",
+        })
+    }
+}
+
+impl Mill {
+    /// # Errors
+    /// The first fault.
+    pub fn check(&self) -> Result<(), MillFault> {
+        self.heights.check()?;
+        let positive = |v: f64| v > 0.0 && v.is_finite();
+        if !positive(self.radius) {
+            Err(MillFault::Radius)
+        } else if !positive(self.feeds.plane.value()) || !positive(self.feeds.depth.value()) {
+            Err(MillFault::Feed)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The tool axis.
+    pub fn axis(&self) -> Axis {
+        Axis::ALL[self.plane.axes().2]
+    }
+
+    /// The tool stands above `end`, in the programmed frame.
+    pub fn leaves_above(&self, end: Point2, at: &mut Pos) {
+        at.set_in_plane(self.plane, end);
+        at.set(self.axis(), self.heights.retract);
+    }
+}
+
+impl Heights {
+    /// # Errors
+    /// The first fault.
+    pub fn check(&self) -> Result<(), MillFault> {
+        let numbers = [self.retract, self.reference, self.clearance, self.depth, self.step, self.allowance];
+        let unsigned = [self.clearance, self.step, self.allowance];
+        let out = self.outward();
+        if !numbers.iter().all(|v| v.is_finite()) || unsigned.iter().any(|v| *v < 0.0) {
+            Err(MillFault::Number)
+        } else if out == 0.0 || (self.reference - self.depth) * out < 0.0 {
+            Err(MillFault::ReferencePlane)
+        } else if (self.retract - self.safe()) * out < 0.0 {
+            Err(MillFault::RetractBelowStart)
+        } else if self.allowance > 0.0 && self.allowance >= self.way() {
+            Err(MillFault::FloorAllowance)
+        } else if parts(self.way(), self.step) > MOST_LEVELS {
+            Err(MillFault::TooManyLevels)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Direction out of the material along the tool axis, 1 or -1; 0 where all heights are one.
+    pub fn outward(&self) -> f64 {
+        let way =
+            if self.retract == self.reference { self.reference - self.depth } else { self.retract - self.reference };
+        if way == 0.0 { 0.0 } else { way.signum() }
+    }
+
+    /// Where rapid traverse ends above the surface.
+    pub fn safe(&self) -> f64 {
+        self.above(self.reference)
+    }
+
+    /// The safety distance above `height`.
+    pub fn above(&self, height: f64) -> f64 {
+        height + self.clearance * self.outward()
+    }
+
+    /// The safety distance above ground that is cleared down to `height`, but no higher than above the surface.
+    pub fn above_cleared(&self, height: f64) -> f64 {
+        let (made, safe) = (self.above(height), self.safe());
+        if (made - safe) * self.outward() > 0.0 { safe } else { made }
+    }
+
+    /// Depth, from the surface.
+    pub fn way(&self) -> f64 {
+        (self.reference - self.depth).abs()
+    }
+
+    /// The floor that roughing leaves.
+    pub fn rough_floor(&self) -> f64 {
+        self.depth + self.allowance * self.outward()
+    }
+
+    /// Levels of equal steps from the surface down to what roughing leaves on the floor.
+    pub fn levels(&self) -> Vec<f64> {
+        self.levels_to(self.rough_floor(), self.step)
+    }
+
+    /// Levels of equal steps of at most `step` from the surface down to `floor`, which is the last one.
+    pub fn levels_to(&self, floor: f64, step: f64) -> Vec<f64> {
+        let way = self.reference - floor;
+        let count = parts(way.abs(), step).min(MOST_LEVELS);
+        (1..=count).map(|k| if k == count { floor } else { self.reference - way * k as f64 / count as f64 }).collect()
+    }
+}
+
+impl Place {
+    /// In the coordinates of the plane.
+    pub const HERE: Place = Place { at: Point2::new(0.0, 0.0), turn: Deg(0.0) };
+
+    /// A point of the shape in the plane.
+    pub fn point(&self, p: Point2) -> Point2 {
+        angle::rotated(Point2::new(self.at.x + p.x, self.at.y + p.y), self.at, self.turn)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heights(depth: f64, step: f64, allowance: f64) -> Heights {
+        Heights { retract: 10.0, reference: 0.0, clearance: 2.0, depth, step, allowance }
+    }
+
+    #[test]
+    fn levels_are_equal_and_end_on_the_floor() {
+        let made = heights(-17.5, 4.0, 0.2).levels();
+        let wanted = [-3.46, -6.92, -10.38, -13.84, -17.3];
+        assert!(made.len() == 5 && made.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9), "{made:?}");
+        assert_eq!(heights(-12.0, 4.0, 0.0).levels(), [-4.0, -8.0, -12.0]);
+        assert_eq!(heights(-12.0, 0.0, 0.0).levels(), [-12.0]);
+    }
+
+    #[test]
+    fn a_depth_may_lie_above_the_surface_where_the_tool_works_upwards() {
+        let up = Heights { retract: -10.0, reference: 0.0, clearance: 2.0, depth: 9.0, step: 3.0, allowance: 0.0 };
+        assert_eq!((up.check(), up.safe(), up.levels()), (Ok(()), -2.0, vec![3.0, 6.0, 9.0]));
+    }
+
+    #[test]
+    fn heights_that_make_no_cycle_are_named() {
+        assert_eq!(heights(1.0, 4.0, 0.0).check(), Err(MillFault::ReferencePlane));
+        assert_eq!(heights(-1.0, 4.0, 1.0).check(), Err(MillFault::FloorAllowance));
+        assert_eq!(heights(-1.0, 1e-7, 0.0).check(), Err(MillFault::TooManyLevels));
+        assert_eq!(heights(f64::NAN, 1.0, 0.0).check(), Err(MillFault::Number));
+        let low = Heights { retract: 1.0, ..heights(-1.0, 1.0, 0.0) };
+        assert_eq!(low.check(), Err(MillFault::RetractBelowStart));
+    }
+}

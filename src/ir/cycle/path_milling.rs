@@ -1,0 +1,156 @@
+//! Arguments of path milling: along a contour with the cutter beside it, or on it, level by level.
+
+use core::fmt;
+
+use crate::geo::soft::{self, Shape, Touch};
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::{Compensation, Feed, Pos, Side};
+
+use super::Family;
+use super::milling::{Mill, MillFault};
+
+/// A contour that is milled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathMilling {
+    pub mill: Mill,
+    /// In the order of travel, each element from where the one before ends; none without length.
+    pub contour: Vec<Element>,
+    /// Side of the cutter; none: its centre is on the contour.
+    pub side: Side,
+    /// How the path of the centre follows from the contour; its radius is the distance between the two, with what is left on
+    /// the contour.
+    pub rules: Compensation,
+    pub approach: Way,
+    pub leave: Way,
+    /// Down to the floor, not only to its allowance.
+    pub finishes_floor: bool,
+    pub between: Between,
+}
+
+/// A way to the contour, or from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Way {
+    pub shape: Shape,
+    /// Radius of the path of the centre; for a line the distance of the cutter's edge. Above 0.
+    pub size: f64,
+    /// It falls onto the level by the safety distance, or rises from it.
+    pub spatial: bool,
+}
+
+/// From the end of one level to the start of the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Between {
+    pub lift: Lift,
+    /// At rapid traverse without one.
+    pub feed: Option<Feed>,
+}
+
+/// How far the tool is lifted at the end of the contour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lift {
+    /// To the retract height.
+    Retract,
+    /// To the safety distance above the surface.
+    Surface,
+    /// By the safety distance.
+    Clearance,
+    None,
+}
+
+/// Arguments that make no path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PathFault {
+    Mill(MillFault),
+    Empty,
+    /// An element without length or with a coordinate that is no number.
+    Element,
+    Way,
+    /// A round way to a contour on which the centre lies.
+    Round,
+}
+
+impl fmt::Display for PathFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            PathFault::Mill(fault) => return fault.fmt(f),
+            PathFault::Empty => "the contour has no element",
+            PathFault::Element => "an element of the contour has no direction",
+            PathFault::Way => "the length or radius of a way to or from the contour is 0",
+            PathFault::Round => "on the contour itself the cutter comes and leaves on straight lines",
+        })
+    }
+}
+
+impl PathMilling {
+    /// Distance between the contour and the path of the centre.
+    pub fn distance(&self) -> f64 {
+        if self.side == Side::None { 0.0 } else { self.rules.radius }
+    }
+
+    /// 1 where the cutter is on the left.
+    fn left(&self) -> f64 {
+        if self.side == Side::Right { -1.0 } else { 1.0 }
+    }
+
+    fn start(&self) -> Option<(Point2, Vec2)> {
+        let first = self.contour.first()?;
+        Some((first.from(), first.start_direction()?))
+    }
+
+    fn end(&self) -> Option<(Point2, Vec2)> {
+        let last = self.contour.last()?;
+        Some((last.to(), last.end_direction()?))
+    }
+
+    /// The way to the contour: backwards along it its sides are swapped.
+    pub fn comes(&self) -> Option<Touch> {
+        let (at, heading) = self.start()?;
+        Some(soft::touch(self.approach.shape, self.approach.size, at, -heading, -self.left(), self.distance()))
+    }
+
+    pub fn goes(&self) -> Option<Touch> {
+        let (at, heading) = self.end()?;
+        Some(soft::touch(self.leave.shape, self.leave.size, at, heading, self.left(), self.distance()))
+    }
+
+    /// Sense of a round way.
+    pub fn turns_counter_clockwise(&self) -> bool {
+        self.side == Side::Left
+    }
+
+    pub fn levels(&self) -> Vec<f64> {
+        let heights = &self.mill.heights;
+        if self.finishes_floor { heights.levels_to(heights.depth, heights.step) } else { heights.levels() }
+    }
+}
+
+impl Family for PathMilling {
+    type Fault = PathFault;
+
+    fn check(&self) -> Result<(), PathFault> {
+        self.mill.check().map_err(PathFault::Mill)?;
+        let sound = |element: &Element| {
+            let ends = [element.from(), element.to()];
+            element.start_direction().is_some() && ends.iter().all(|p| p.x.is_finite() && p.y.is_finite())
+        };
+        let ways = [self.approach, self.leave];
+        if self.contour.is_empty() {
+            Err(PathFault::Empty)
+        } else if !self.contour.iter().all(sound) {
+            Err(PathFault::Element)
+        } else if ways.iter().any(|way| way.size <= 0.0 || !way.size.is_finite()) {
+            Err(PathFault::Way)
+        } else if self.side == Side::None && ways.iter().any(|way| way.shape != Shape::Line) {
+            Err(PathFault::Round)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Above the end of the way from the contour.
+    fn leaves(&self, at: &mut Pos) {
+        if let Some(touch) = self.goes() {
+            self.mill.leaves_above(touch.centre, at);
+        }
+    }
+}

@@ -1,0 +1,299 @@
+//! Arguments of pockets and slots: areas that are cleared from inside out, level by level.
+
+use core::fmt;
+
+use crate::geo::{Deg, Point2};
+use crate::ir::{Feed, Pos};
+
+use super::Family;
+use super::milling::{Mill, MillFault, Place};
+
+/// Most rings of a level; more is a lost decimal point.
+pub const MOST_RINGS: f64 = 10_000.0;
+/// Radius of the arc on which a wall is approached, mm.
+const APPROACH: f64 = 2.0;
+/// Rooms that differ by less are equal, mm.
+const SAME: f64 = 1e-9;
+
+/// A pocket or slot, at one or more places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pocket {
+    pub mill: Mill,
+    pub shape: Shape,
+    /// One at least; the shape is milled at one after the other.
+    pub places: Vec<Place>,
+    /// Sense in which the tool goes round.
+    pub counter_clockwise: bool,
+    /// What roughing leaves on the wall.
+    pub allowance: f64,
+    /// Greatest width of a cut; above 0, at most the diameter of the cutter.
+    pub width: f64,
+    pub insertion: Insertion,
+    pub strategy: Strategy,
+    pub rough: bool,
+    pub finish: Option<Finish>,
+    /// What was cleared before.
+    pub cleared: Option<Cleared>,
+    /// Feed on the arc from place to place at the retract height; straight at rapid traverse without one.
+    pub transfer: Option<Feed>,
+}
+
+/// The finished outline, about its own origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// Half sizes, and the radius of the corners; 0 for corners of the cutter.
+    Rectangle {
+        half: [f64; 2],
+        corner: f64,
+    },
+    Circle {
+        radius: f64,
+    },
+    /// Along the first axis between the centres of its round ends.
+    Slot {
+        from: f64,
+        to: f64,
+        width: f64,
+    },
+    /// About the origin from the first axis on, counter-clockwise, between the centres of its round ends.
+    Bow {
+        radius: f64,
+        sweep: Deg,
+        width: f64,
+    },
+}
+
+/// How the tool gets to a level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Insertion {
+    /// At rapid traverse into a hole that was drilled before.
+    Predrilled,
+    Vertical,
+    /// On a helix; radius and greatest pitch.
+    Helix {
+        radius: f64,
+        pitch: f64,
+    },
+    /// To and fro, falling by at most this angle; 0 for one stroke.
+    Sway {
+        angle: Deg,
+    },
+}
+
+/// The way down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Strategy {
+    /// Level by level.
+    Levels,
+    /// Circle by circle from inside out, each on a helix down to the floor.
+    Helix,
+}
+
+/// The finishing cuts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finish {
+    pub wall: bool,
+    pub floor: bool,
+    /// In the plane.
+    pub feed: Feed,
+    /// Greatest infeed in depth along the wall; 0 for one cut.
+    pub step: f64,
+    pub speed: Option<Speed>,
+}
+
+/// Speeds of the spindle in rev/min: while it finishes, and afterwards where that is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Speed {
+    pub finishing: f64,
+    pub after: Option<f64>,
+}
+
+/// A pocket of the same form about the same centre that was cleared before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cleared {
+    pub half: [f64; 2],
+    /// Below the surface.
+    pub depth: f64,
+}
+
+/// The paths of the cutter's centre lie within this, seen from the middle line of the shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Room {
+    /// Half sizes.
+    Rectangle([f64; 2]),
+    /// To both sides of the middle line, or of the centre.
+    Around(f64),
+}
+
+/// Arguments that make no pocket.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PocketFault {
+    Mill(MillFault),
+    Number,
+    /// The cutter with the allowance is larger than the pocket.
+    Cutter,
+    /// The corners are smaller than the cutter, or larger than the pocket.
+    Corner,
+    /// The width of a cut is not above 0, or larger than the cutter.
+    Width,
+    /// The pitch of the helix is not above 0, or the angle not below 90 degrees.
+    Insertion,
+    /// The middle line is shorter than nothing, or turns about itself.
+    Length,
+    TooManyRings,
+    /// Nothing is asked for.
+    Nothing,
+}
+
+impl fmt::Display for PocketFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            PocketFault::Mill(fault) => return fault.fmt(f),
+            PocketFault::Number => "a size of the pocket is not a number, or below 0",
+            PocketFault::Cutter => "the cutter and the allowance on the wall do not fit into the pocket",
+            PocketFault::Corner => {
+                "the radius of the corners lies between that of the cutter and half of the smaller side"
+            }
+            PocketFault::Width => "the infeed in the plane is above 0, and at most the diameter of the cutter",
+            PocketFault::Insertion => "the pitch of the helix is above 0, and the angle below 90 degrees",
+            PocketFault::Length => "the slot is no longer than it is wide, or its arc is longer than a turn",
+            PocketFault::TooManyRings => "the infeed in the plane is so small that the rings do not end",
+            PocketFault::Nothing => "neither roughing nor finishing is asked for",
+        })
+    }
+}
+
+impl Shape {
+    /// What is left for the centre of the cutter at `distance` from the wall; below 0 where there is no room.
+    pub fn room(&self, distance: f64) -> Room {
+        match *self {
+            Shape::Rectangle { half, .. } => Room::Rectangle(half.map(|size| size - distance)),
+            Shape::Circle { radius } => Room::Around(radius - distance),
+            Shape::Slot { width, .. } | Shape::Bow { width, .. } => Room::Around(width / 2.0 - distance),
+        }
+    }
+
+    /// Where the tool is inserted, and over which it stands in the end.
+    pub fn entry(&self) -> Point2 {
+        match *self {
+            Shape::Rectangle { .. } | Shape::Circle { .. } => Point2::origin(),
+            Shape::Slot { from, .. } => Point2::new(from, 0.0),
+            Shape::Bow { radius, .. } => Point2::new(radius, 0.0),
+        }
+    }
+
+    /// Radius of a helix about the entry that stays in the room.
+    pub fn helix_room(&self, distance: f64) -> f64 {
+        self.room(distance).least()
+    }
+
+    fn numbers(&self) -> ([f64; 4], bool) {
+        match *self {
+            Shape::Rectangle { half, corner } => ([half[0], half[1], corner, 0.0], true),
+            Shape::Circle { radius } => ([radius, 0.0, 0.0, 0.0], true),
+            Shape::Slot { from, to, width } => ([width, from.abs(), to.abs(), 0.0], to > from),
+            Shape::Bow { radius, sweep, width } => {
+                ([radius, sweep.0, width, 0.0], sweep.0 > 0.0 && sweep.0 < 360.0 && radius > width / 2.0)
+            }
+        }
+    }
+}
+
+impl Room {
+    /// The smaller half.
+    pub fn least(self) -> f64 {
+        match self {
+            Room::Rectangle([x, y]) => x.min(y),
+            Room::Around(half) => half,
+        }
+    }
+}
+
+impl Pocket {
+    /// Distance of the cutter's centre from the wall while roughing.
+    pub fn rough_distance(&self) -> f64 {
+        self.mill.radius + self.allowance
+    }
+
+    /// The radius of the helix: it stays in the pocket, and leaves no core.
+    pub fn helix_radius(&self, asked: f64) -> f64 {
+        let radius = self.mill.radius;
+        asked.min(radius).min(self.shape.helix_room(self.rough_distance())).max(0.0)
+    }
+
+    /// The radius of the arc on which the finishing cut comes to the wall.
+    pub fn approach_radius(&self) -> f64 {
+        APPROACH.max(self.allowance).min(self.shape.room(self.mill.radius).least())
+    }
+
+    /// Was all cleared before at `height` that the cutter reaches from a ring with these half sizes and corners?
+    pub fn is_cleared(&self, half: [f64; 2], corner: f64, height: f64) -> bool {
+        let Some(cleared) = self.cleared.filter(|cleared| self.is_above_cleared(cleared, height)) else { return false };
+        let radius = self.mill.radius;
+        let (swept, round) = (half.map(|size| size + radius), corner + radius);
+        let least = cleared.half[0].min(cleared.half[1]);
+        let outer = match self.shape {
+            Shape::Rectangle { corner, .. } => corner.max(radius).min(least),
+            Shape::Circle { .. } => least,
+            Shape::Slot { .. } | Shape::Bow { .. } => return false,
+        };
+        let beyond = [0, 1].map(|i| swept[i] - round - (cleared.half[i] - outer));
+        let fits = (0..2).all(|i| swept[i] <= cleared.half[i] + SAME);
+        let in_corner = beyond.iter().all(|way| *way > 0.0);
+        fits && (!in_corner || libm::hypot(beyond[0], beyond[1]) + round <= outer + SAME)
+    }
+
+    fn is_above_cleared(&self, cleared: &Cleared, height: f64) -> bool {
+        let heights = &self.mill.heights;
+        (heights.reference - height) * heights.outward() <= cleared.depth + SAME
+    }
+}
+
+impl Family for Pocket {
+    type Fault = PocketFault;
+
+    fn check(&self) -> Result<(), PocketFault> {
+        self.mill.check().map_err(PocketFault::Mill)?;
+        let radius = self.mill.radius;
+        let (sizes, long) = self.shape.numbers();
+        let usable = |v: f64| v.is_finite() && v >= 0.0;
+        let places = self.places.iter().flat_map(|place| [place.at.x, place.at.y, place.turn.0]);
+        let cleared = self.cleared.map_or([0.0; 3], |cleared| [cleared.half[0], cleared.half[1], cleared.depth]);
+        let finish = self.finish.map_or([0.0, 1.0], |finish| [finish.step, finish.feed.value()]);
+        let numbers = sizes.into_iter().chain(cleared).chain(finish).chain([self.allowance]);
+        let fits = |distance: f64| self.shape.room(distance).least() >= -SAME;
+        let round = match self.shape {
+            Shape::Rectangle { half, corner } => {
+                (corner == 0.0 || corner >= radius - SAME) && corner <= half[0].min(half[1]) + SAME
+            }
+            Shape::Circle { .. } | Shape::Slot { .. } | Shape::Bow { .. } => true,
+        };
+        let insertion = match self.insertion {
+            Insertion::Predrilled | Insertion::Vertical => true,
+            Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
+            Insertion::Sway { angle } => (0.0..90.0).contains(&angle.0),
+        };
+        let circle = matches!(self.shape, Shape::Circle { .. });
+        let rings = self.shape.room(radius).least() / self.width;
+        let rules = [
+            (numbers.into_iter().all(usable) && places.into_iter().all(f64::is_finite), PocketFault::Number),
+            (finish[1] > 0.0, PocketFault::Mill(MillFault::Feed)),
+            (long, PocketFault::Length),
+            (fits(radius) && (!self.rough || fits(self.rough_distance())), PocketFault::Cutter),
+            (round, PocketFault::Corner),
+            (self.width > 0.0 && self.width <= 2.0 * radius + SAME, PocketFault::Width),
+            (rings <= MOST_RINGS, PocketFault::TooManyRings),
+            (insertion && (self.strategy == Strategy::Levels || circle), PocketFault::Insertion),
+            (self.rough || self.finish.is_some_and(|finish| finish.wall || finish.floor), PocketFault::Nothing),
+            (!self.places.is_empty(), PocketFault::Nothing),
+        ];
+        rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+
+    /// It ends above the entry of the last place.
+    fn leaves(&self, at: &mut Pos) {
+        if let Some(place) = self.places.last() {
+            self.mill.leaves_above(place.point(self.shape.entry()), at);
+        }
+    }
+}

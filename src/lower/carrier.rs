@@ -1,0 +1,154 @@
+//! Last pass: what the axes and spindles of the machine do for a path that is complete. Rotary axes turn the workpiece where
+//! the program sees a plane ([`transformation`](super::transformation)), and a feed per turn of another spindle than the
+//! first becomes one per minute, because targets count the turns of their first one.
+
+use std::collections::BTreeMap;
+
+use crate::diag::{Diagnostic, Diags, codes};
+use crate::ir::function::Spindle;
+use crate::ir::motion::{self, Move, Path};
+use crate::ir::{Feed, Function, Origin};
+use crate::machine::Machine;
+
+use super::transformation::Transformer;
+use super::{at, limits};
+
+/// Where the path goes.
+pub struct Out<'a> {
+    pub diags: &'a Diags,
+    pub machine: &'a Machine,
+    pub sink: &'a mut dyn motion::Sink,
+    pub carrier: &'a mut Carrier,
+}
+
+impl Out<'_> {
+    #[inline]
+    pub fn movement(&mut self, mv: &Move, origin: &Origin) {
+        if self.carrier.is_idle() {
+            return print(self.diags, self.machine, self.sink, mv, origin);
+        }
+        if let Err(found) = self.carried(mv, origin) {
+            self.diags.push(*found);
+            self.lost(origin);
+        }
+    }
+
+    #[cold]
+    fn carried(&mut self, mv: &Move, origin: &Origin) -> Result<(), Box<Diagnostic>> {
+        let path = self.carrier.spindle.per_minute(&mv.path, origin)?;
+        let mv = Move { path, ..*mv };
+        let (diags, machine) = (self.diags, self.machine);
+        let sink = &mut *self.sink;
+        match &mut self.carrier.transformer {
+            Some(transformer) => transformer.carry(&mv, origin, &mut |mv| print(diags, machine, sink, mv, origin)),
+            None => {
+                print(diags, machine, sink, &mv, origin);
+                Ok(())
+            }
+        }
+    }
+
+    pub fn function(&mut self, function: &Function, origin: &Origin) {
+        if self.carrier.follow(function) {
+            self.sink.function(function, origin);
+        }
+    }
+
+    /// What the target believes of its position no longer holds.
+    pub fn lost(&mut self, origin: &Origin) {
+        if let Some(transformer) = &mut self.carrier.transformer {
+            transformer.lost();
+        }
+        self.sink.lost(origin);
+    }
+
+    /// The contour that the next moves run beside, where machine and program see it alike.
+    pub fn programmed(&mut self, mv: &Move, start: &crate::ir::Pos) {
+        if self.carrier.transformer.is_none() {
+            self.sink.programmed(mv, start);
+        }
+    }
+}
+
+#[inline]
+fn print(diags: &Diags, machine: &Machine, sink: &mut dyn motion::Sink, mv: &Move, origin: &Origin) {
+    if !machine.limits.is_empty() && !mv.machine {
+        limits::check(mv, &machine.limits, *origin, diags);
+    }
+    sink.movement(mv, origin);
+}
+
+/// What stands between the path and the machine.
+#[derive(Debug, Default)]
+pub struct Carrier {
+    pub transformer: Option<Box<Transformer>>,
+    spindle: FeedSpindle,
+}
+
+impl Carrier {
+    /// Does the machine move as the path says?
+    #[inline]
+    pub fn is_idle(&self) -> bool {
+        self.transformer.is_none() && self.spindle.number.is_none()
+    }
+
+    /// Takes note of a function; false for one that the target does not hear of.
+    fn follow(&mut self, function: &Function) -> bool {
+        match function {
+            Function::FeedSpindle(number) => {
+                self.spindle.number = (*number != FIRST_SPINDLE).then_some(*number);
+                return false;
+            }
+            Function::SpindleOf { number, spindle: Spindle::Speed(speed) } => {
+                self.spindle.speeds.insert(*number, *speed);
+            }
+            Function::ToolChange { .. } | Function::WorkOffset(_) => {
+                if let Some(transformer) = &mut self.transformer {
+                    transformer.displaced(matches!(function, Function::WorkOffset(_)));
+                }
+            }
+            Function::Transformation(_) => return false,
+            Function::ToolPrepare { .. }
+            | Function::Cutter(_)
+            | Function::Spindle(_)
+            | Function::SpindleOf { .. }
+            | Function::Coolant(_)
+            | Function::Dwell(_)
+            | Function::Stop
+            | Function::OptionalStop
+            | Function::Aux(_)
+            | Function::Plane(_)
+            | Function::Comment(_)
+            | Function::End { .. } => {}
+        }
+        true
+    }
+}
+
+/// The spindle whose turns targets count.
+const FIRST_SPINDLE: u8 = 1;
+
+/// The spindle whose turns a feed per revolution counts, where it is not the first one.
+#[derive(Debug, Default)]
+struct FeedSpindle {
+    number: Option<u8>,
+    /// Turns per minute, by spindle.
+    speeds: BTreeMap<u8, f64>,
+}
+
+impl FeedSpindle {
+    /// The path with a feed that every target counts alike.
+    fn per_minute(&self, path: &Path, origin: &Origin) -> Result<Path, Box<Diagnostic>> {
+        let (Some(number), Some(Feed::PerRevolution(feed))) = (self.number, path.feed()) else { return Ok(*path) };
+        let Some(speed) = self.speeds.get(&number).filter(|speed| **speed > 0.0) else {
+            let message = format!("the feed counts turns of spindle {number}, whose speed is not known");
+            let help = format!("program its speed in front of this block: S{number}=1000");
+            return Err(Box::new(at(codes::G3336, *origin, message).help(help)));
+        };
+        let feed = Feed::PerMinute(feed * speed);
+        Ok(match path {
+            Path::Arc(arc, _) => Path::Arc(*arc, feed),
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => Path::Line(feed),
+        })
+    }
+}

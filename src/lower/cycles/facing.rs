@@ -1,0 +1,50 @@
+//! Face milling: path beside path, level by level; between the paths outside of the face, or over what is cut.
+
+use crate::diag::codes;
+use crate::ir::cycle::facing::Kind;
+use crate::ir::cycle::{Facing, Family};
+
+use super::cutter::Cutter;
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+
+impl Expand for Facing {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        self.check().map_err(|fault| {
+            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the face and the data of the cutter")
+        })?;
+        let paths = self.paths();
+        let Some([first, _]) = paths.first() else { return Ok(()) };
+        let feed = self.mill.feeds.plane;
+        let mut cutter = Cutter::new(&self.mill, self.corner, start, out);
+        cutter.approach(*first);
+        let mut above = self.mill.heights.safe();
+        for level in self.levels() {
+            for (at, [from, to]) in paths.iter().enumerate() {
+                match self.kind {
+                    // Outside of the face, or along a wall, to the path beside.
+                    Kind::Rough if self.goes_back() && at > 0 => cutter.line(*from, feed),
+                    Kind::Rough => {
+                        cutter.lift(above);
+                        cutter.rapid(*from);
+                    }
+                    // Back over the path that is cut, then beside the face.
+                    Kind::Finish { lift } if at > 0 => {
+                        cutter.lift(level + lift * self.mill.heights.outward());
+                        if !self.goes_back() {
+                            cutter.rapid(paths[at - 1][0]);
+                        }
+                        cutter.rapid(*from);
+                    }
+                    Kind::Finish { .. } => {}
+                }
+                cutter.lift(level);
+                cutter.line(*to, feed);
+            }
+            // What is cut down to this level is free above it.
+            above = self.mill.heights.above(level);
+        }
+        cutter.retract();
+        Ok(())
+    }
+}

@@ -1,0 +1,79 @@
+//! Relief cuts: what falls behind a higher part is cut from its falling side.
+
+use crate::diag::codes;
+use crate::geo::Point2;
+use crate::geo::profile::{Dip, LEVEL, backwards, mirrored};
+use crate::ir::cycle::layers::{LEAST_DIP, Relief};
+use crate::lower::cycles::track::Failure;
+
+use super::{Cutter, MOST_CUTS, infeed_steps};
+
+impl Cutter<'_> {
+    /// # Errors
+    /// G3040 too many cuts.
+    pub(super) fn relieve(&mut self) -> Result<(), Failure> {
+        let region = self.region;
+        if region.layers.relief == Relief::Left {
+            return Ok(());
+        }
+        let floor = region.floor();
+        // The contour begins where it first rises to the deepest cut.
+        let Some(begin) = region.rough.first_above(floor - 3.0 * LEVEL, f64::NEG_INFINITY) else { return Ok(()) };
+        let mut dips = region.rough.dips(Point2::new(begin, floor), region.top(), LEAST_DIP);
+        dips.reverse();
+        // Those inside of others come behind them.
+        let mut list: Vec<(Dip, f64)> = dips.into_iter().map(|dip| (dip, dip.rim)).collect();
+        while let Some((dip, rim)) = list.pop() {
+            let inner = self.dip(&dip, rim + region.layers.clearance.lift)?;
+            list.extend(inner.into_iter().rev().map(|inner| (inner, rim)));
+        }
+        Ok(())
+    }
+
+    /// Cuts one dip and gives those inside of it; the tool travels at the height `air`.
+    fn dip(&mut self, dip: &Dip, air: f64) -> Result<Vec<Dip>, Failure> {
+        let region = self.region;
+        let layers = region.layers;
+        let nose = region.nose();
+        let Some(low) = region.rough.lowest(dip.left, dip.right) else { return Ok(Vec::new()) };
+        let top = region.blank.highest(dip.left - nose, dip.right + nose).min(dip.rim);
+        if top - low.y <= LEAST_DIP {
+            return Ok(Vec::new());
+        }
+        let cuts = infeed_steps(top - low.y, layers.most).max(1);
+        if cuts > MOST_CUTS {
+            let message = format!("the infeed makes {cuts} cuts, more than {MOST_CUTS}");
+            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+        }
+        let left = |y: f64| region.behind.first_above(y, -low.x).map_or(dip.left, |x| -x);
+        let right = |y: f64| region.rough.first_above(y, low.x).unwrap_or(dip.right);
+        let mut before = top;
+        for k in 1..=cuts {
+            let y = if k == cuts { low.y } else { top - (top - low.y) * (k as f64 / cuts as f64) };
+            let start = Point2::new(left(y), y);
+            let seen = Point2::new(-start.x, y);
+            let up = region.behind.climb(seen, (before + layers.clearance.lift).min(dip.rim));
+            let rim = up.last().map_or(start, |leg| Point2::new(-leg.to().x, leg.to().y));
+            self.rapid_y(self.at.y.max(air));
+            self.rapid_x(rim.x);
+            self.rapid_y(before + layers.clearance.lift);
+            self.line(rim, layers.feeds.plunge);
+            self.legs(&mirrored(&backwards(seen, &up)), layers.feeds.plunge);
+            self.straight(right(y));
+            let at = self.at;
+            self.legs(&region.rough.climb(at, before), layers.feeds.rough);
+            let wide = self.at.x - left(before);
+            self.lift(layers.clearance.lift.min((wide / 2.0).max(0.0)), layers.feeds.rough);
+            before = y;
+        }
+        self.rapid_y(self.at.y.max(air));
+        let mut inner: Vec<Dip> =
+            region.behind.between(-low.x, -dip.left).dips(Point2::new(-low.x, low.y), top, LEAST_DIP);
+        inner.reverse();
+        for dip in &mut inner {
+            (dip.left, dip.right) = (-dip.right, -dip.left);
+        }
+        inner.extend(region.rough.between(low.x, dip.right).dips(low, top, LEAST_DIP));
+        Ok(inner)
+    }
+}

@@ -1,0 +1,29 @@
+//! Long holes: down at one end, along, down at the other end, and back.
+
+use crate::diag::codes;
+use crate::ir::cycle::milling::Place;
+use crate::ir::cycle::{Family, LongHole};
+
+use super::cutter::Cutter;
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+
+impl Expand for LongHole {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        self.check().map_err(|fault| {
+            Failure::new(codes::G3321, fault.to_string(), "check the sizes of the long hole and the data of the cutter")
+        })?;
+        let levels = self.mill.heights.levels();
+        let holes = self.in_order(start.at.in_plane(self.mill.plane));
+        let mut cutter = Cutter::new(&self.mill, Place::HERE, start, out);
+        for ends in holes {
+            cutter.approach(ends[0]);
+            for (at, level) in levels.iter().enumerate() {
+                cutter.plunge(*level);
+                cutter.line(ends[(at + 1) % 2], self.mill.feeds.plane);
+            }
+            cutter.retract();
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,227 @@
+//! Path milling: beside the contour down to the level, on a soft way to it, along it, and on a soft way from it.
+//!
+//! What lies between the two ways is made by the compensation pass, which also finds where the cutter has no room.
+
+use std::rc::Rc;
+
+use crate::diag::codes;
+use crate::geo::soft::Touch;
+use crate::geo::{Element, Point2, Vec2, arc, distance, gap, left};
+use crate::ir::compensation::{Compensation, FeedAt};
+use crate::ir::cycle::milling::Place;
+use crate::ir::cycle::path_milling::Lift;
+use crate::ir::cycle::{Family, PathMilling};
+use crate::ir::{Feed, Side};
+
+use super::cutter::{Beside, Cutter, Way};
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+
+/// Points closer than this are one, mm.
+const SAME: f64 = 1e-6;
+/// How much nearer than the radius a way may come, mm: what a contour of three decimals loses.
+const NEARER: f64 = 2e-3;
+
+impl Expand for PathMilling {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        let help = "check the contour, and the data of its approach";
+        self.check().map_err(|fault| Failure::new(codes::G3331, fault.to_string(), help))?;
+        let (Some(comes), Some(goes)) = (self.comes(), self.goes()) else { return Ok(()) };
+        let levels = self.levels();
+        self.ways_are_free(&comes, &goes)?;
+        if levels.len() > 1 {
+            self.back_is_free(&comes, &goes)?;
+        }
+        let cutter = Cutter::new(&self.mill, Place::HERE, start, out);
+        let beside = |rules| (self.side != Side::None).then(|| Beside { side: self.side, rules: Rc::new(rules) });
+        let way = Compensation { is_way: true, feed: FeedAt::Centre, ..self.rules };
+        let mut tool = Tool { path: self, beside: beside(self.rules), on_the_way: beside(way), comes, goes, cutter };
+        let mut from = self.mill.heights.reference;
+        for level in levels {
+            if from != self.mill.heights.reference {
+                tool.lift(from);
+            }
+            tool.mill(from, level);
+            from = level;
+        }
+        tool.cutter.retract();
+        Ok(())
+    }
+}
+
+impl PathMilling {
+    /// The soft ways themselves must keep their distance from all of the contour.
+    fn ways_are_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Failure> {
+        let (Some(first), Some(last)) = (self.contour.first(), self.contour.last()) else { return Ok(()) };
+        if self.side == Side::None {
+            return Ok(());
+        }
+        let beside =
+            |at: Point2, heading: Option<Vec2>| heading.map(|heading| at + left(heading) * self.signed_distance());
+        let start = beside(first.from(), first.start_direction());
+        let end = beside(last.to(), last.end_direction());
+        for (touch, at) in [(comes, start), (goes, end)] {
+            let Some(at) = at else { continue };
+            let way = match touch.circle {
+                None => Element::Line { from: touch.centre, to: at },
+                Some(center) => {
+                    let leads_in = core::ptr::eq(touch, comes);
+                    let (from, to) = if leads_in { (touch.centre, at) } else { (at, touch.centre) };
+                    let sweep = arc::sweep(from, to, center, self.turns_counter_clockwise());
+                    Element::Arc { from, to, center, sweep }
+                }
+            };
+            let least = self.distance() - NEARER;
+            if self.contour.iter().any(|element| gap::between(&way, element) < least) {
+                return Err(Failure::new(
+                    codes::G3331,
+                    "the way to the contour, or from it, cuts into the contour elsewhere",
+                    "give a smaller radius or length of the way, or another shape of it",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn signed_distance(&self) -> f64 {
+        if self.side == Side::Right { -self.distance() } else { self.distance() }
+    }
+
+    /// Does the tool go back to the start of the contour below the surface?
+    fn goes_back_deep(&self) -> bool {
+        match self.between.lift {
+            Lift::Retract | Lift::Surface => false,
+            // At rapid traverse it goes above the surface.
+            Lift::Clearance => self.between.feed.is_some(),
+            Lift::None => true,
+        }
+    }
+
+    /// The straight way back must keep its distance from the contour.
+    fn back_is_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Failure> {
+        let (from, to) = (goes.centre, comes.centre);
+        if !self.goes_back_deep() || distance(from, to) <= SAME {
+            return Ok(());
+        }
+        let back = Element::Line { from, to };
+        let free = self.side != Side::None
+            && self.contour.iter().all(|element| gap::between(&back, element) >= self.distance() - SAME);
+        if free {
+            return Ok(());
+        }
+        Err(Failure::new(
+            codes::G3331,
+            "the straight way back to the start of the contour, in its depth, cuts into it",
+            "retract the tool at the end of the contour",
+        ))
+    }
+}
+
+struct Tool<'a> {
+    path: &'a PathMilling,
+    /// None where the centre is on the contour itself.
+    beside: Option<Beside>,
+    /// The same on the ways to the contour and from it.
+    on_the_way: Option<Beside>,
+    comes: Touch,
+    goes: Touch,
+    cutter: Cutter<'a>,
+}
+
+impl Tool<'_> {
+    /// One level; everything down to `from` is cut beside the contour.
+    fn mill(&mut self, from: f64, level: f64) {
+        let heights = self.path.mill.heights;
+        let first = from == heights.reference;
+        if first {
+            self.cutter.rise();
+        }
+        let travel = match self.path.between {
+            _ if first => None,
+            between if between.lift == Lift::None => Some(self.path.mill.feeds.plane),
+            between => between.feed,
+        };
+        // Over the point where the way to the contour begins.
+        let start = if self.beside.is_some() { self.comes.contour } else { self.comes.centre };
+        self.go(Some(start), None, travel.map_or(Way::Rapid, Way::Line));
+        self.down(heights.above_cleared(from), level);
+        self.along_the_contour(level);
+        // From here on the centre of the tool itself is meant.
+        self.cutter.line(self.goes.centre, self.path.mill.feeds.plane);
+    }
+
+    /// On the way to the contour, or from it.
+    fn go(&mut self, to: Option<Point2>, height: Option<f64>, way: Way) {
+        if let Some(beside) = &self.on_the_way {
+            return self.cutter.beside(beside, to, height, way);
+        }
+        match (way, to, height) {
+            (Way::Arc { center, ccw, feed, .. }, Some(to), _) => self.cutter.arc(to, center, ccw, feed),
+            (Way::Line(feed), Some(to), Some(height)) => {
+                self.cutter.fall(&Element::Line { from: to, to }, height, feed);
+            }
+            (Way::Line(feed), Some(to), None) => self.cutter.line(to, feed),
+            (Way::Line(_), None, Some(height)) => self.cutter.plunge(height),
+            (Way::Rapid, Some(to), _) => self.cutter.rapid(to),
+            (Way::Rapid, None, Some(height)) => self.cutter.lift(height),
+            (_, None, _) => {}
+        }
+    }
+
+    /// At rapid traverse down to what is free, then at the feed for the depth.
+    fn down(&mut self, free: f64, level: f64) {
+        let heights = &self.path.mill.heights;
+        let floor = if self.path.approach.spatial { heights.above(level) } else { level };
+        let stop = if (floor - free) * heights.outward() > 0.0 { floor } else { free };
+        if self.cutter.is_above(stop) {
+            self.go(None, Some(stop), Way::Rapid);
+        }
+        if self.cutter.is_above(floor) {
+            self.go(None, Some(floor), Way::Line(self.path.mill.feeds.depth));
+        }
+    }
+
+    fn along_the_contour(&mut self, level: f64) {
+        let path = self.path;
+        let feeds = path.mill.feeds;
+        let Some(start) = path.contour.first().map(Element::from) else { return };
+        let (falls, feed) = if path.approach.spatial { (Some(level), feeds.depth) } else { (None, feeds.plane) };
+        self.soft(self.comes.circle, start, falls, feed);
+        for element in &path.contour {
+            self.element(element);
+        }
+        let rises = path.leave.spatial.then(|| path.mill.heights.above(level));
+        let end = if self.beside.is_some() { self.goes.contour } else { self.goes.centre };
+        self.soft(self.goes.circle, end, rises, feeds.plane);
+    }
+
+    fn soft(&mut self, circle: Option<Point2>, to: Point2, height: Option<f64>, feed: Feed) {
+        let ccw = self.path.turns_counter_clockwise();
+        let way = circle.map_or(Way::Line(feed), |center| Way::Arc { center, ccw, tol: 0.0, feed });
+        self.go(Some(to), height, way);
+    }
+
+    fn element(&mut self, element: &Element) {
+        let feed = self.path.mill.feeds.plane;
+        let Some(beside) = &self.beside else { return self.cutter.element(element, feed) };
+        let way = match *element {
+            Element::Line { .. } => Way::Line(feed),
+            Element::Arc { from, to, center, sweep } => {
+                let tol = (distance(from, center) - distance(to, center)).abs();
+                Way::Arc { center, ccw: sweep > 0.0, tol, feed }
+            }
+        };
+        self.cutter.beside(beside, Some(element.to()), None, way);
+    }
+
+    /// Off the level that is cut.
+    fn lift(&mut self, level: f64) {
+        let heights = self.path.mill.heights;
+        match self.path.between.lift {
+            Lift::Retract => self.cutter.lift(heights.retract),
+            Lift::Clearance if self.path.between.feed.is_some() => self.cutter.lift(heights.above(level)),
+            Lift::Surface | Lift::Clearance => self.cutter.lift(heights.safe()),
+            Lift::None => {}
+        }
+    }
+}

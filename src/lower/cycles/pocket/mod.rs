@@ -1,0 +1,255 @@
+//! Pockets and slots: insertion, rings from inside out, level by level; then the wall, then the floor.
+
+mod area;
+mod helical;
+#[cfg(test)]
+mod tests;
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2, left};
+use crate::ir::Feed;
+use crate::ir::cycle::Family;
+use crate::ir::cycle::milling::{MOST_LEVELS, parts};
+use crate::ir::cycle::pocket::{Finish, Insertion, Pocket, Strategy};
+
+use super::cutter::Cutter;
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+use area::{Area, reversed};
+
+/// Smaller arcs of approach are straight lines, mm.
+const SMALLEST_APPROACH: f64 = 0.1;
+
+impl Expand for Pocket {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        self.check().map_err(|fault| {
+            Failure::new(codes::G3321, fault.to_string(), "check the sizes of the pocket and the data of the cutter")
+        })?;
+        let rough = self.rough.then(|| Area::new(self, self.rough_distance()));
+        let Some(first) = self.places.first() else { return Ok(()) };
+        let mut tool = Tool { pocket: self, cutter: Cutter::new(&self.mill, *first, start, out), is_over: false };
+        for (at, place) in self.places.iter().enumerate() {
+            tool.cutter.go_on_at(*place);
+            if let Some(feed) = self.transfer.filter(|_| at > 0) {
+                tool.cutter.arc(self.shape.entry(), Point2::origin(), true, feed);
+            }
+            match (&rough, self.strategy) {
+                (Some(area), Strategy::Levels) => tool.rough(area),
+                (Some(area), Strategy::Helix) => tool.rough_on_helices(area),
+                (None, _) => {}
+            }
+            if let Some(finish) = &self.finish {
+                tool.finish(finish);
+            }
+            tool.cutter.retract();
+            tool.is_over = false;
+        }
+        Ok(())
+    }
+}
+
+struct Tool<'a> {
+    pocket: &'a Pocket,
+    cutter: Cutter<'a>,
+    /// The tool stands at the safety distance over the place.
+    is_over: bool,
+}
+
+impl Tool<'_> {
+    fn rough(&mut self, area: &Area) {
+        let heights = self.pocket.mill.heights;
+        let feed = self.pocket.mill.feeds.plane;
+        let mut from = heights.reference;
+        for level in heights.levels() {
+            let point = self.insertion_point(area, level);
+            if from == heights.reference {
+                self.go_over(point);
+            } else {
+                self.back(area, point, feed);
+            }
+            self.insert(area, from, level);
+            self.rings(area, feed, |pocket, ring| pocket.is_cleared(ring.half, ring.corner, level));
+            from = level;
+        }
+        self.back(area, area.entry, feed);
+        self.cutter.lift(heights.safe());
+    }
+
+    /// Over `point`, at the safety distance above the surface.
+    fn go_over(&mut self, point: Point2) {
+        if std::mem::replace(&mut self.is_over, true) {
+            self.cutter.rapid(point);
+        } else {
+            self.cutter.approach(point);
+        }
+    }
+
+    /// Where the way to a level begins.
+    fn insertion_point(&self, area: &Area, level: f64) -> Point2 {
+        match self.pocket.insertion {
+            Insertion::Helix { radius, .. } if !self.enters_cleared(level) => area.entry + self.helix_arm(area, radius),
+            Insertion::Sway { .. } if !self.enters_cleared(level) => area.sway.from(),
+            _ => area.entry,
+        }
+    }
+
+    /// Is the entry free down to this level?
+    fn enters_cleared(&self, level: f64) -> bool {
+        self.pocket.is_cleared([0.0; 2], 0.0, level)
+    }
+
+    /// From the entry to the start of the helix: on the long axis.
+    fn helix_arm(&self, area: &Area, radius: f64) -> crate::geo::Vec2 {
+        let along = area.sway.start_direction().unwrap_or_else(crate::geo::Vec2::x);
+        along * self.pocket.helix_radius(radius)
+    }
+
+    /// From one level to the next, over the insertion point.
+    fn insert(&mut self, area: &Area, from: f64, to: f64) {
+        let heights = &self.pocket.mill.heights;
+        let feed = self.pocket.mill.feeds.depth;
+        if self.enters_cleared(to) {
+            self.cutter.lift(heights.above_cleared(to));
+            return self.cutter.plunge(to);
+        }
+        match self.pocket.insertion {
+            Insertion::Predrilled => self.cutter.lift(to),
+            Insertion::Vertical => self.cutter.plunge(to),
+            Insertion::Helix { radius, pitch } => {
+                let arm = self.helix_arm(area, radius);
+                self.cutter.plunge(from);
+                if crate::geo::length(arm) < SMALLEST_APPROACH {
+                    return self.cutter.plunge(to);
+                }
+                let (center, ccw) = (area.entry, self.pocket.counter_clockwise);
+                let turns = parts((from - to).abs(), pitch).min(MOST_LEVELS) as u32;
+                self.cutter.helix(center, ccw, turns, to, feed);
+                self.cutter.arc(center + arm, center, ccw, feed);
+            }
+            Insertion::Sway { angle } => {
+                self.cutter.plunge(from);
+                self.sway(&area.sway, from, to, angle.radians());
+            }
+        }
+    }
+
+    /// To and fro along `line`, one stroke more on the level.
+    fn sway(&mut self, line: &Element, from: f64, to: f64, angle: f64) {
+        let feed = self.pocket.mill.feeds.depth;
+        let most = line.length() * libm::tan(angle);
+        let strokes = parts((from - to).abs(), most).min(MOST_LEVELS);
+        let back = reversed(line);
+        for stroke in 1..=strokes + 1 {
+            let height = if stroke >= strokes { to } else { from + (to - from) * stroke as f64 / strokes as f64 };
+            let element = if stroke % 2 == 1 { line } else { &back };
+            self.cutter.fall(element, height, feed);
+        }
+    }
+
+    /// From the last ring to `point` on cleared ground: along an arc of the middle line, which alone lies open there.
+    fn back(&mut self, area: &Area, point: Point2, feed: Feed) {
+        if let Some(core @ Element::Arc { .. }) = &area.core {
+            self.cutter.line(core.to(), feed);
+            self.cutter.element(&reversed(core), feed);
+        }
+        self.cutter.line(point, feed);
+    }
+
+    /// The innermost line, and the rings from inside out.
+    fn rings(&mut self, area: &Area, feed: Feed, skip: impl Fn(&Pocket, &area::Ring) -> bool) {
+        let from_inside = !area.rings.first().is_some_and(|ring| skip(self.pocket, ring));
+        if let Some(core) = area.core.as_ref().filter(|core| from_inside && !self.cutter.stands_at(core.to())) {
+            self.cutter.line(core.from(), feed);
+            self.cutter.element(core, feed);
+        }
+        for ring in area.rings.iter().filter(|ring| !skip(self.pocket, ring)) {
+            self.cutter.line(ring.start(), feed);
+            self.cutter.follow(&ring.elements, feed);
+        }
+    }
+
+    fn finish(&mut self, finish: &Finish) {
+        if let Some(speed) = finish.speed {
+            self.cutter.speed(speed.finishing);
+        }
+        let distance = self.pocket.mill.radius;
+        let last = Area::new(self.pocket, if finish.wall { distance } else { self.pocket.rough_distance() });
+        if finish.wall && self.pocket.strategy == Strategy::Helix {
+            self.finish_on_helix(finish, &last);
+        } else {
+            if finish.wall {
+                self.wall(finish, &last);
+            }
+            if finish.floor {
+                self.floor(finish, &last);
+            }
+        }
+        if let Some(after) = finish.speed.and_then(|speed| speed.after) {
+            self.cutter.speed(after);
+        }
+    }
+
+    /// The wall, down to what is left for the floor.
+    fn wall(&mut self, finish: &Finish, area: &Area) {
+        let heights = &self.pocket.mill.heights;
+        let mut above = heights.safe();
+        for level in heights.levels_to(heights.rough_floor(), finish.step) {
+            match area.rings.last() {
+                Some(ring) => self.wall_at(ring, above, level, finish.feed),
+                None => self.line_at(area, above, level, finish.feed),
+            }
+            self.cutter.lift(heights.safe());
+            above = heights.above_cleared(level);
+        }
+        self.cutter.rapid(area.entry);
+    }
+
+    /// Onto the wall and off it on arcs that touch it.
+    fn wall_at(&mut self, ring: &area::Ring, above: f64, level: f64, feed: Feed) {
+        let (Some(first), radius) = (ring.elements.first(), self.pocket.approach_radius()) else { return };
+        let Some(along) = first.start_direction() else { return };
+        let (touch, ccw) = (ring.start(), self.pocket.counter_clockwise);
+        let inward = if ccw { left(along) } else { -left(along) };
+        let center = touch + inward * radius;
+        let (from, to) = match radius < SMALLEST_APPROACH {
+            true => (center, center),
+            false => (center - along * radius, center + along * radius),
+        };
+        self.over(from, above);
+        self.cutter.plunge(level);
+        if radius < SMALLEST_APPROACH {
+            self.cutter.line(touch, feed);
+            self.cutter.follow(&ring.elements, feed);
+            return self.cutter.line(to, feed);
+        }
+        self.cutter.arc(touch, center, ccw, feed);
+        self.cutter.follow(&ring.elements, feed);
+        self.cutter.arc(to, center, ccw, feed);
+    }
+
+    /// The wall of a slot that is as wide as the cutter.
+    fn line_at(&mut self, area: &Area, above: f64, level: f64, feed: Feed) {
+        self.over(area.entry, above);
+        self.cutter.plunge(level);
+        if let Some(core) = &area.core {
+            self.cutter.line(core.from(), feed);
+            self.cutter.element(core, feed);
+        }
+    }
+
+    /// At the safety distance over `point`, and down through what is cleared.
+    fn over(&mut self, point: Point2, above: f64) {
+        self.go_over(point);
+        self.cutter.lift(above);
+    }
+
+    /// The floor, from inside out.
+    fn floor(&mut self, finish: &Finish, area: &Area) {
+        let heights = &self.pocket.mill.heights;
+        self.over(area.entry, heights.above_cleared(heights.rough_floor()));
+        self.cutter.plunge(heights.depth);
+        self.rings(area, finish.feed, |_, _| false);
+        self.back(area, area.entry, finish.feed);
+        self.cutter.lift(heights.safe());
+    }
+}

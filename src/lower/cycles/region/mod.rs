@@ -1,0 +1,411 @@
+//! Pockets along a contour with islands: rings at growing distances from the walls, cut from inside out.
+
+mod loops;
+mod walls;
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2, distance, left};
+use crate::ir::Feed;
+use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
+use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::{Family, Region};
+
+use super::cutter::Cutter;
+use super::slope::reversed;
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+use loops::{Area, Loop, Part};
+use walls::{Walls, nearest_on, roomiest};
+
+/// Rooms for less than this are none, mm.
+const NOTHING: f64 = 1e-4;
+/// Radius of the arc on which a wall is approached, mm; it becomes smaller where the walls are near.
+const APPROACH: f64 = 2.0;
+const SMALLEST_APPROACH: f64 = 0.1;
+/// Points nearer than this to the start of an element are that start, mm.
+const SNAPS: f64 = 1e-3;
+/// Links longer than so many widths of a cut are ways through the air.
+const LONGEST_LINK: f64 = 2.5;
+
+impl Expand for Region {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        let help = "check the contour, the data of the cutter, and the allowances";
+        self.check().map_err(|fault| Failure::new(codes::G3321, fault.to_string(), help))?;
+        let walls = Walls::new(self.walls().copied().collect());
+        let area = Area::new(&self.outline, &self.islands);
+        let radius = self.mill.radius;
+        // All rings are known before the tool moves.
+        let rough = match self.rough {
+            true => self.rings(&area, &walls, radius + self.allowance)?,
+            false => Vec::new(),
+        };
+        let floor = match self.finish {
+            Some(Finish { floor: true, wall, .. }) => {
+                self.rings(&area, &walls, radius + if wall { 0.0 } else { self.allowance })?
+            }
+            _ => Vec::new(),
+        };
+        let wall = match self.finish {
+            Some(Finish { wall: true, .. }) => area.parts(radius, &walls).ok_or_else(unproved)?,
+            _ => Vec::new(),
+        };
+        if self.finish.is_some_and(|finish| finish.wall) && wall.is_empty() {
+            return Err(no_room());
+        }
+        let cutter = Cutter::new(&self.mill, Place::HERE, start, out);
+        let mut tool = Tool {
+            region: self,
+            walls: &walls,
+            cutter,
+            is_over: false,
+            cut: Vec::new(),
+            cleared: self.mill.heights.reference,
+            at: None,
+        };
+        let heights = self.mill.heights;
+        for part in &rough {
+            let mut from = heights.reference;
+            for level in heights.levels() {
+                tool.level(part, radius + self.allowance, from, level, self.mill.feeds.plane);
+                from = level;
+            }
+        }
+        if let Some(finish) = &self.finish {
+            if let Some(speed) = finish.speed {
+                tool.cutter.speed(speed.finishing);
+            }
+            for part in &wall {
+                for ring in part.loops() {
+                    tool.wall(ring, finish);
+                }
+            }
+            for part in &floor {
+                tool.floor(part, finish);
+            }
+            if let Some(after) = finish.speed.and_then(|speed| speed.after) {
+                tool.cutter.speed(after);
+            }
+        }
+        tool.cutter.retract();
+        Ok(())
+    }
+}
+
+fn no_room() -> Failure {
+    Failure::new(
+        codes::G3321,
+        "the cutter finds no room between the walls of the contour",
+        "take a smaller cutter, or a smaller allowance",
+    )
+}
+
+fn unproved() -> Failure {
+    Failure::new(
+        codes::G3321,
+        "the rings along the contour do not keep their distance from it",
+        "move an end point of the contour a little, or take another infeed in the plane",
+    )
+}
+
+impl Region {
+    /// Parts of the area at `least` from the walls, with all that lies deeper.
+    fn rings(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Part>, Failure> {
+        let roots = area.parts(least, walls).ok_or_else(unproved)?;
+        if roots.is_empty() {
+            return Err(no_room());
+        }
+        let rooms = roots.iter().filter_map(|root| entry(root, walls)).map(|(_, room)| room - least);
+        let most = rooms.fold(0.0, f64::max);
+        // Every point between two rings is at most a step from the outer one: a step of a radius leaves nothing.
+        let count = parts(most, self.width.min(self.mill.radius));
+        let step = most / count as f64;
+        let mut levels = vec![roots];
+        for j in 1..count {
+            levels.push(area.parts(least + step * j as f64, walls).ok_or_else(unproved)?);
+        }
+        let mut inner: Vec<Part> = Vec::new();
+        while let Some(mut outer) = levels.pop() {
+            for part in inner {
+                let at = part.outer.start();
+                outer.iter_mut().find(|holder| holder.holds(at)).ok_or_else(unproved)?.inner.push(part);
+            }
+            inner = outer;
+        }
+        for part in &mut inner {
+            self.enter(part, walls);
+        }
+        Ok(inner)
+    }
+
+    /// Finds where the tool is inserted into the parts that have nothing deeper.
+    fn enter(&self, part: &mut Part, walls: &Walls) {
+        for inner in &mut part.inner {
+            self.enter(inner, walls);
+        }
+        if part.inner.is_empty() {
+            let wanted = self.start.filter(|start| part.holds(*start)).map(|start| (start, walls.distance(start)));
+            part.entry = wanted.or_else(|| entry(part, walls));
+        }
+    }
+}
+
+/// The point of a part that is farthest from the walls, and how far it is.
+fn entry(part: &Part, walls: &Walls) -> Option<(Point2, f64)> {
+    let points = part.outer.elements.iter().flat_map(|element| [element.from(), element.middle()]);
+    let (mut low, mut high) = (Point2::new(f64::MAX, f64::MAX), Point2::new(f64::MIN, f64::MIN));
+    for p in points {
+        low = Point2::new(low.x.min(p.x), low.y.min(p.y));
+        high = Point2::new(high.x.max(p.x), high.y.max(p.y));
+    }
+    roomiest(low, high, |p| if part.holds(p) { walls.distance(p) } else { -part.outer.away(p) })
+}
+
+struct Tool<'a> {
+    region: &'a Region,
+    walls: &'a Walls,
+    cutter: Cutter<'a>,
+    /// The tool stands at the safety distance over the pocket.
+    is_over: bool,
+    /// Rings that are cut on this level.
+    cut: Vec<Loop>,
+    /// What is cleared in front of this level.
+    cleared: f64,
+    /// Where the tool stands on this level; `None` above it.
+    at: Option<Point2>,
+}
+
+impl Tool<'_> {
+    /// A part on one level: what lies deeper, then its own rings.
+    fn level(&mut self, part: &Part, least: f64, from: f64, to: f64, feed: Feed) {
+        self.cut.clear();
+        self.cleared = from;
+        self.part(part, least, from, to, feed);
+        self.up();
+    }
+
+    fn part(&mut self, part: &Part, least: f64, from: f64, to: f64, feed: Feed) {
+        for inner in &part.inner {
+            self.part(inner, least, from, to, feed);
+        }
+        if part.inner.is_empty() {
+            self.insert_into(part, least, from, to);
+        }
+        for ring in part.loops() {
+            self.ring(ring, least, to, feed);
+        }
+    }
+
+    /// Up from a level, and to the safety distance.
+    fn up(&mut self) {
+        if self.at.take().is_some() {
+            let heights = &self.region.mill.heights;
+            self.cutter.lift(if self.region.lifts_high { heights.retract } else { heights.safe() });
+        }
+    }
+
+    fn go_over(&mut self, point: Point2) {
+        self.up();
+        if std::mem::replace(&mut self.is_over, true) {
+            self.cutter.rapid(point);
+            self.cutter.lift(self.region.mill.heights.safe());
+        } else {
+            self.cutter.approach(point);
+        }
+    }
+
+    /// Into a part that has nothing deeper, from one level to the next.
+    fn insert_into(&mut self, part: &Part, least: f64, from: f64, to: f64) {
+        let heights = self.region.mill.heights;
+        let found = part.entry.unwrap_or((part.outer.start(), least));
+        let (point, room) = (found.0, (found.1 - least).max(0.0).min(self.region.mill.radius));
+        let arm = match self.region.insertion {
+            Insertion::Helix { radius, .. } => radius.min(room),
+            Insertion::Sway { .. } => room,
+            Insertion::Predrilled | Insertion::Vertical => 0.0,
+        };
+        let arm = if arm < SMALLEST_APPROACH { 0.0 } else { arm };
+        let begin = Point2::new(point.x + arm, point.y);
+        self.go_over(begin);
+        if self.region.insertion == Insertion::Predrilled {
+            self.cutter.lift(to);
+        } else {
+            self.cutter.lift(if from == heights.reference { heights.safe() } else { heights.above_cleared(from) });
+            self.cutter.plunge(from);
+            self.down(begin, point, arm, from, to);
+        }
+        self.at = Some(begin);
+    }
+
+    fn down(&mut self, begin: Point2, point: Point2, arm: f64, from: f64, to: f64) {
+        let (feed, ccw) = (self.region.mill.feeds.depth, self.region.counter_clockwise);
+        match self.region.insertion {
+            Insertion::Helix { pitch, .. } if arm > 0.0 => {
+                let turns = parts((from - to).abs(), pitch).min(MOST_LEVELS) as u32;
+                self.cutter.helix(point, ccw, turns, to, feed);
+                self.cutter.arc(begin, point, ccw, feed);
+            }
+            Insertion::Sway { angle } if arm > 0.0 => {
+                let there = Element::Line { from: begin, to: Point2::new(point.x - arm, point.y) };
+                let back = reversed(&there);
+                let strokes = parts((from - to).abs(), 2.0 * arm * libm::tan(angle.radians())).min(MOST_LEVELS);
+                for stroke in 1..=strokes + 1 {
+                    let done = stroke.min(strokes) as f64 / strokes as f64;
+                    let height = if stroke >= strokes { to } else { from + (to - from) * done };
+                    self.cutter.fall(if stroke % 2 == 1 { &there } else { &back }, height, feed);
+                }
+                if strokes % 2 == 0 {
+                    self.cutter.line(begin, feed);
+                }
+            }
+            _ => self.cutter.plunge(to),
+        }
+    }
+
+    /// A ring of a level, from where the tool stands or from a ring that is cut.
+    fn ring(&mut self, ring: &Loop, least: f64, level: f64, feed: Feed) {
+        let longest = LONGEST_LINK * self.region.mill.radius;
+        let free = |from: Point2, to: Point2| distance(from, to) <= longest && self.walls.is_free(from, to, least);
+        let from_here = self.at.map(|at| (at, ring.nearest(at))).filter(|(at, (_, to))| free(*at, *to));
+        let from_cut = || {
+            let starts = self.cut.iter().flat_map(|cut| cut.elements.iter().flat_map(|e| [e.from(), e.middle()]));
+            let links = starts.map(|from| (from, ring.nearest(from)));
+            let mut links: Vec<_> = links.filter(|(from, (_, to))| distance(*from, *to) <= longest).collect();
+            links.sort_by(|a, b| distance(a.0, a.1.1).total_cmp(&distance(b.0, b.1.1)));
+            links.into_iter().find(|(from, (_, to))| free(*from, *to))
+        };
+        let known = from_here.or_else(from_cut);
+        let cleared = if known.is_some() { level } else { self.cleared };
+        let (from, (element, to)) = known.unwrap_or_else(|| (ring.start(), (0, ring.start())));
+        if self.at != Some(from) {
+            let heights = self.region.mill.heights;
+            self.go_over(from);
+            self.cutter.lift(heights.above_cleared(cleared));
+            self.cutter.plunge(level);
+        }
+        self.cutter.line(to, feed);
+        let elements = ring.beginning_at(element, to, self.region.counter_clockwise);
+        self.cutter.follow(&elements, feed);
+        self.at = Some(to);
+        self.cut.push(ring.clone());
+    }
+
+    /// A wall, level by level.
+    fn wall(&mut self, ring: &Loop, finish: &Finish) {
+        let heights = self.region.mill.heights;
+        let ccw = self.region.counter_clockwise;
+        let Some((element, touch)) = ring.middle_of_longest() else { return };
+        let elements = ring.beginning_at(element, touch, ccw);
+        let Some(along) = elements.first().and_then(Element::start_direction) else { return };
+        let inward = if ccw { left(along) } else { -left(along) };
+        let radius = self.approach_radius(touch, inward, along);
+        let (center, from, to) = (
+            touch + inward * radius,
+            touch + inward * radius - along * radius,
+            touch + inward * radius + along * radius,
+        );
+        let mut above = heights.safe();
+        for level in heights.levels_to(heights.rough_floor(), finish.step) {
+            self.go_over(from);
+            self.cutter.lift(above);
+            self.cutter.plunge(level);
+            if radius > 0.0 {
+                self.cutter.arc(touch, center, ccw, finish.feed);
+            }
+            self.cutter.follow(&elements, finish.feed);
+            if radius > 0.0 {
+                self.cutter.arc(to, center, ccw, finish.feed);
+            }
+            self.at = Some(to);
+            above = heights.above_cleared(level);
+        }
+        self.up();
+    }
+
+    /// The radius of an arc onto the wall that stays between the walls; 0 where none does.
+    fn approach_radius(&self, touch: Point2, inward: crate::geo::Vec2, along: crate::geo::Vec2) -> f64 {
+        let mut radius = APPROACH.max(self.region.allowance);
+        while radius >= SMALLEST_APPROACH {
+            let center = touch + inward * radius;
+            // The arcs lie on a circle that touches the wall: there is room where its centre has it.
+            let ends = [center - along * radius, center + along * radius, center];
+            let least = self.region.mill.radius;
+            if self.walls.distance(center) >= least + radius - NOTHING
+                && ends.iter().all(|p| self.walls.distance(*p) >= least)
+            {
+                return radius;
+            }
+            radius /= 2.0;
+        }
+        0.0
+    }
+
+    /// The floor at its depth.
+    fn floor(&mut self, part: &Part, finish: &Finish) {
+        let heights = self.region.mill.heights;
+        let least = self.region.mill.radius + if finish.wall { 0.0 } else { self.region.allowance };
+        self.cut.clear();
+        self.cleared = heights.rough_floor();
+        self.floor_of(part, least, heights.rough_floor(), finish.feed);
+        self.up();
+    }
+
+    fn floor_of(&mut self, part: &Part, least: f64, above: f64, feed: Feed) {
+        let heights = self.region.mill.heights;
+        for inner in &part.inner {
+            self.floor_of(inner, least, above, feed);
+        }
+        if part.inner.is_empty() {
+            let point = part.entry.map_or(part.outer.start(), |(point, _)| point);
+            self.go_over(point);
+            self.cutter.lift(heights.above_cleared(above));
+            self.cutter.plunge(heights.depth);
+            self.at = Some(point);
+        }
+        for ring in part.loops() {
+            self.ring(ring, least, heights.depth, feed);
+        }
+    }
+}
+
+impl Loop {
+    /// The nearest point, and the element it lies on; the start of an element where that is as good.
+    fn nearest(&self, p: Point2) -> (usize, Point2) {
+        let found = self.elements.iter().enumerate().map(|(at, element)| (at, nearest_on(p, element)));
+        let nearest = found.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p)));
+        let Some((at, point)) = nearest else { return (0, self.start()) };
+        let next = (at + 1) % self.elements.len().max(1);
+        match (self.elements.get(at), self.elements.get(next)) {
+            (Some(this), _) if distance(this.from(), point) < SNAPS => (at, this.from()),
+            (Some(this), Some(next_one)) if distance(this.to(), point) < SNAPS => (next, next_one.from()),
+            _ => (at, point),
+        }
+    }
+
+    /// Distance of a point from the ring.
+    fn away(&self, p: Point2) -> f64 {
+        distance(p, self.nearest(p).1)
+    }
+
+    fn middle_of_longest(&self) -> Option<(usize, Point2)> {
+        let longest = self.elements.iter().enumerate().max_by(|a, b| a.1.length().total_cmp(&b.1.length()));
+        longest.map(|(at, element)| (at, element.middle()))
+    }
+
+    /// The ring from a point of an element on, as it runs or the other way.
+    fn beginning_at(&self, element: usize, at: Point2, as_it_runs: bool) -> Vec<Element> {
+        let (before, after) = self.elements.split_at(element.min(self.elements.len()));
+        let Some((first, after)) = after.split_first() else { return Vec::new() };
+        let whole = first.from() == at;
+        let begins = if whole { *first } else { first.starting_at(at) };
+        let ends = (!whole).then(|| first.ending_at(at));
+        let parts = [begins].into_iter().chain(after.iter().copied()).chain(before.iter().copied()).chain(ends);
+        let parts = parts.filter(|part| part.length() > 1e-6);
+        if as_it_runs {
+            parts.collect()
+        } else {
+            let mut turned: Vec<Element> = parts.map(|part| reversed(&part)).collect();
+            turned.reverse();
+            turned
+        }
+    }
+}

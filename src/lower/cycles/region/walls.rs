@@ -1,0 +1,173 @@
+//! How far the walls are, and where there is most room between them.
+
+use crate::geo::{Element, Point2, Vec2, arc, distance};
+
+/// Distance of `p` from an element.
+pub fn to_element(p: Point2, element: &Element) -> f64 {
+    let ends = || distance(p, element.from()).min(distance(p, element.to()));
+    match *element {
+        Element::Line { from, to } => {
+            let way = to - from;
+            let square = way.norm_squared();
+            if square == 0.0 {
+                return ends();
+            }
+            let part = ((p - from).dot(&way) / square).clamp(0.0, 1.0);
+            distance(p, from + way * part)
+        }
+        Element::Arc { from, center, sweep, .. } => {
+            let to_center = distance(p, center);
+            let turn = arc::sweep(from, p, center, sweep > 0.0).abs();
+            if to_center == 0.0 || turn <= sweep.abs() || sweep.abs() >= core::f64::consts::TAU - 1e-9 {
+                (to_center - distance(from, center)).abs()
+            } else {
+                ends()
+            }
+        }
+    }
+}
+
+/// The point of an element that is nearest to `p`.
+pub fn nearest_on(p: Point2, element: &Element) -> Point2 {
+    let (from, to) = (element.from(), element.to());
+    let end = if distance(p, from) <= distance(p, to) { from } else { to };
+    match *element {
+        Element::Line { from, to } => {
+            let way = to - from;
+            let square = way.norm_squared();
+            if square == 0.0 { from } else { from + way * ((p - from).dot(&way) / square).clamp(0.0, 1.0) }
+        }
+        Element::Arc { from, center, sweep, .. } => {
+            let (out, radius) = (p - center, distance(from, center));
+            let turn = arc::sweep(from, p, center, sweep > 0.0).abs();
+            match crate::geo::direction(out, 1e-12) {
+                Some(unit) if turn <= sweep.abs() => center + unit * radius,
+                _ => end,
+            }
+        }
+    }
+}
+
+/// The walls of a pocket.
+#[derive(Debug, Clone)]
+pub struct Walls {
+    elements: Vec<Element>,
+}
+
+impl Walls {
+    pub fn new(elements: Vec<Element>) -> Walls {
+        Walls { elements }
+    }
+
+    /// Distance of the nearest wall.
+    pub fn distance(&self, p: Point2) -> f64 {
+        self.elements.iter().map(|element| to_element(p, element)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Does a straight way keep this distance from all walls?
+    pub fn is_free(&self, from: Point2, to: Point2, least: f64) -> bool {
+        let way = to - from;
+        let length = crate::geo::length(way);
+        let mut at = 0.0;
+        loop {
+            let room = self.distance(from + way * if length > 0.0 { at / length } else { 0.0 }) - least;
+            if room < -SLACK {
+                return false;
+            }
+            if at >= length {
+                return true;
+            }
+            // Nothing within the room can come nearer than asked.
+            at = (at + room.max(STEP)).min(length);
+        }
+    }
+}
+
+/// A point after a part of the way.
+pub fn point_at(element: &Element, part: f64) -> Point2 {
+    match *element {
+        Element::Line { from, to } => from + (to - from) * part,
+        Element::Arc { from, center, sweep, .. } => center + crate::geo::turned(from - center, sweep * part),
+    }
+}
+
+/// What arithmetic may lose.
+const SLACK: f64 = 1e-5;
+/// Shortest step along a way that is checked, mm.
+const STEP: f64 = 0.02;
+
+/// The point within a box for which `room` is largest; of equal ones the first by its first, then its second coordinate.
+/// `room` changes by no more than the way does.
+pub fn roomiest(low: Point2, high: Point2, room: impl Fn(Point2) -> f64) -> Option<(Point2, f64)> {
+    const CELLS: usize = 12;
+    /// Rooms that differ by less are equal, mm.
+    const EQUAL: f64 = 1e-3;
+    const FINEST: f64 = 2e-4;
+    let size = (high.x - low.x).max(high.y - low.y) / CELLS as f64;
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    let mut cells: Vec<Point2> = Vec::new();
+    for i in 0..=CELLS {
+        for j in 0..=CELLS {
+            let p = Point2::new(low.x + (i as f64 + 0.5) * size, low.y + (j as f64 + 0.5) * size);
+            if p.x - size <= high.x && p.y - size <= high.y {
+                cells.push(p);
+            }
+        }
+    }
+    let mut half = size / 2.0;
+    let mut best = cells.iter().map(|p| room(*p)).fold(f64::MIN, f64::max);
+    while half > FINEST && !cells.is_empty() {
+        let reach = half * core::f64::consts::SQRT_2;
+        half /= 2.0;
+        let mut finer = Vec::with_capacity(cells.len());
+        for p in &cells {
+            if room(*p) + reach < best - EQUAL {
+                continue;
+            }
+            for (i, j) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+                let q = Point2::new(p.x + i * half, p.y + j * half);
+                best = best.max(room(q));
+                finer.push(q);
+            }
+        }
+        // A ridge has many: those in front are as good as the others.
+        if finer.len() > MOST_CELLS {
+            finer.retain(|p| room(*p) + half * core::f64::consts::SQRT_2 >= best - EQUAL);
+            finer.sort_by(before);
+            finer.truncate(MOST_CELLS);
+        }
+        cells = finer;
+    }
+    cells.retain(|p| room(*p) >= best - EQUAL);
+    cells.sort_by(before);
+    let first = *cells.first()?;
+    Some(climbed(first, &room))
+}
+
+const MOST_CELLS: usize = 2000;
+
+fn before(a: &Point2, b: &Point2) -> core::cmp::Ordering {
+    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+}
+
+/// From `p` to where no step leads to more room.
+fn climbed(mut p: Point2, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
+    const DIRECTIONS: usize = 24;
+    let mut best = room(p);
+    let mut step = 2e-3;
+    while step > 1e-9 {
+        let around = (0..DIRECTIONS).map(|i| {
+            let angle = core::f64::consts::TAU * i as f64 / DIRECTIONS as f64;
+            p + crate::geo::turned(Vec2::new(step, 0.0), angle)
+        });
+        let found = around.map(|q| (q, room(q))).fold((p, best), |a, b| if b.1 > a.1 { b } else { a });
+        if found.1 > best {
+            (p, best) = found;
+        } else {
+            step /= 2.0;
+        }
+    }
+    (p, best)
+}

@@ -1,0 +1,59 @@
+//! Spigots: beside the blank to the level, on a semicircle to the circuit, round, and on a semicircle away.
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2};
+use crate::ir::cycle::{Family, Spigot};
+
+use super::cutter::Cutter;
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+
+/// Where the tool goes down nearer to its circuit than this, it needs no way to it, mm.
+const LEAST_APPROACH: f64 = 2e-3;
+
+impl Expand for Spigot {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        self.check().map_err(|fault| {
+            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the spigot and the data of the cutter")
+        })?;
+        let entry = self.entry();
+        let circuits: Vec<Circuit> = self.distances().into_iter().map(|distance| self.at(distance)).collect();
+        let feed = self.mill.feeds.plane;
+        let mut cutter = Cutter::new(&self.mill, self.place, start, out);
+        cutter.approach(entry);
+        for level in self.levels() {
+            cutter.plunge(level);
+            for circuit in &circuits {
+                let beside = Point2::new((entry.x + circuit.start.x) / 2.0, 0.0);
+                let has_room = entry.x - circuit.start.x > LEAST_APPROACH;
+                // The semicircle meets the circuit in its own direction.
+                if has_room {
+                    cutter.arc(circuit.start, beside, !self.counter_clockwise, feed);
+                }
+                cutter.follow(&circuit.elements, feed);
+                if has_room {
+                    cutter.arc(entry, beside, !self.counter_clockwise, feed);
+                }
+            }
+        }
+        cutter.retract();
+        Ok(())
+    }
+}
+
+/// A closed way around the spigot.
+struct Circuit {
+    start: Point2,
+    elements: Vec<Element>,
+}
+
+impl Spigot {
+    fn at(&self, distance: f64) -> Circuit {
+        let mut elements = self.shape.circuit(distance);
+        if !self.counter_clockwise {
+            elements = elements.iter().rev().map(Element::reversed).collect();
+        }
+        let start = elements.first().map_or(Point2::origin(), Element::from);
+        Circuit { start, elements }
+    }
+}

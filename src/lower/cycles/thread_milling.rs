@@ -1,0 +1,107 @@
+//! Thread milling: a semicircle of half a pitch to the helix, whole turns, and a semicircle of half a pitch from it.
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2, arc};
+use crate::ir::cycle::thread_milling::{Helix, Side};
+use crate::ir::cycle::{Family, ThreadMilling};
+
+use super::cutter::Cutter;
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
+
+impl Expand for ThreadMilling {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        self.check().map_err(|fault| {
+            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the thread and the data of the cutter")
+        })?;
+        let mut cutter = Cutter::new(&self.mill, self.place, start, out);
+        cutter.approach(self.entry());
+        for rest in &self.rests {
+            for helix in self.helices() {
+                // Free of the thread: in its middle, or beside it.
+                cutter.lift(helix.start);
+                self.turn(&helix, *rest, &mut cutter);
+            }
+        }
+        cutter.retract();
+        Ok(())
+    }
+}
+
+impl ThreadMilling {
+    fn turn(&self, helix: &Helix, rest: f64, cutter: &mut Cutter<'_>) {
+        let feed = self.mill.feeds.plane;
+        let entry = self.entry();
+        let on = Point2::new(self.radius(rest), 0.0);
+        let middle = Point2::new((entry.x + on.x) / 2.0, 0.0);
+        // From outside the small circle turns against the helix that it meets.
+        let ccw = self.counter_clockwise == (self.side == Side::Internal);
+        let half = |from: Point2, to: Point2| Element::Arc {
+            from,
+            to,
+            center: middle,
+            sweep: arc::sweep(from, to, middle, ccw),
+        };
+        let bottom = helix.start + helix.half;
+        cutter.fall(&half(entry, on), bottom, feed);
+        let top = bottom + 2.0 * helix.half * f64::from(helix.turns);
+        cutter.helix(Point2::origin(), self.counter_clockwise, helix.turns, top, feed);
+        cutter.fall(&half(on, entry), helix.end(), feed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geo::{Deg, Plane};
+    use crate::ir::Feed;
+    use crate::ir::cycle::milling::{Feeds, Heights, Mill, Place};
+
+    fn thread(depth: f64) -> ThreadMilling {
+        let feed = Feed::PerMinute(100.0);
+        ThreadMilling {
+            mill: Mill {
+                plane: Plane::Xy,
+                heights: Heights { retract: 10.0, reference: 0.0, clearance: 2.0, depth, step: 0.0, allowance: 0.0 },
+                radius: 6.0,
+                feeds: Feeds { plane: feed, depth: feed },
+            },
+            place: Place { at: Point2::origin(), turn: Deg(0.0) },
+            side: Side::Internal,
+            nominal: 10.0,
+            core: 9.08,
+            pitch: 1.5,
+            left_hand: false,
+            counter_clockwise: true,
+            teeth: 1,
+            rests: vec![0.0],
+        }
+    }
+
+    #[test]
+    fn helix_of_the_worked_example() {
+        let thread = thread(-20.0);
+        assert_eq!((thread.radius(0.0), thread.helices().len()), (4.0, 1));
+        let helix = thread.helices()[0];
+        assert_eq!((helix.start, helix.half, helix.turns, helix.end()), (-20.0, 0.75, 14, 2.5));
+        let external = ThreadMilling { side: Side::External, nominal: 15.0, core: 13.773, ..thread };
+        let mill = Mill { radius: 8.0, ..external.mill };
+        assert_eq!(ThreadMilling { mill, ..external }.radius(0.0), 21.773);
+    }
+
+    #[test]
+    fn the_other_sense_runs_down_and_ends_at_the_depth() {
+        let thread = ThreadMilling { counter_clockwise: false, ..thread(-20.0) };
+        let helix = thread.helices()[0];
+        assert_eq!((helix.start, helix.end()), (2.5, -20.0));
+        let left = ThreadMilling { left_hand: true, ..thread };
+        assert_eq!(left.helices()[0].start, -20.0);
+    }
+
+    #[test]
+    fn several_teeth_cut_strips_of_one_turn() {
+        let thread = ThreadMilling { teeth: 5, ..thread(-20.0) };
+        let starts: Vec<(f64, u32)> = thread.helices().iter().map(|helix| (helix.start, helix.turns)).collect();
+        assert_eq!(starts, [(-20.0, 1), (-12.5, 1), (-5.0, 1)]);
+    }
+}

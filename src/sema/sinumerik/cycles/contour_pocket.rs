@@ -1,0 +1,201 @@
+//! CYCLE63: the pocket along contours of CYCLE62.
+//!
+//! Source: M 7.7 (docs/sources.md).
+
+use crate::diag::codes;
+use crate::geo::{Deg, Element, Point2, crossing};
+use crate::ir::captured::Captured;
+use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::region::RegionFault;
+use crate::ir::cycle::{Cycle, Family, Region};
+
+use super::super::value::whole;
+use super::super::{Outcome, Run};
+use super::arguments::{Arguments, DR, DXY, EP, ER, EW, TR, UXY, VARI, XS, YS};
+use super::call::CycleCall;
+use super::called_contours::ContourCall;
+use super::milling::{ALONG_CONTOURS, Around};
+use super::table::Source;
+
+impl Run<'_> {
+    /// CYCLE63
+    pub(super) fn contour_pocket(&mut self, args: &Arguments) -> Outcome {
+        self.cycle(args).check_parameters()?;
+        let contours = self.contours_of(args, Source::Milled, false)?;
+        let mut call = self.cycle(args);
+        let made = call.contour_pocket_without_contours()?;
+        call.mill_contour_pocket(made, contours)?;
+        call.say_remarks();
+        Ok(())
+    }
+}
+
+impl CycleCall<'_, '_> {
+    /// What the arguments say.
+    fn contour_pocket_without_contours(&mut self) -> Outcome<Region> {
+        let args = self.args;
+        let mill = self.mill(&ALONG_CONTOURS)?;
+        if args.text(TR).is_some_and(|name| !name.is_empty()) {
+            return self.not_built(TR, "residual material of another tool (`_TR`)");
+        }
+        if args.or_zero(DR) != 0.0 {
+            self.unused(DR, "_DR", "without the name of a tool in `_TR`");
+        }
+        let code = args.number(VARI).and_then(whole).unwrap_or(0).unsigned_abs();
+        if args.digit(VARI, 2) > 0 || code >= 100_000 {
+            return self.not_built(VARI, "this kind of area, a spigot or residual material (`_VARI`)");
+        }
+        let (rough, wall, floor) = match args.digit(VARI, 0) {
+            1 => (true, false, false),
+            3 => (false, false, true),
+            4 => (false, true, false),
+            5 => return self.not_built(VARI, "chamfering (units of `_VARI`)"),
+            _ => return self.no_such_machining("units 1 roughs, 3 finishes the floor, 4 the wall"),
+        };
+        let insertion = self.contour_insertion(rough)?;
+        let lifts_high = match args.digit(VARI, 3) {
+            0 => true,
+            1 => false,
+            _ => return self.no_such_machining("thousands 0 lifts to the retraction plane, 1 to the safety distance"),
+        };
+        let start = match args.digit(VARI, 4) {
+            0 => None,
+            1 => Some(self.reference_point(XS, YS)),
+            _ => return self.no_such_machining("ten thousands 0 finds the start point, 1 takes `_XS` and `_YS`"),
+        };
+        Ok(Region {
+            counter_clockwise: self.goes_counter_clockwise(Around::Inside)?,
+            allowance: self.magnitude(UXY),
+            width: self.width(DXY, mill.radius)?,
+            outline: Vec::new(),
+            islands: Vec::new(),
+            insertion,
+            start,
+            rough,
+            finish: (wall || floor).then_some(Finish {
+                wall,
+                floor,
+                feed: mill.feeds.plane,
+                step: mill.heights.step,
+                speed: None,
+            }),
+            lifts_high,
+            mill,
+        })
+    }
+
+    fn contour_insertion(&mut self, rough: bool) -> Outcome<Insertion> {
+        let args = self.args;
+        Ok(match args.digit(VARI, 1) {
+            _ if !rough => Insertion::Vertical,
+            0 => Insertion::Vertical,
+            1 => {
+                let (radius, pitch) = (self.magnitude(ER), self.magnitude(EP));
+                if pitch == 0.0 {
+                    let message = format!("the pitch of the helix `_EP` (argument {}) is 0 or missing", args.place(EP));
+                    return self.cycle_fault(args.span_of(EP), 61019, &message, "give the depth of one turn");
+                }
+                Insertion::Helix { radius, pitch }
+            }
+            2 => {
+                let angle = args.or_zero(EW).abs();
+                if angle == 0.0 || angle >= 90.0 {
+                    let place = args.place(EW);
+                    let message = format!("the angle of insertion `_EW` (argument {place}) is above 0 and below 90");
+                    return self.cycle_fault(args.span_of(EW), 61019, &message, "give the angle in degrees");
+                }
+                Insertion::Sway { angle: Deg(angle) }
+            }
+            _ => return self.no_such_machining("tens 0 straight down, 1 on a helix, 2 to and fro"),
+        })
+    }
+
+    fn mill_contour_pocket(&mut self, made: Region, contours: Vec<(ContourCall, Captured)>) -> Outcome {
+        let args = self.args;
+        for (_, contour) in &contours {
+            if contour.plane != made.mill.plane {
+                let help = "describe the contour in the plane of the cycle";
+                return self.cycle_fault(args.span, 61931, "the contour lies in another plane", help);
+            }
+        }
+        let mut closed = contours.iter().map(|(_, contour)| closed(contour));
+        let outline = closed.next().unwrap_or_default();
+        let islands: Vec<Vec<Element>> = closed.collect();
+        self.islands_lie_inside(&contours, &outline, &islands)?;
+        let region = Region { outline, islands, ..made };
+        if let Err(fault) = region.check() {
+            let (key, alarm) = match fault {
+                RegionFault::Mill(fault) => return self.mill_fault(&ALONG_CONTOURS, fault),
+                RegionFault::Width | RegionFault::TooManyRings => (DXY, 61111),
+                RegionFault::Insertion | RegionFault::Number | RegionFault::Nothing => (VARI, 61019),
+            };
+            let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));
+            return self.cycle_fault(args.span_of(key), alarm, &message, "check the arguments of the cycle");
+        }
+        self.own_way("the first contour is the pocket, the others are islands; the rings, the points of insertion and the order are those of partc");
+        self.send_cycle(Cycle::Region(region));
+        Ok(())
+    }
+
+    /// Islands neither cross the outline nor each other, nor stand outside or in another one.
+    fn islands_lie_inside(
+        &mut self,
+        contours: &[(ContourCall, Captured)],
+        outline: &[Element],
+        islands: &[Vec<Element>],
+    ) -> Outcome {
+        let meets = |a: &[Element], b: &[Element]| a.iter().any(|a| b.iter().any(|b| crossing::meet(a, b, &[])));
+        for (at, island) in islands.iter().enumerate() {
+            let others = islands.iter().take(at);
+            let apart = !meets(outline, island) && !others.clone().any(|other| meets(other, island));
+            let start = island.first().map_or_else(Point2::origin, Element::from);
+            let nested = |other: &Vec<Element>| {
+                surrounds(other, start) || surrounds(island, other.first().map_or_else(Point2::origin, Element::from))
+            };
+            if apart && surrounds(outline, start) && !others.clone().any(nested) {
+                continue;
+            }
+            let Some((call, _)) = contours.get(at + 1) else { continue };
+            let message = format!("the island `{}` does not lie inside the pocket by itself", call.name);
+            let found = crate::diag::Diagnostic::new(codes::S2091.alarm(61932), call.loc, message);
+            let found = found.also(self.loc(self.args.span), "the pocket is milled here");
+            self.report(found.help("draw one contour where areas touch; call the pocket first, then its islands"));
+            return Err(super::super::Reported);
+        }
+        Ok(())
+    }
+}
+
+/// The elements of a contour, the last one ending where the first begins.
+fn closed(contour: &Captured) -> Vec<Element> {
+    let mut elements: Vec<Element> = contour.pieces.iter().map(|piece| piece.element).collect();
+    if let Some(last) = elements.last_mut() {
+        match last {
+            Element::Line { to, .. } | Element::Arc { to, .. } => *to = contour.start,
+        }
+    }
+    elements
+}
+
+/// Does a point lie inside a closed chain?
+fn surrounds(chain: &[Element], p: Point2) -> bool {
+    const PIECES: u32 = 32;
+    let mut inside = false;
+    let mut from = chain.first().map_or_else(Point2::origin, Element::from);
+    for element in chain {
+        let count = if matches!(element, Element::Arc { .. }) { PIECES } else { 1 };
+        for i in 1..=count {
+            let to = match *element {
+                Element::Line { to, .. } => to,
+                Element::Arc { from, center, sweep, .. } => {
+                    center + crate::geo::turned(from - center, sweep * f64::from(i) / f64::from(count))
+                }
+            };
+            if (from.y > p.y) != (to.y > p.y) && p.x < from.x + (p.y - from.y) / (to.y - from.y) * (to.x - from.x) {
+                inside = !inside;
+            }
+            from = to;
+        }
+    }
+    inside
+}

@@ -1,0 +1,353 @@
+//! CYCLE95 and CYCLE952: stock removal along a contour.
+//!
+//! Source: M 3 and 5 (docs/sources.md).
+
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::captured::Captured;
+use crate::ir::cycle::layers::{
+    Allowance, Blank, ChipBreaking, Clearance, Interruption, LayerFeeds, Layers, Limits, Relief, Segmentation, Trace,
+};
+use crate::ir::cycle::recess::Operation;
+use crate::ir::cycle::roughing::Nose;
+use crate::ir::cycle::turning::Towards;
+
+use super::super::{Outcome, Run};
+use super::arguments::{
+    AMODE, Arguments, BL, CON, CONR, D, DAM, DI, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, Key, MID, RP,
+    SC, U, U1, UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
+};
+use super::call::CycleCall;
+use super::layers::{Side, rectangle};
+use super::table::Source;
+
+/// Way back where a cut of CYCLE952 is interrupted, mm (SD 55586).
+const INTERRUPTION: f64 = 1.0;
+
+/// Smallest and largest coordinates of a contour, arcs counted by their whole way.
+#[derive(Debug, Clone, Copy)]
+struct Extent {
+    low: Point2,
+    high: Point2,
+}
+
+impl Extent {
+    fn of(contour: &[Element]) -> Extent {
+        let mut extent = Extent {
+            low: Point2::new(f64::INFINITY, f64::INFINITY),
+            high: Point2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        };
+        for element in contour.iter().flat_map(crate::geo::wall::quarters) {
+            for p in [element.from(), element.to()] {
+                extent.low = Point2::new(extent.low.x.min(p.x), extent.low.y.min(p.y));
+                extent.high = Point2::new(extent.high.x.max(p.x), extent.high.y.max(p.y));
+            }
+        }
+        extent
+    }
+
+    /// The corner in front of the cuts and out of the material, and the opposite one.
+    fn corners(&self, side: Side) -> (Point2, Point2) {
+        let pick = |front: bool, low: f64, high: f64| if front { high } else { low };
+        let (low, high) = (side.place(self.low), side.place(self.high));
+        let near = side.point(pick(side.along < 0.0, low.0, high.0), pick(side.out() > 0.0, low.1, high.1));
+        let far = side.point(pick(side.along > 0.0, low.0, high.0), pick(side.out() < 0.0, low.1, high.1));
+        (near, far)
+    }
+}
+
+fn elements(made: &Captured) -> Vec<Element> {
+    made.pieces.iter().map(|piece| piece.element).collect()
+}
+
+impl Run<'_> {
+    pub(super) fn contour_removal_95(&mut self, args: &Arguments) -> Outcome {
+        self.cycle(args).removal_is_possible()?;
+        let contours = self.contours_of(args, Source::Argument, true)?;
+        let Some((_, made)) = contours.first() else { return Ok(()) };
+        self.cycle(args).classic_removal(&elements(made))
+    }
+
+    pub(super) fn contour_removal_952(&mut self, args: &Arguments) -> Outcome {
+        self.cycle(args).removal_is_possible()?;
+        let contours = self.contours_of(args, Source::Turned, true)?;
+        let (blank, part) = match contours.as_slice() {
+            [(_, part)] => (None, part),
+            [(_, blank), (_, part)] => (Some(elements(blank)), part),
+            _ => return Ok(()),
+        };
+        self.cycle(args).contour_removal(&elements(part), blank)
+    }
+}
+
+impl CycleCall<'_, '_> {
+    /// CYCLE95.
+    fn classic_removal(&mut self, contour: &[Element]) -> Outcome {
+        let args = self.args;
+        let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside; 2 in front of them leaves steps";
+        let vari = args.or_zero(VARI);
+        if !(1.0..300.0).contains(&vari) || vari.fract() != 0.0 {
+            return self.kind_fault(VARI, help);
+        }
+        let (kind, steps) = (vari as i32 % 100, vari as i32 / 100);
+        if !(1..=12).contains(&kind) || steps == 1 {
+            return self.kind_fault(VARI, help);
+        }
+        let Some(operation) = self.operation((kind - 1) / 4 + 1) else { return self.kind_fault(VARI, help) };
+        let side = match (kind - 1) % 4 {
+            0 => Side { into: Towards::MinusX, along: -1.0 },
+            1 => Side { into: Towards::MinusZ, along: -1.0 },
+            2 => Side { into: Towards::PlusX, along: -1.0 },
+            _ => Side { into: Towards::MinusZ, along: 1.0 },
+        };
+        let (contour, turned) = side.in_order(contour);
+        let most = self.infeed(MID, operation)?;
+        let keys = self.job.settings.cycles.layers.clone();
+        let lift = Some(self.magnitude(VRT)).filter(|way| *way > 0.0).unwrap_or(keys.release);
+        let allowance =
+            Allowance { axes: Vec2::new(self.magnitude(FALZ), self.magnitude(FALX)), around: self.magnitude(FAL) };
+        if allowance.axes.y != 0.0 {
+            self.own_way("`FALX` counts on the radius");
+        }
+        if allowance.around != 0.0 && allowance.axes != Vec2::zeros() {
+            self.own_way("`FAL` is left beside `FALX` and `FALZ`");
+        }
+        let feeds = self.feeds_95(operation)?;
+        let chips = self.chips_95();
+        let nose = self.nose_of_edge()?;
+        let extent = Extent::of(&contour);
+        let (near, far) = extent.corners(side);
+        let (along, up) = if side.into.is_radial() {
+            (allowance.axes.x, allowance.axes.y)
+        } else {
+            (allowance.axes.y, allowance.axes.x)
+        };
+        let entry = lift + along + allowance.around;
+        let (cut, depth) = side.place(near);
+        let layers = Layers {
+            contour,
+            into: side.into,
+            along: side.along,
+            nose,
+            blank: Blank::Outline(rectangle(near, far)),
+            allowance,
+            most,
+            segmentation: Segmentation::Uniform,
+            trace: if steps == 2 { Trace::Level } else { Trace::Overlapping },
+            chips,
+            relief: Relief::Cut,
+            limits: Limits::default(),
+            operation,
+            finish_backwards: turned && operation == Operation::Finish,
+            clearance: Clearance { lift, entry },
+            feeds,
+            home: side.point(cut - side.along * entry, depth + side.out() * (up + allowance.around + lift)),
+        };
+        let by_tip = keys.rough_by_tip.unwrap_or(self.job.settings.control.sinumerik.model == "802d");
+        if by_tip && operation != Operation::Finish && nose.radius > 0.0 {
+            return self.rough_by_tip(layers);
+        }
+        self.send_layers(layers)
+    }
+
+    /// Roughing by the programmed tip, finishing with the nose.
+    fn rough_by_tip(&mut self, layers: Layers) -> Outcome {
+        if !layers.reliefs().is_empty() || layers.leans_over() {
+            let what = "the contour falls, so roughing takes the nose radius into account: its tip alone would cut into the part";
+            self.own_way(what);
+            return self.send_layers(layers);
+        }
+        let finishes = layers.operation == Operation::RoughAndFinish;
+        let nose = layers.nose;
+        let rough = Layers { nose: Nose { radius: 0.0, ..nose }, operation: Operation::Rough, ..layers.clone() };
+        self.send_layers(rough)?;
+        if finishes {
+            self.send_layers(Layers { operation: Operation::Finish, ..layers })?;
+        }
+        Ok(())
+    }
+
+    fn feeds_95(&mut self, operation: Operation) -> Outcome<LayerFeeds> {
+        // A feed that the kind of machining does not use is not asked for.
+        let rough = if operation == Operation::Finish { None } else { Some(self.mill_feed(FF1)?) };
+        let finish = if operation == Operation::Rough { None } else { Some(self.mill_feed(FF3)?) };
+        let given = rough.or(finish);
+        let Some(any) = given else { return self.kind_fault(VARI, "1 to 12") };
+        let plunge =
+            if self.args.or_zero(FF2) > 0.0 || self.st.feed.word().is_some() { self.mill_feed(FF2)? } else { any };
+        Ok(LayerFeeds { rough: rough.unwrap_or(any), plunge, finish: finish.unwrap_or(any) })
+    }
+
+    /// A dwell after each part of a long cut.
+    fn chips_95(&self) -> Option<ChipBreaking> {
+        let args = self.args;
+        let every = self.magnitude(DAM);
+        if every > 0.0 {
+            return Some(ChipBreaking { every, by: Interruption::Dwell(args.or_zero(DT).abs()) });
+        }
+        if args.or_zero(DT) != 0.0 {
+            self.unused(DT, "DT", "without `DAM`, the way after which the chip is broken");
+        }
+        None
+    }
+
+    /// CYCLE952.
+    fn contour_removal(&mut self, contour: &[Element], blank: Option<Vec<Element>>) -> Outcome {
+        let args = self.args;
+        let help = "units 1 along Z, 2 along X; tens 1 rough, 2 finish, 3 both; hundreds 1 X-, 2 X+, 3 Z-, 4 Z+; thousands 1 outside, \
+            2 inside, 3 front, 4 rear";
+        let vari = args.or_zero(VARI);
+        if !(1.0..1e7).contains(&vari) || vari.fract() != 0.0 {
+            return self.not_built(
+                VARI,
+                "this process (`_VARI` has 7 digits): grooving, plunge turning and residual material",
+            );
+        }
+        if args.digit(VARI, 0) == 3 {
+            return self.not_built(VARI, "cutting parallel to the contour (units 3 of `_VARI`)");
+        }
+        let Some(operation) = self.operation(args.digit(VARI, 1)) else { return self.kind_fault(VARI, help) };
+        let side = match (args.digit(VARI, 0), args.digit(VARI, 2), args.digit(VARI, 3)) {
+            (1, way @ (3 | 4), 1) => Side { into: Towards::MinusX, along: if way == 3 { -1.0 } else { 1.0 } },
+            (1, way @ (3 | 4), 2) => Side { into: Towards::PlusX, along: if way == 3 { -1.0 } else { 1.0 } },
+            (2, way @ (1 | 2), 3) => Side { into: Towards::MinusZ, along: if way == 1 { -1.0 } else { 1.0 } },
+            (2, way @ (1 | 2), 4) => Side { into: Towards::PlusZ, along: if way == 1 { -1.0 } else { 1.0 } },
+            _ => return self.kind_fault(VARI, help),
+        };
+        self.no_residual(blank.is_some())?;
+        self.digits_952()?;
+        let relief = match args.digit(VARI, 6) {
+            2 => Relief::Left,
+            _ => Relief::Cut,
+        };
+        let (contour, _) = side.in_order(contour);
+        let most = self.infeed(D, operation)?;
+        let keys = self.job.settings.cycles.layers.clone();
+        let nose = self.nose_of_edge()?;
+        let feeds = self.feeds_952(operation)?;
+        let blank = self.blank_952(&contour, side, blank)?;
+        let (cut, depth) = self.outermost(&contour, side, &blank);
+        let clearance = Some(self.magnitude(SC)).filter(|way| *way > 0.0).unwrap_or(keys.blank_offset);
+        let out = match self.length_of(args, RP).filter(|plane| *plane != 0.0) {
+            Some(plane) if side.into.is_radial() && (plane / 2.0 - depth) * side.out() >= 0.0 => plane / 2.0,
+            _ => depth + side.out() * clearance,
+        };
+        let every = self.magnitude(DI);
+        let layers = Layers {
+            contour,
+            into: side.into,
+            along: side.along,
+            nose,
+            blank,
+            allowance: self.allowance_952(),
+            most,
+            segmentation: if keys.cuts_at_edges { Segmentation::Edges } else { Segmentation::Uniform },
+            trace: Trace::Level,
+            chips: (every > 0.0).then_some(ChipBreaking { every, by: Interruption::Retract(INTERRUPTION) }),
+            relief,
+            limits: self.limits_952(),
+            operation,
+            finish_backwards: false,
+            clearance: Clearance { lift: keys.release, entry: keys.blank_offset },
+            feeds,
+            home: side.point(cut - side.along * keys.blank_offset, out),
+        };
+        self.send_layers(layers)
+    }
+
+    /// Residual material is read from files of the control.
+    fn no_residual(&self, blank: bool) -> Outcome {
+        for key in [CON, CONR] {
+            if !blank && self.args.text(key).is_some_and(|text| !text.is_empty()) {
+                return self.not_built(key, "residual material, whose blank the control keeps in a file,");
+            }
+        }
+        Ok(())
+    }
+
+    fn digits_952(&mut self) -> Outcome {
+        let args = self.args;
+        for place in 7..10 {
+            if args.digit(AMODE, place) > 0 || args.digit(GMODE, place + 1) > 0 {
+                let key = if args.digit(AMODE, place) > 0 { AMODE } else { GMODE };
+                return self.not_built(key, &format!("the digits of `{}` from the eighth on", args.written(key)));
+            }
+        }
+        if args.digit(AMODE, 3) == 1 && args.or_zero(U1) != 0.0 {
+            return self.not_built(U1, "the further allowance `_U1`");
+        }
+        if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) > 1 {
+            return self.kind_fault(
+                VARI,
+                "ten thousands 0 `_UX` and `_UZ`, 1 `_U`; hundred thousands 1: cuts follow the contour",
+            );
+        }
+        if args.digit(VARI, 6) > 2 {
+            return self.kind_fault(VARI, "millions 1 cuts reliefs, 2 leaves them");
+        }
+        self.own_way("the digits of `_VARI` are read from stored calls");
+        Ok(())
+    }
+
+    fn allowance_952(&self) -> Allowance {
+        if self.args.digit(VARI, 4) == 1 {
+            return Allowance { axes: Vec2::zeros(), around: self.magnitude(U) };
+        }
+        Allowance { axes: Vec2::new(self.magnitude(UZ), self.magnitude(UX)), around: 0.0 }
+    }
+
+    fn feeds_952(&mut self, operation: Operation) -> Outcome<LayerFeeds> {
+        let rough = self.mill_feed(F)?;
+        let plunge = if self.args.or_zero(FR) > 0.0 { self.mill_feed(FR)? } else { rough };
+        let combined = operation == Operation::RoughAndFinish && self.args.or_zero(FS) > 0.0;
+        let finish = if combined { self.mill_feed(FS)? } else { rough };
+        Ok(LayerFeeds { rough, plunge, finish })
+    }
+
+    fn blank_952(&mut self, contour: &[Element], side: Side, blank: Option<Vec<Element>>) -> Outcome<Blank> {
+        let args = self.args;
+        let (x, z) = (self.length_of(args, XD).unwrap_or(0.0), self.length_of(args, ZD).unwrap_or(0.0));
+        let (x_from_contour, z_from_contour) = (args.digit(AMODE, 1) == 1, args.digit(AMODE, 2) == 1);
+        match (args.or_zero(BL) as i32, blank) {
+            (_, Some(outline)) => Ok(Blank::Outline(outline)),
+            (3, None) => {
+                let help = "call the contour of the blank by CYCLE62 in front of that of the part";
+                self.cycle_fault(args.span_of(BL), 61739, "the contour of the blank is missing", help)
+            }
+            (2, None) => Ok(Blank::On(Vec2::new(z.abs(), x.abs()))),
+            _ => {
+                let (mut near, far) = Extent::of(contour).corners(side);
+                let front = if side.into.is_radial() { -side.along } else { side.out() };
+                let outside = if side.into.is_radial() { side.out() } else { -side.along };
+                near.x = if z_from_contour { near.x + front * z.abs() } else { z };
+                near.y = if x_from_contour { near.y + outside * x.abs() } else { x / 2.0 };
+                Ok(Blank::Outline(rectangle(near, far)))
+            }
+        }
+    }
+
+    /// Coordinates of the corner of the blank in front of the cuts, and out of the material.
+    fn outermost(&self, contour: &[Element], side: Side, blank: &Blank) -> (f64, f64) {
+        let grown = |by: Vec2| {
+            let (near, _) = Extent::of(contour).corners(side);
+            let (cut, depth) = side.place(near);
+            let (along, up) = if side.into.is_radial() { (by.x, by.y) } else { (by.y, by.x) };
+            (cut - side.along * along, depth + side.out() * up)
+        };
+        match blank {
+            Blank::Outline(list) => side.place(Extent::of(list).corners(side).0),
+            Blank::On(by) => grown(*by),
+        }
+    }
+
+    fn limits_952(&self) -> Limits {
+        let args = self.args;
+        if args.digit(GMODE, 3) != 1 {
+            return Limits::default();
+        }
+        self.own_way("what stands outside of the limits is taken as not in the way of the tool");
+        let given =
+            |key: Key, place: u32| (args.digit(GMODE, place) == 1).then(|| self.length_of(args, key).unwrap_or(0.0));
+        let radius = |v: Option<f64>| v.map(|v| v / 2.0);
+        Limits { z: [given(ZA, 5), given(ZB, 7)], x: [radius(given(XA, 4)), radius(given(XB, 6))] }
+    }
+}

@@ -1,0 +1,120 @@
+//! CYCLE71 and CYCLE61: face milling.
+//!
+//! Source: M 7.1 and 7.2 (docs/sources.md).
+
+use crate::geo::Deg;
+use crate::ir::cycle::facing::{FacingFault, Kind, Overrun};
+use crate::ir::cycle::milling::{Mill, Place};
+use crate::ir::cycle::{Cycle, Facing, Family};
+
+use super::super::Outcome;
+use super::super::value::whole;
+use super::arguments::{AMODE, FDP, FDP1, Key, LENG, LIM, MIDA, PA, PO, STA, VARI, WID};
+use super::call::CycleCall;
+use super::milling::CLASSIC;
+
+impl CycleCall<'_, '_> {
+    /// CYCLE71
+    pub(super) fn face(&mut self) -> Outcome {
+        let mill = self.mill(&CLASSIC)?;
+        let args = self.args;
+        let turn = args.or_zero(STA);
+        if !(0.0..180.0).contains(&turn) {
+            let message = format!("the rotation `_STA` (argument {}) is 0 to below 180 degrees", args.place(STA));
+            let help = "turn the face by an angle in this range, and give its sizes their signs";
+            return self.cycle_fault(args.span_of(STA), 61019, &message, help);
+        }
+        let size = [self.signed_size(LENG)?, self.signed_size(WID)?];
+        let overrun = Overrun { ends: self.magnitude(FDP), side: self.magnitude(FDP1) };
+        let corner = Place { at: self.reference_point(PA, PO), turn: Deg(turn) };
+        self.mill_face(mill, corner, size, overrun, [[false; 2]; 2])
+    }
+
+    /// CYCLE61
+    pub(super) fn face_by_limits(&mut self) -> Outcome {
+        let mill = self.mill(&CLASSIC)?;
+        let args = self.args;
+        let at = self.reference_point(PA, PO);
+        let size = [self.size_from(LENG, 3, at.x)?, self.size_from(WID, 4, at.y)?];
+        let limits = args.number(LIM).and_then(whole).unwrap_or(0);
+        if limits > 1111 || (0..4).any(|place| args.digit(LIM, place) > 1) {
+            let message = format!("the limits `_LIM` (argument {}) are four digits 0 or 1", args.place(LIM));
+            let help = "from the right: first axis minus and plus, second axis minus and plus";
+            return self.cycle_fault(args.span_of(LIM), 61019, &message, help);
+        }
+        let wall = |place: u32| args.digit(LIM, place) == 1;
+        if limits > 0 {
+            self.own_way("limits are read from the right as walls at the minus and plus side of the first axis, then of the second");
+        }
+        let clearance = mill.heights.clearance;
+        let corner = Place { at, turn: Deg(0.0) };
+        let overrun = Overrun { ends: clearance, side: clearance };
+        self.own_way("the cutter leaves an open side by the safety distance");
+        self.mill_face(mill, corner, size, overrun, [[wall(0), wall(1)], [wall(2), wall(3)]])
+    }
+
+    /// A length of the face, or its end point, by a digit of `_AMODE`.
+    fn size_from(&self, key: Key, place: u32, from: f64) -> Outcome<f64> {
+        let given = self.length_of(self.args, key).unwrap_or(0.0);
+        let size = if self.args.digit(AMODE, place) == 1 { given } else { given - from };
+        if size == 0.0 { self.size_is_missing(key) } else { Ok(size) }
+    }
+
+    fn signed_size(&self, key: Key) -> Outcome<f64> {
+        let size = self.length_of(self.args, key).unwrap_or(0.0);
+        if size == 0.0 { self.size_is_missing(key) } else { Ok(size) }
+    }
+
+    fn size_is_missing<T>(&self, key: Key) -> Outcome<T> {
+        let (name, place) = (self.args.written(key), self.args.place(key));
+        let message = format!("the side `{name}` (argument {place}) of the face is 0");
+        self.cycle_fault(self.args.span_of(key), 61118, &message, "give its length, with the sign of its direction")
+    }
+
+    fn mill_face(
+        &mut self,
+        mill: Mill,
+        corner: Place,
+        size: [f64; 2],
+        overrun: Overrun,
+        walls: [[bool; 2]; 2],
+    ) -> Outcome {
+        let args = self.args;
+        let (unit, tens) = (args.digit(VARI, 0), args.digit(VARI, 1));
+        let more = args.number(VARI).and_then(whole).unwrap_or(0) >= 100;
+        if !(1..=2).contains(&unit) || !(1..=4).contains(&tens) || more {
+            return self.no_such_machining(
+                "units 1 roughs, 2 finishes; tens 1 and 3 along the first axis, 2 and 4 along the second, 3 and 4 to and fro",
+            );
+        }
+        let kind = if unit == 1 { Kind::Rough } else { Kind::Finish { lift: self.lift(&mill, &overrun) } };
+        let width = self.width(MIDA, mill.radius)?;
+        let along = usize::from(tens % 2 == 0);
+        let face = Facing { mill, corner, size, along, alternates: tens > 2, width, overrun, walls, kind };
+        if let Err(fault) = face.check() {
+            return self.face_fault(fault);
+        }
+        self.send_cycle(Cycle::Facing(face));
+        Ok(())
+    }
+
+    /// How far the tool is lifted behind a finished path.
+    fn lift(&self, mill: &Mill, overrun: &Overrun) -> f64 {
+        let heights = &mill.heights;
+        let free = (heights.retract - heights.depth).abs();
+        [overrun.ends, heights.clearance].into_iter().find(|way| *way > 0.0).map_or(free, |way| way.min(free))
+    }
+
+    fn face_fault(&self, fault: FacingFault) -> Outcome {
+        let (key, alarm, help) = match fault {
+            FacingFault::Mill(fault) => return self.mill_fault(&CLASSIC, fault),
+            FacingFault::Size => (LENG, 61118, "give both sides of the face"),
+            FacingFault::Width | FacingFault::TooManyPaths => (MIDA, 61111, "give a usual width of a cut"),
+            FacingFault::Cutter => (LIM, 61105, "take a smaller cutter"),
+            FacingFault::NoEntry => (VARI, 61002, "cut along the other axis of the face"),
+            FacingFault::Number => (VARI, 61019, "check the arguments of the cycle"),
+        };
+        let message = format!("{fault}: `{}` (argument {})", self.args.written(key), self.args.place(key));
+        self.cycle_fault(self.args.span_of(key), alarm, &message, help)
+    }
+}

@@ -1,0 +1,200 @@
+//! What the cycles of stock removal on lathes share: the nose of the tool, the directions, and the cycle that is sent.
+//!
+//! Source: M 1, 2 and 9 (docs/sources.md).
+
+use crate::diag::codes;
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::layers::{Layers, Relief};
+use crate::ir::cycle::recess::Operation;
+use crate::ir::cycle::roughing::Nose;
+use crate::ir::cycle::turning::Towards;
+
+use super::super::Outcome;
+use super::super::compensation::nose_of;
+use super::arguments::{DMODE, Key};
+use super::call::CycleCall;
+
+/// The path that is said once for each cycle.
+const WAY: &str = "controls do not publish the cuts: they are at equal depths, follow the contour up to the cut before, and relief cuts \
+    are cut from their falling side";
+
+/// The side from which material is taken, and the way of the cuts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Side {
+    pub into: Towards,
+    /// Sense of the cutting axis, 1 or -1.
+    pub along: f64,
+}
+
+impl Side {
+    /// A place with `cut` along the cuts and `depth` along the infeed.
+    pub fn point(self, cut: f64, depth: f64) -> Point2 {
+        if self.into.is_radial() { Point2::new(cut, depth) } else { Point2::new(depth, cut) }
+    }
+
+    /// Coordinates along the cuts and along the infeed.
+    pub fn place(self, p: Point2) -> (f64, f64) {
+        if self.into.is_radial() { (p.x, p.y) } else { (p.y, p.x) }
+    }
+
+    /// Sense of the infeed axis out of the material.
+    pub fn out(self) -> f64 {
+        -(self.into.unit().x + self.into.unit().y)
+    }
+
+    /// The contour in the order of the cuts, and whether it had to be turned around.
+    pub fn in_order(self, contour: &[Element]) -> (Vec<Element>, bool) {
+        let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return (Vec::new(), false) };
+        let (start, end) = (self.place(first.from()), self.place(last.to()));
+        let way = (end.0 - start.0) * self.along;
+        // An upright contour begins at its deeper end.
+        let turned = way < -1e-6 || (way.abs() <= 1e-6 && (end.1 - start.1) * self.out() < 0.0);
+        if !turned {
+            return (contour.to_vec(), false);
+        }
+        (contour.iter().rev().map(backwards).collect(), true)
+    }
+}
+
+fn backwards(element: &Element) -> Element {
+    match *element {
+        Element::Line { from, to } => Element::Line { from: to, to: from },
+        Element::Arc { from, to, center, sweep } => Element::Arc { from: to, to: from, center, sweep: -sweep },
+    }
+}
+
+/// The outline of a rectangle.
+pub(super) fn rectangle(a: Point2, b: Point2) -> Vec<Element> {
+    let corners = [a, Point2::new(b.x, a.y), b, Point2::new(a.x, b.y), a];
+    let sides = corners.windows(2).filter(|pair| pair[0] != pair[1]);
+    sides.map(|pair| Element::Line { from: pair[0], to: pair[1] }).collect()
+}
+
+impl CycleCall<'_, '_> {
+    /// What all of them need of the call and of the modal state.
+    pub(super) fn removal_is_possible(&mut self) -> Outcome {
+        self.check_parameters()?;
+        self.in_turning_plane()?;
+        if !matches!(self.args.digit(DMODE, 0), 0 | 2) {
+            return self.not_built(DMODE, "a turning cycle in another plane than G18 (units of `_DMODE`)");
+        }
+        self.digits_are_known()?;
+        self.frame_is_not_scaled()
+    }
+
+    /// The nose of the active edge.
+    pub(super) fn nose_of_edge(&self) -> Outcome<Nose> {
+        let args = self.args;
+        let Some(number) = self.st.tool.active().filter(|number| *number != 0) else {
+            return self.cycle_fault(args.span, 61000, "no tool is active", "select the tool before the cycle: T1 D1");
+        };
+        let edge = self.st.tool.edge_or_first();
+        let Some(radius) = self.known_radius() else {
+            let message = format!("{}: the nose radius of tool {number} D{edge} is not known", args.name());
+            let help = format!(
+                "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`, or in the program: \
+                 `$TC_DP6[{number},{edge}]=0.8`"
+            );
+            return self.fail_help(codes::S2201.alarm(61000), args.span, message, &help);
+        };
+        if radius < 0.0 {
+            let message = format!("{}: the nose radius of tool {number} D{edge} is below 0", args.name());
+            return self.fail_help(codes::S2201.alarm(61000), args.span, message, "check radius and wear of the edge");
+        }
+        if radius == 0.0 {
+            return Ok(Nose::default());
+        }
+        let written = self.st.system.number(&format!("$TC_DP2[{number},{edge}]"));
+        let listed = || self.active_tool().and_then(|tool| tool.orientation).filter(|_| edge == 1).map(f64::from);
+        match written.or_else(listed).and_then(nose_of) {
+            Some(way) => Ok(Nose { radius, tip: Vec2::zeros() - way }),
+            None => {
+                let message =
+                    format!("{}: the position of the cutting edge of tool {number} D{edge} is not known", args.name());
+                let help = format!(
+                    "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: `$TC_DP2[{number},{edge}]=3`"
+                );
+                self.fail_help(codes::S2201.alarm(61000), args.span, message, &help)
+            }
+        }
+    }
+
+    /// The kind of machining from a digit: 1 roughing, 2 finishing, 3 both.
+    pub(super) fn operation(&self, digit: i32) -> Option<Operation> {
+        match digit {
+            1 => Some(Operation::Rough),
+            2 => Some(Operation::Finish),
+            3 => Some(Operation::RoughAndFinish),
+            _ => None,
+        }
+    }
+
+    /// Infeed that roughing needs.
+    pub(super) fn infeed(&self, key: Key, operation: Operation) -> Outcome<f64> {
+        let args = self.args;
+        let most = self.magnitude(key);
+        if most > 0.0 || operation == Operation::Finish {
+            return Ok(most);
+        }
+        let message = format!("the greatest infeed `{}` (argument {}) is missing", args.written(key), args.place(key));
+        self.cycle_fault(args.span_of(key), 61610, &message, "roughing needs the greatest depth of a cut")
+    }
+
+    /// Sends the cycle, and says what it rests on.
+    pub(super) fn send_layers(&mut self, layers: Layers) -> Outcome {
+        let args = self.args;
+        let reliefs = layers.reliefs();
+        if !reliefs.is_empty() {
+            let axis = if layers.into.is_radial() { "Z" } else { "X" };
+            let scale = if layers.into.is_radial() { 1.0 } else { 2.0 };
+            let shown: Vec<String> = reliefs
+                .iter()
+                .map(|(from, to)| format!("{axis}{:.3} to {axis}{:.3}", from * scale, to * scale))
+                .collect();
+            let shown = shown.join(", ");
+            if layers.relief == Relief::Left {
+                let message = format!("{}: the relief cut from {shown} is left standing", args.name());
+                self.note_once(codes::S8210, args.span, message);
+            } else {
+                let message = format!(
+                    "{}: relief cut from {shown}: whether the flank of the tool clears its falling side is not checked",
+                    args.name()
+                );
+                self.note_once(codes::S8211, args.span, message);
+            }
+        }
+        if layers.leans_over() && layers.operation != Operation::Finish {
+            let message = format!("{}: a part of the contour leans over; roughing leaves it to finishing", args.name());
+            self.note_once(codes::S8212, args.span, message);
+        }
+        if layers.operation != Operation::Finish {
+            self.own_way(WAY);
+        }
+        self.send_cycle(Cycle::Layers(layers));
+        self.say_remarks();
+        Ok(())
+    }
+
+    /// Refuses a kind of machining.
+    pub(super) fn kind_fault<T>(&self, key: Key, help: &str) -> Outcome<T> {
+        let message = format!(
+            "there is no such kind of machining `{}` (argument {})",
+            self.args.written(key),
+            self.args.place(key)
+        );
+        self.cycle_fault(self.args.span_of(key), 61002, &message, help)
+    }
+
+    /// Nothing between the blank and the end point.
+    pub(super) fn no_material<T>(&self, key: Key, what: &str) -> Outcome<T> {
+        let args = self.args;
+        let message = format!("{what}: `{}` (argument {})", args.written(key), args.place(key));
+        self.cycle_fault(
+            args.span_of(key),
+            61118,
+            &message,
+            "check the corner of the blank, the end point and the position",
+        )
+    }
+}

@@ -1,0 +1,311 @@
+//! What all milling cycles take: plane, heights, cutter, feeds, and the digits that recur in their codes.
+//!
+//! Source: M 1.2, 1.3 and 7 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Plane;
+use crate::ir::Feed;
+use crate::ir::cycle::milling::{Feeds, Heights, Mill, MillFault};
+use crate::ir::function::Turn;
+use crate::machine::Axis;
+
+use super::super::{Outcome, Reported};
+use super::arguments::{
+    AMODE, CDIR, DMODE, DP, DPR, F, FALD, FFD, FFP1, FZ, Key, MID, RFP, RP, RTP, SC, SDIS, UZ, Z0, Z1,
+};
+use super::call::CycleCall;
+
+/// The plane infeed as a part of the diameter of the cutter, where none is given.
+const USUAL_WIDTH: f64 = 0.8;
+
+/// Where a cycle has what all milling cycles take.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Names {
+    pub retract: Key,
+    pub reference: Key,
+    pub clearance: Key,
+    pub depth: Key,
+    pub step: Key,
+    pub floor: Key,
+    pub feed: Key,
+    /// As `feed` where the cycle has none.
+    pub depth_feed: Key,
+}
+
+/// The names of the cycles that the old controls have, too.
+pub(super) const CLASSIC: Names = Names {
+    retract: RTP,
+    reference: RFP,
+    clearance: SDIS,
+    depth: DP,
+    step: MID,
+    floor: FALD,
+    feed: FFP1,
+    depth_feed: FFD,
+};
+
+/// The names of the cycles along contours of CYCLE62.
+pub(super) const ALONG_CONTOURS: Names =
+    Names { retract: RP, reference: Z0, clearance: SC, depth: Z1, step: MID, floor: UZ, feed: F, depth_feed: FZ };
+
+/// On which side of the tool the finished wall lies as it goes round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Around {
+    /// Inside a pocket.
+    Inside,
+    /// Around a spigot.
+    Outside,
+}
+
+impl CycleCall<'_, '_> {
+    /// What every milling cycle takes; everything that recurs in the codes is checked here.
+    pub(super) fn mill(&mut self, names: &Names) -> Outcome<Mill> {
+        let args = self.args;
+        self.digits_are_known()?;
+        self.frame_is_not_scaled()?;
+        let plane = self.plane_of_mode()?;
+        self.frame_keeps_the_tool_axis(plane)?;
+        let (first, second, third) = plane.axes();
+        for axis in [first, second, third] {
+            self.no_diameters(args.name(), Axis::ALL[axis], args.span)?;
+        }
+        let radius = self.cutter()?;
+        let heights = self.mill_heights(names)?;
+        let feeds = self.mill_feeds(names)?;
+        let mill = Mill { plane, heights, radius, feeds };
+        match mill.check() {
+            Ok(()) => self.levels_are_meant(names, mill),
+            Err(fault) => self.mill_fault(names, fault),
+        }
+    }
+
+    /// The plane that `_DMODE` names.
+    fn plane_of_mode(&self) -> Outcome<Plane> {
+        match self.args.digit(DMODE, 0) {
+            0 => Ok(self.st.plane()),
+            1 => Ok(Plane::Xy),
+            2 => Ok(Plane::Zx),
+            3 => Ok(Plane::Yz),
+            _ => self.not_built(DMODE, "this plane (units of `_DMODE`)"),
+        }
+    }
+
+    /// Mirrors and rotations are allowed: the shape is turned with its frame.
+    pub(super) fn frame_is_not_scaled(&self) -> Outcome {
+        if self.st.ctx.frame.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() < 1e-9) {
+            return Ok(());
+        }
+        let help = "switch SCALE off before the cycle: the cutter is not scaled with its shape";
+        self.cycle_fault(self.args.span, 61011, "a scaling is active", help)
+    }
+
+    /// The heights of the cycle lie along the tool axis of the machine, and its way out of the workpiece is the tool's.
+    fn frame_keeps_the_tool_axis(&self, plane: Plane) -> Outcome {
+        let (first, second, third) = plane.axes();
+        let linear = self.st.ctx.frame.linear();
+        let tilted =
+            [first, second].iter().any(|a| linear[(third, *a)].abs() > 1e-9 || linear[(*a, third)].abs() > 1e-9);
+        if !tilted && linear[(third, third)] > 0.0 {
+            return Ok(());
+        }
+        let message = format!(
+            "{}: a frame mirrors or tilts the tool axis, and the tool would come from the far side",
+            self.args.name()
+        );
+        let help = "turn and mirror in the plane of the cycle only";
+        self.fail_help(codes::S9015, self.args.span, message, help)
+    }
+
+    /// The radius of the active tool.
+    fn cutter(&self) -> Outcome<f64> {
+        let args = self.args;
+        let Some(number) = self.st.tool.active().filter(|number| *number != 0) else {
+            let help = "select the tool before the cycle: T1 M6";
+            return self.cycle_fault(args.span, 61000, "no tool is active", help);
+        };
+        if self.st.tool.is_without_offset() {
+            return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
+        }
+        match self.known_radius() {
+            Some(radius) if radius > 0.0 => Ok(radius),
+            known => {
+                let what = if known.is_some() { "is not above 0" } else { "is not known" };
+                let message = format!("{}: the radius of tool {number} {what}", args.name());
+                let edge = self.st.tool.edge_or_first();
+                let help = format!(
+                    "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
+                );
+                self.fail_help(codes::S2241.alarm(61000), args.span, message, &help)
+            }
+        }
+    }
+
+    fn mill_heights(&mut self, names: &Names) -> Outcome<Heights> {
+        let retract = self.needed_length(names.retract, "the retraction plane")?;
+        let reference = self.needed_length(names.reference, "the reference plane")?;
+        let depth = self.mill_depth(names, retract, reference)?;
+        Ok(Heights {
+            retract,
+            reference,
+            clearance: self.magnitude(names.clearance),
+            depth,
+            step: self.magnitude(names.step),
+            allowance: self.magnitude(names.floor),
+        })
+    }
+
+    /// The depth from one argument, absolute or incremental by the units of `_AMODE`, or from the pair DP and DPR.
+    fn mill_depth(&mut self, names: &Names, retract: f64, reference: f64) -> Outcome<f64> {
+        let args = self.args;
+        let (mut absolute, mut relative) = (self.length_of(args, names.depth), None);
+        if args.place(DPR) > 0 {
+            relative = self.length_of(args, DPR);
+            self.one_depth(self.depth_by(), &mut absolute, &mut relative)?;
+            self.depths_agree(reference, retract, absolute, relative);
+        } else if args.digit(AMODE, 0) == 1 {
+            relative = absolute.take().or(Some(0.0));
+        }
+        match relative.filter(|way| *way != 0.0 || absolute.is_none()) {
+            Some(_) if retract == reference => self.mill_fault(names, MillFault::ReferencePlane),
+            Some(way) => Ok(reference - (retract - reference).signum() * way.abs()),
+            None => Ok(absolute.unwrap_or(0.0)),
+        }
+    }
+
+    fn depths_agree(&self, reference: f64, retract: f64, absolute: Option<f64>, relative: Option<f64>) {
+        let args = self.args;
+        let (Some(absolute), Some(way)) = (absolute, relative.filter(|way| *way != 0.0)) else { return };
+        let by_way = reference - (retract - reference).signum() * way.abs();
+        if absolute != 0.0 && (absolute - by_way).abs() > 1e-9 {
+            let message = format!("{}: DP and DPR give different depths; DPR counts", args.name());
+            let found = Diagnostic::new(codes::S8018, self.loc(args.span_of(DP)), message);
+            self.report(found.help("leave one of them out"));
+        }
+    }
+
+    fn mill_feeds(&mut self, names: &Names) -> Outcome<Feeds> {
+        let plane = self.mill_feed(names.feed)?;
+        let depth = if self.args.place(names.depth_feed) > 0 { self.mill_feed(names.depth_feed)? } else { plane };
+        Ok(Feeds { plane, depth })
+    }
+
+    /// A feed among the arguments, of the kind in force; the modal one where it is 0 or missing.
+    pub(super) fn mill_feed(&mut self, key: Key) -> Outcome<Feed> {
+        let args = self.args;
+        let value = args.or_zero(key);
+        if value > 0.0 {
+            return Ok(self.st.feed_of(value));
+        }
+        if value == 0.0 && self.st.feed.is_lost() {
+            return Err(Reported);
+        }
+        match self.st.feed.word().filter(|_| value == 0.0) {
+            Some(feed) => {
+                self.feed_kind_is_said();
+                Ok(feed)
+            }
+            None => {
+                let (name, place) = (args.written(key), args.place(key));
+                let what = if value < 0.0 { "is below 0" } else { "is missing, and no F stands before it" };
+                let message = format!("the feed `{name}` (argument {place}) {what}");
+                self.cycle_fault(args.span_of(key), 61003, &message, "give a feed above 0")
+            }
+        }
+    }
+
+    /// A length that the manuals call unsigned, without its sign.
+    pub(super) fn magnitude(&self, key: Key) -> f64 {
+        self.length_of(self.args, key).unwrap_or(0.0).abs()
+    }
+
+    /// No infeed: one level, where the tool is long enough for it.
+    fn levels_are_meant(&self, names: &Names, mill: Mill) -> Outcome<Mill> {
+        let args = self.args;
+        if mill.heights.step > 0.0 || args.place(names.step) == 0 {
+            return Ok(mill);
+        }
+        let (name, place) = (args.written(names.step), args.place(names.step));
+        let way = mill.heights.way();
+        match self.active_tool().and_then(|tool| tool.length).filter(|length| *length > 0.0 && *length < way) {
+            Some(length) => {
+                let message =
+                    format!("no infeed in depth `{name}` (argument {place}), and the tool is only {length} mm long");
+                self.cycle_fault(args.span_of(names.step), 61019, &message, "give the greatest depth of a level")
+            }
+            None => {
+                let message = format!("no infeed in depth `{name}` (argument {place}): one level of {way} mm");
+                self.says_once(&message, "give the greatest depth of a level");
+                Ok(mill)
+            }
+        }
+    }
+
+    /// The greatest plane infeed: mm, or percent of the diameter by the tens of `_AMODE`.
+    pub(super) fn width(&self, key: Key, radius: f64) -> Outcome<f64> {
+        let args = self.args;
+        let (name, place) = (args.written(key), args.place(key));
+        let width = if args.digit(AMODE, 1) == 1 {
+            args.or_zero(key).abs() / 100.0 * 2.0 * radius
+        } else {
+            self.magnitude(key)
+        };
+        if width > 2.0 * radius + 1e-9 {
+            let message = format!(
+                "the infeed in the plane `{name}` (argument {place}) of {width} mm is larger than the cutter, {} mm",
+                2.0 * radius
+            );
+            return self.cycle_fault(args.span_of(key), 61111, &message, "give at most the diameter of the cutter");
+        }
+        if width == 0.0 {
+            let message = format!("no infeed in the plane `{name}` (argument {place}): 0.8 of the cutter's diameter");
+            self.says_once(&message, "give the greatest width of a cut");
+            return Ok(USUAL_WIDTH * 2.0 * radius);
+        }
+        Ok(width)
+    }
+
+    /// Does the tool go round counter-clockwise, by CDIR?
+    pub(super) fn goes_counter_clockwise(&self, around: Around) -> Outcome<bool> {
+        let args = self.args;
+        let climb = match args.or_zero(CDIR) {
+            2.0 => return Ok(false),
+            3.0 => return Ok(true),
+            0.0 => true,
+            1.0 => false,
+            _ => {
+                let message =
+                    format!("the direction `{}` (argument {}) is 0 to 3", args.written(CDIR), args.place(CDIR));
+                let help = "0 climb, 1 conventional, 2 G2, 3 G3";
+                return self.cycle_fault(args.span_of(CDIR), 61002, &message, help);
+            }
+        };
+        let turn = self.st.spindles.turn();
+        if turn.is_none() {
+            let message = "whether the spindle turns by M3 or M4 is not known: M3 is taken for climb and conventional";
+            self.says_once(message, "program M3 or M4 before the cycle, or CDIR 2 or 3");
+        }
+        let usual = turn != Some(Turn::CounterClockwise);
+        Ok((around == Around::Inside) == (climb == usual))
+    }
+
+    /// Refuses what makes no milling cycle.
+    pub(super) fn mill_fault<T>(&self, names: &Names, fault: MillFault) -> Outcome<T> {
+        let args = self.args;
+        let (key, alarm, help) = match fault {
+            MillFault::ReferencePlane => (
+                names.depth,
+                Some(61101),
+                "the retraction plane lies on the far side of the surface, seen from the depth",
+            ),
+            MillFault::RetractBelowStart => {
+                (names.retract, Some(61101), "the retraction plane lies above the surface plus the safety distance")
+            }
+            MillFault::FloorAllowance => (names.floor, Some(61010), "give a smaller allowance on the floor"),
+            MillFault::TooManyLevels => (names.step, Some(61019), "give a larger infeed in depth"),
+            MillFault::Feed => (names.feed, Some(61003), "give a feed above 0"),
+            MillFault::Number | MillFault::Radius => (names.depth, Some(61019), "check the arguments of the cycle"),
+        };
+        let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));
+        self.cycle_fault(args.span_of(key), alarm, &message, help)
+    }
+}

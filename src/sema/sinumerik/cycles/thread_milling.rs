@@ -1,0 +1,184 @@
+//! CYCLE70 and CYCLE90: thread milling.
+//!
+//! Source: M 7.8 (docs/sources.md).
+
+use crate::diag::codes;
+use crate::geo::Deg;
+use crate::ir::cycle::milling::{Place, parts};
+use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault};
+use crate::ir::cycle::{Cycle, Family, ThreadMilling};
+
+use super::super::Outcome;
+use super::super::value::whole;
+use super::arguments::{
+    CPA, CPO, DIATH, FAL, FALD, FFD, FFR, H1, KDIAM, Key, MID, NSP, NT, PA, PO, RFP, RTP, SDIS, TYPTH, VARI,
+};
+use super::call::CycleCall;
+use super::milling::{Around, Names};
+
+/// Thread milling has one feed, and its infeed is one of the thread's depth.
+const NAMES: Names = Names {
+    retract: RTP,
+    reference: RFP,
+    clearance: SDIS,
+    depth: super::arguments::DP,
+    // Neither has an infeed or an allowance along the tool axis.
+    step: FFD,
+    floor: FALD,
+    feed: FFR,
+    depth_feed: FFD,
+};
+
+impl CycleCall<'_, '_> {
+    /// CYCLE70
+    pub(super) fn thread_by_depth(&mut self) -> Outcome {
+        let mill = self.mill(&NAMES)?;
+        let nominal = self.size(DIATH)? / 2.0;
+        let depth = self.size(H1)?;
+        let side = self.thread_side()?;
+        let pitch = self.new_pitch()?;
+        let teeth = self.teeth()?;
+        let (left_hand, counter_clockwise) = self.turning_of_thread(side)?;
+        let rests = self.rests(depth)?;
+        let place = Place { at: self.reference_point(PA, PO), turn: Deg(self.args.or_zero(NSP)) };
+        let core = nominal - depth;
+        self.mill_thread(ThreadMilling {
+            mill,
+            place,
+            side,
+            nominal,
+            core,
+            pitch,
+            left_hand,
+            counter_clockwise,
+            teeth,
+            rests,
+        })
+    }
+
+    /// CYCLE90: from the surface down, so that its sense makes the hand of the thread.
+    pub(super) fn thread_by_core(&mut self) -> Outcome {
+        let mill = self.mill(&NAMES)?;
+        let side = self.thread_side()?;
+        let around = if side == Side::Internal { Around::Inside } else { Around::Outside };
+        let counter_clockwise = self.goes_counter_clockwise(around)?;
+        // Downwards a right-hand thread turns clockwise, seen along the axis that counts outwards.
+        let left_hand = counter_clockwise == (mill.heights.outward() > 0.0);
+        let place = Place { at: self.reference_point(CPA, CPO), turn: Deg(0.0) };
+        let (nominal, core) = (self.size(DIATH)? / 2.0, self.size(KDIAM)? / 2.0);
+        let pitch = self.new_pitch()?;
+        let hand = if left_hand { "left-hand" } else { "right-hand" };
+        self.own_way(&format!("from the surface down this sense makes a {hand} thread"));
+        self.mill_thread(ThreadMilling {
+            mill,
+            place,
+            side,
+            nominal,
+            core,
+            pitch,
+            left_hand,
+            counter_clockwise,
+            teeth: 1,
+            rests: vec![0.0],
+        })
+    }
+
+    fn thread_side(&self) -> Outcome<Side> {
+        match self.args.or_zero(TYPTH) {
+            0.0 => Ok(Side::Internal),
+            1.0 => Ok(Side::External),
+            _ => {
+                let (name, place) = (self.args.written(TYPTH), self.args.place(TYPTH));
+                let message = format!("the kind of the thread `{name}` (argument {place}) is 0 or 1");
+                self.cycle_fault(self.args.span_of(TYPTH), 61002, &message, "0 internal, 1 external")
+            }
+        }
+    }
+
+    /// Teeth of an edge; 0 and 1 are a cutter with one.
+    fn teeth(&self) -> Outcome<u32> {
+        let given = self.args.or_zero(NT);
+        match whole(given).and_then(|n| u32::try_from(n).ok()).filter(|n| given.fract() == 0.0 && *n <= 1000) {
+            Some(teeth) => Ok(teeth.max(1)),
+            None => {
+                let message = format!("the teeth of an edge `_NT` (argument {}) are 1 to 1000", self.args.place(NT));
+                self.cycle_fault(self.args.span_of(NT), 61019, &message, "give a whole number")
+            }
+        }
+    }
+
+    /// Left hand, and the sense in which the tool goes round, by the digits of `_VARI`.
+    fn turning_of_thread(&mut self, side: Side) -> Outcome<(bool, bool)> {
+        let args = self.args;
+        let coded = args.number(VARI).and_then(whole).unwrap_or(0);
+        let (unit, tens, hundreds) = (args.digit(VARI, 0), args.digit(VARI, 1), args.digit(VARI, 2));
+        if !(1..=2).contains(&unit) || tens > 2 || hundreds > 1 || coded >= 1000 {
+            return self.no_such_machining("units 1 roughs, 2 finishes; tens 1 down, 2 up; hundreds 1 left-hand");
+        }
+        if (tens, hundreds) != (0, 0) && !self.job.settings.cycles.thread_digits {
+            return self.fail_help(
+                codes::S9015,
+                args.span_of(VARI),
+                "CYCLE70: what the tens and hundreds of `_VARI` mean, sense and hand of the thread, is not confirmed",
+                "have them read by `[cycles] thread_milling_digits = true`: tens 1 down, 2 up; hundreds 1 left-hand",
+            );
+        }
+        let left_hand = hundreds == 1;
+        let around = if side == Side::Internal { Around::Inside } else { Around::Outside };
+        let climbs = self.goes_counter_clockwise(around)?;
+        let counter_clockwise = match tens {
+            // Up a right-hand thread goes counter-clockwise.
+            1 => left_hand,
+            2 => !left_hand,
+            _ => {
+                self.own_way("no sense is given: the tool climbs, and the thread is right-hand");
+                climbs
+            }
+        };
+        Ok((left_hand, counter_clockwise))
+    }
+
+    /// What the passes leave.
+    fn rests(&self, depth: f64) -> Outcome<Vec<f64>> {
+        if self.args.digit(VARI, 0) == 2 {
+            return Ok(vec![0.0]);
+        }
+        let allowance = self.magnitude(FAL);
+        let way = depth - allowance;
+        if way <= 0.0 {
+            let message = format!(
+                "the allowance `_FAL` (argument {}) is not smaller than the depth of the thread",
+                self.args.place(FAL)
+            );
+            return self.cycle_fault(self.args.span_of(FAL), 61019, &message, "give a smaller allowance");
+        }
+        let count = parts(way, self.magnitude(MID)).min(10_000);
+        Ok((1..=count).map(|k| depth - way * k as f64 / count as f64).collect())
+    }
+
+    fn mill_thread(&mut self, thread: ThreadMilling) -> Outcome {
+        if let Err(fault) = thread.check() {
+            return self.thread_milling_fault(fault);
+        }
+        self.own_way(
+            "the tool comes to the thread and leaves it on a semicircle of half a pitch; an internal one needs its core down to the depth",
+        );
+        self.send_cycle(Cycle::ThreadMilling(thread));
+        Ok(())
+    }
+
+    fn thread_milling_fault(&self, fault: ThreadMillingFault) -> Outcome {
+        let (key, alarm, help): (Key, _, _) = match fault {
+            ThreadMillingFault::Mill(fault) => return self.mill_fault(&NAMES, fault),
+            ThreadMillingFault::Cutter => (DIATH, 61105, "take a smaller cutter"),
+            ThreadMillingFault::Pitch | ThreadMillingFault::TooMany => {
+                (super::arguments::PIT, 61001, "check the pitch and the infeed")
+            }
+            ThreadMillingFault::Depth | ThreadMillingFault::Number => {
+                (DIATH, 61601, "check the diameters of the thread")
+            }
+        };
+        let message = format!("{fault}: `{}` (argument {})", self.args.written(key), self.args.place(key));
+        self.cycle_fault(self.args.span_of(key), alarm, &message, help)
+    }
+}

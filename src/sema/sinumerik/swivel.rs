@@ -1,0 +1,207 @@
+//! `CYCLE800`: a swivelled plane that is none. Without angles it shifts the workpiece, and may retract the tool.
+//!
+//! Source: S 4.9 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::contour::{Coords, Move, Path};
+use crate::ir::{Pos, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::parser::sinumerik::ast::{Block, Formula};
+use crate::text::Span;
+
+use super::frames::FrameValue;
+use super::value::whole;
+use super::{Channel, Outcome, Run};
+
+/// Places of the arguments, from 0.
+const RETRACTION: usize = 0;
+const STATE: usize = 2;
+const BEFORE: usize = 4;
+const ANGLES: usize = 7;
+const AFTER: usize = 10;
+const RETRACTION_WAY: usize = 14;
+
+/// Most arguments.
+const MOST: usize = 16;
+
+/// What the call gives.
+#[derive(Debug, Default)]
+struct Swivel {
+    /// `_FR`
+    retraction: f64,
+    /// `_FR_I`
+    way: f64,
+    /// Nothing but a retraction is given: back to the plane that is not swivelled.
+    resets: bool,
+    /// The shift adds to the one of the call before.
+    additive: bool,
+    /// `_X0 + _X1` and its kin, in mm.
+    shift: [f64; 3],
+}
+
+impl Run<'_> {
+    /// `CYCLE800(…)`. Angles move axes that the target does not have.
+    pub(super) fn swivel(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let mut values = [0.0; MOST];
+        for (at, formula) in formulas.iter().enumerate().filter(|(_, formula)| !formula.is_missing()) {
+            // The name of the swivel record.
+            if at == 1 {
+                continue;
+            }
+            let value = self.number(*formula, block, text)?;
+            match values.get_mut(at) {
+                Some(place) => *place = value,
+                None => {
+                    let message = format!("CYCLE800 takes {MOST} arguments");
+                    return self.fail(codes::S2021.alarm(12340), formula.span, message);
+                }
+            }
+            if (ANGLES..AFTER).contains(&at) && value != 0.0 {
+                self.st.position.lose(AxisSet::ALL);
+                self.lost();
+                let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
+                let message = format!(
+                    "CYCLE800 swivels the working plane by `{name}` = {value} (argument {}), which plain G-code in three axes cannot say",
+                    at + 1
+                );
+                let help = "have the CAM system put out the swivelled part by itself";
+                return self.fail_help(codes::S9006, formula.span, message, help);
+            }
+        }
+        let unit = self.st.length_unit();
+        let swivel = Swivel {
+            retraction: values[RETRACTION],
+            way: values[RETRACTION_WAY] * unit,
+            resets: formulas.len() <= 1,
+            additive: whole(values[STATE]).is_some_and(|state| state % 10 == 1),
+            shift: [0, 1, 2].map(|axis| (values[BEFORE + axis] + values[AFTER + axis]) * unit),
+        };
+        self.swivel_by_nothing(&swivel, span)
+    }
+}
+
+impl Channel<'_> {
+    fn swivel_by_nothing(&mut self, swivel: &Swivel, span: Span) -> Outcome {
+        let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
+        if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
+            let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
+            return self.fail_help(codes::S9006, span, message, "program the rotary axis, and leave CYCLE800 out");
+        }
+        self.shift_is_clear(swivel, span)?;
+        self.swivel_retracts(swivel, span)?;
+        self.pending_must_be_done(span)?;
+        let added = FrameValue::shifted(&[Axis::X, Axis::Y, Axis::Z].map(|axis| (axis, swivel.shift[axis.index()])));
+        let shift = if swivel.additive { self.st.frames.swivelled().chain(&added) } else { added };
+        let [x, y, z] = [0, 1, 2].map(|axis| shift.shift[axis]);
+        let message = if shift == FrameValue::default() {
+            "CYCLE800 without angles and offsets turns nothing and is left out".to_owned()
+        } else {
+            format!("CYCLE800 without angles turns nothing and shifts the workpiece by X{x} Y{y} Z{z}")
+        };
+        if self.job.diags.first_text(codes::S8029, &message) {
+            self.report(Diagnostic::new(codes::S8029, self.loc(span), message));
+        }
+        self.shift_workpiece(shift);
+        Ok(())
+    }
+
+    /// `CYCLE800()`: back to the plane that is not swivelled.
+    pub(super) fn swivel_off(&mut self) {
+        self.shift_workpiece(FrameValue::default());
+    }
+
+    fn shift_workpiece(&mut self, shift: FrameValue) {
+        self.st.frames.set_swivelled(shift);
+        self.refresh_frame();
+    }
+
+    /// A shift stands outside of the programmable frame, which a new plane deletes on the control.
+    fn shift_is_clear(&mut self, swivel: &Swivel, span: Span) -> Outcome {
+        let shifts = swivel.shift != [0.0; 3] || *self.st.frames.swivelled() != FrameValue::default();
+        if self.st.side() != Side::None && shifts {
+            return self.fail_help(
+                codes::S2080,
+                span,
+                "the frame changes while radius compensation is on",
+                "program G40 in a block in front of it",
+            );
+        }
+        let programmed = !swivel.resets && self.st.frames.programmable().map().is_none_or(|frame| !frame.is_identity());
+        let lathe = shifts && self.st.machine.lathe;
+        if !programmed && !lathe {
+            return Ok(());
+        }
+        self.st.position.lose(AxisSet::ALL);
+        self.lost();
+        if lathe {
+            let message = "CYCLE800 shifts the workpiece, and whether X0 and X1 are diameters is not documented";
+            return self.fail_help(codes::S9006, span, message, "shift by TRANS in place of CYCLE800");
+        }
+        self.fail_help(
+            codes::S9006,
+            span,
+            "CYCLE800 for a new plane deletes the programmed frames, and for an additive one takes them over: TRANS, ROT, SCALE or MIRROR is active",
+            "program TRANS without axes in front of CYCLE800, and the frame again behind it",
+        )
+    }
+
+    /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y, 4 as far as possible along
+    /// the tool, 5 by a way along the tool.
+    fn swivel_retracts(&mut self, swivel: &Swivel, span: Span) -> Outcome {
+        let machine = &self.job.settings.machine;
+        let (steps, points, key): (&[&[Axis]], _, _) = match swivel.retraction {
+            0.0 => return Ok(()),
+            1.0 => (&[&[Axis::Z]], &machine.swivel_retract, "swivel_retract"),
+            2.0 => (&[&[Axis::Z], &[Axis::X, Axis::Y]], &machine.swivel_retract, "swivel_retract"),
+            4.0 => (&[&[Axis::Z]], &machine.swivel_retract_most, "swivel_retract_most"),
+            5.0 => return self.swivel_retracts_by(swivel.way, span),
+            other => {
+                let message = format!("CYCLE800 has no retraction {other}");
+                return self.fail_help(codes::S9006, span, message, "0 none, 1 Z, 2 Z and XY, 4 and 5 along the tool");
+            }
+        };
+        if !steps.concat().iter().all(|axis| points.contains_key(axis)) {
+            self.st.position.lose(AxisSet::ALL);
+            self.lost();
+            let help = format!(
+                "give it in machine coordinates: `[machine] {key} = {{ Z = 0.0 }}`; or program the retraction \
+                 (SUPA G0 Z…) and 0 as the first argument"
+            );
+            let message = "CYCLE800 retracts the tool to a place that is a machine datum";
+            return self.fail_help(codes::S9006, span, message, &help);
+        }
+        self.retracts_uncompensated(span)?;
+        for axes in steps {
+            let mut end = Pos::UNKNOWN;
+            for axis in *axes {
+                end.set(*axis, points[axis]);
+            }
+            self.machine_rapid(end);
+        }
+        Ok(())
+    }
+
+    fn retracts_uncompensated(&mut self, span: Span) -> Outcome {
+        self.pending_must_be_done(span)?;
+        if self.st.side() != Side::None {
+            return self.fail(codes::S2080, span, "CYCLE800 retracts under radius compensation");
+        }
+        Ok(())
+    }
+
+    /// Along Z by a way.
+    fn swivel_retracts_by(&mut self, way: f64, span: Span) -> Outcome {
+        self.retracts_uncompensated(span)?;
+        if way < 0.0 {
+            let message = "the retraction `_FR_I` (argument 15) of CYCLE800 is below 0";
+            return self.fail_help(codes::S9006, span, message, "give the way along the tool without sign");
+        }
+        let Some(at) = self.st.position.get(Axis::Z) else { return self.unknown_axis(Axis::Z, span) };
+        let mut end = Pos::UNKNOWN;
+        end.set(Axis::Z, at + way);
+        let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Frame };
+        self.core.send_move(&mv, &self.st.ctx);
+        self.st.position.move_to(&end);
+        Ok(())
+    }
+}

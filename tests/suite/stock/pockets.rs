@@ -1,0 +1,377 @@
+//! Pockets, slots and long holes with sizes at random: the properties of docs/cycles.md, column by column.
+
+use std::fmt::Write as _;
+
+use partc::Settings;
+
+use super::super::damage::Dice;
+use super::milling::{Cut, EXACT, Stock, track};
+
+/// Feeds by which the cuts are told apart.
+pub const ROUGH: f64 = 1000.0;
+pub const PLUNGE: f64 = 200.0;
+pub const FINISH: f64 = 500.0;
+
+/// A finished outline about its own origin.
+#[derive(Debug, Clone, Copy)]
+enum Outline {
+    Rectangle { half: [f64; 2], corner: f64 },
+    Circle { radius: f64 },
+    Slot { from: f64, to: f64, half: f64 },
+    Bow { radius: f64, sweep: f64, half: f64 },
+}
+
+#[derive(Debug, Clone)]
+struct Case {
+    text: String,
+    outline: Outline,
+    places: Vec<([f64; 2], f64)>,
+    radius: f64,
+    depth: f64,
+    step: f64,
+    wall: f64,
+    floor: f64,
+    rough: bool,
+    /// Wall and floor are finished.
+    finish: [bool; 2],
+}
+
+/// Distance of `p` from the wall, above 0 inside.
+fn inside(outline: &Outline, [x, y]: [f64; 2]) -> f64 {
+    match *outline {
+        Outline::Rectangle { half, corner } => {
+            let q = [x.abs() - half[0] + corner, y.abs() - half[1] + corner];
+            corner - q[0].max(0.0).hypot(q[1].max(0.0)) - q[0].max(q[1]).min(0.0)
+        }
+        Outline::Circle { radius } => radius - x.hypot(y),
+        Outline::Slot { from, to, half } => half - (x - x.clamp(from, to)).hypot(y),
+        Outline::Bow { radius, sweep, half } => {
+            let turn = y.atan2(x).rem_euclid(std::f64::consts::TAU);
+            let end = [radius * sweep.cos(), radius * sweep.sin()];
+            let to_arc = if turn <= sweep {
+                (x.hypot(y) - radius).abs()
+            } else {
+                (x - radius).hypot(y).min((x - end[0]).hypot(y - end[1]))
+            };
+            half - to_arc
+        }
+    }
+}
+
+/// The outline that a cutter leaves which keeps off the wall.
+fn reached(outline: &Outline, wall: f64, radius: f64) -> Outline {
+    match *outline {
+        Outline::Rectangle { half, corner } => {
+            Outline::Rectangle { half: half.map(|size| size - wall), corner: (corner - wall).max(radius) }
+        }
+        Outline::Circle { radius } => Outline::Circle { radius: radius - wall },
+        Outline::Slot { from, to, half } => Outline::Slot { from, to, half: half - wall },
+        Outline::Bow { radius, sweep, half } => Outline::Bow { radius, sweep, half: half - wall },
+    }
+}
+
+impl Case {
+    fn local(&self, place: &([f64; 2], f64), [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = place.1.to_radians().sin_cos();
+        let (dx, dy) = (x - place.0[0], y - place.0[1]);
+        [dx * cos + dy * sin, dy * cos - dx * sin]
+    }
+
+    fn inside(&self, outline: &Outline, p: [f64; 2]) -> f64 {
+        self.places.iter().map(|place| inside(outline, self.local(place, p))).fold(f64::MIN, f64::max)
+    }
+
+    /// Least distance of the centre on its way from the wall.
+    fn least(&self, cut: &Cut) -> f64 {
+        let count = if cut.is_vertical() { 1 } else { 24 };
+        let points = (0..=count).map(|i| cut.at(f64::from(i) / f64::from(count)));
+        points.map(|p| self.inside(&self.outline, [p[0], p[1]])).fold(f64::MAX, f64::min)
+    }
+
+    fn extent(&self) -> ([f64; 2], [f64; 2]) {
+        let size = match self.outline {
+            Outline::Rectangle { half, .. } => half[0].hypot(half[1]),
+            Outline::Circle { radius } => radius,
+            Outline::Slot { from, to, half } => from.abs().max(to.abs()) + half,
+            Outline::Bow { radius, half, .. } => radius + half,
+        };
+        let mut low = [f64::MAX; 2];
+        let mut high = [f64::MIN; 2];
+        for (at, _) in &self.places {
+            for i in 0..2 {
+                low[i] = low[i].min(at[i] - size - 1.0);
+                high[i] = high[i].max(at[i] + size + 1.0);
+            }
+        }
+        (low, high)
+    }
+
+    /// Cuts the blank and says what is wrong.
+    fn judge(&self, settings: &Settings, shift: f64) -> Result<(), String> {
+        let cuts = track(&self.text, settings).map_err(|codes| format!("refused: {codes:?}"))?;
+        let (low, high) = self.extent();
+        let cell = self.radius / 5.0;
+        let mut stock = Stock::new(low.map(|v| v - shift * cell), high, cell);
+        let finishes = finishing(&cuts);
+        let (floor, rough_floor) = (-self.depth, -self.depth + self.floor);
+        for (cut, finishing) in cuts.iter().zip(finishes) {
+            let lowest = cut.from[2].min(cut.to[2]);
+            if lowest < 0.0 {
+                let least = if finishing { self.radius } else { self.radius + self.wall };
+                let found = self.least(cut);
+                if found < least - EXACT {
+                    return Err(format!("gouges the wall: {found} of {least} at {cut:?}"));
+                }
+                let deepest = if finishing { floor } else { rough_floor };
+                if lowest < deepest - EXACT {
+                    return Err(format!("gouges the floor: {lowest} of {deepest} at {cut:?}"));
+                }
+            }
+            let met = stock.cut(cut, self.radius);
+            if cut.is_rapid() && met.depth > EXACT {
+                return Err(format!("rapid traverse through {:?}: {cut:?}", met.at));
+            }
+            let level = (cut.from[2] - cut.to[2]).abs() < 1e-12;
+            if level && !finishing && met.depth > self.step + EXACT {
+                return Err(format!("an infeed of {}: {cut:?}", met.depth));
+            }
+            if cut.is_vertical() && !cut.is_rapid() && cut.feed != Some(PLUNGE) {
+                return Err(format!("goes down at the feed of the plane: {cut:?}"));
+            }
+        }
+        self.complete(&stock)?;
+        if let Some(last) = cuts.last().filter(|last| last.to[2] != 10.0) {
+            return Err(format!("ends below the retract height: {last:?}"));
+        }
+        Ok(())
+    }
+
+    fn complete(&self, stock: &Stock) -> Result<(), String> {
+        let (wall, floor) = (
+            if self.finish[0] { 0.0 } else { self.wall },
+            if self.finish[1] { -self.depth } else { -self.depth + self.floor },
+        );
+        let made = reached(&self.outline, wall, self.radius);
+        for (p, top) in stock.columns() {
+            if top < 0.0 && self.inside(&self.outline, p) < -EXACT {
+                return Err(format!("the column at {p:?} outside is cut"));
+            }
+            if (self.rough || self.finish[0] && self.finish[1])
+                && self.inside(&made, p) > EXACT
+                && top > floor.max(-self.depth + if self.finish[1] { 0.0 } else { self.floor }) + EXACT
+            {
+                return Err(format!("the column at {p:?} ends at {top}, not at {floor}"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Which moves belong to finishing: those on the way down by what follows them.
+pub fn finishing(cuts: &[Cut]) -> Vec<bool> {
+    let mut finishing = false;
+    let mut made: Vec<bool> = cuts
+        .iter()
+        .rev()
+        .map(|cut| {
+            if cut.feed.is_some_and(|feed| feed != PLUNGE) {
+                finishing = cut.feed == Some(FINISH);
+            }
+            finishing
+        })
+        .collect();
+    made.reverse();
+    for at in 1..made.len() {
+        made[at] |= cuts[at].is_rapid() && made[at - 1];
+    }
+    made
+}
+
+/// A number with three decimals between two bounds.
+pub fn number(dice: &mut Dice, low: f64, high: f64) -> f64 {
+    let steps = ((high - low) * 1000.0).max(1.0) as usize;
+    ((low * 1000.0).round() + dice.roll(steps) as f64) / 1000.0
+}
+
+fn header(radius: f64, more: &str) -> String {
+    format!("G17 G90 G71\n$TC_DP6[1,1]={radius}\nT1 D1\nM6\nS3000 M3\nG0 X{more} Y3 Z50\n")
+}
+
+fn random(dice: &mut Dice) -> Case {
+    match dice.roll(4) {
+        0 => rectangle(dice),
+        1 => circle(dice),
+        _ => slots(dice),
+    }
+}
+
+struct Common {
+    radius: f64,
+    depth: f64,
+    step: f64,
+    wall: f64,
+    floor: f64,
+    width: f64,
+    direction: usize,
+    at: [f64; 2],
+}
+
+fn common(dice: &mut Dice) -> Common {
+    let radius = number(dice, 1.0, 10.0);
+    let depth = number(dice, 1.0, 12.0);
+    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.0, high) };
+    Common {
+        radius,
+        depth,
+        step: number(dice, depth / 5.0, depth * 1.2),
+        wall: some(dice, 0.6 * radius),
+        floor: some(dice, 0.4 * depth),
+        width: number(dice, 0.3 * radius, 2.0 * radius),
+        direction: dice.roll(4),
+        at: [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)],
+    }
+}
+
+/// How the tool is inserted by POCKET3 and POCKET4: the tens, `_RAD1` and `_DP1`.
+fn insertion(dice: &mut Dice, most: usize, radius: f64) -> (usize, f64, f64) {
+    match 1 + dice.roll(most) {
+        2 => (2, number(dice, 0.0, 1.3 * radius), number(dice, 0.3, 3.0)),
+        3 => (3, number(dice, 2.0, 30.0), 0.0),
+        _ => (1, 0.0, 0.0),
+    }
+}
+
+fn rectangle(dice: &mut Dice) -> Case {
+    let c = common(dice);
+    let half = [0, 1].map(|_| c.radius + c.wall + number(dice, 0.0, 4.0 * c.radius));
+    let most = half[0].min(half[1]);
+    let corner = if dice.roll(3) == 0 { 0.0 } else { number(dice, c.radius, most.max(c.radius + 0.001)).min(most) };
+    let corner = if corner < c.radius { 0.0 } else { corner };
+    let turn = if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.0, 180.0) };
+    let (tens, rad, pitch) = insertion(dice, 3, c.radius);
+    let mut text = header(c.radius, "7");
+    let reference = dice.roll(5);
+    let corner_of = [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]][reference];
+    let gmode = if reference == 0 { 0 } else { 1000 * (reference + 1) };
+    let (sin, cos) = turn.to_radians().sin_cos();
+    let (dx, dy) = (corner_of[0] * half[0], corner_of[1] * half[1]);
+    let centre = [c.at[0] + dx * cos - dy * sin, c.at[1] + dx * sin + dy * cos];
+    let call = |text: &mut String, vari: usize, feed: f64| {
+        let Common { depth, step, wall, floor, width, direction, at: [x, y], .. } = c;
+        let _ = writeln!(
+            text,
+            "POCKET3(10,0,2,{},{},{},{corner},{x},{y},{turn},{step},{wall},{floor},{feed},{PLUNGE},{direction},{vari},{width},0,0,0,{rad},{pitch},0,1,2,{gmode},1,0)",
+            -depth,
+            2.0 * half[0],
+            2.0 * half[1]
+        );
+    };
+    let finish = finish_calls(dice, &mut text, tens, call);
+    let outline = Outline::Rectangle { half, corner };
+    case(text, outline, vec![(centre, turn)], &c, finish)
+}
+
+/// The calls that rough, and those that finish.
+fn finish_calls(dice: &mut Dice, text: &mut String, tens: usize, call: impl Fn(&mut String, usize, f64)) -> [bool; 2] {
+    call(text, 1 + 10 * tens, ROUGH);
+    let finish = match dice.roll(4) {
+        0 => [false, false],
+        1 => [true, true],
+        2 => [true, false],
+        _ => [false, true],
+    };
+    match finish {
+        [true, true] => call(text, 12, FINISH),
+        [true, false] => call(text, 14, FINISH),
+        [false, true] => call(text, 13, FINISH),
+        [false, false] => {}
+    }
+    text.push_str("M30\n");
+    finish
+}
+
+fn circle(dice: &mut Dice) -> Case {
+    let c = common(dice);
+    // A pocket of one point would have no cut in the plane by whose feed its phases are told apart.
+    let size = c.radius + c.wall + number(dice, 0.01, 5.0 * c.radius);
+    let (tens, rad, pitch) = insertion(dice, 2, c.radius);
+    let helical = if dice.roll(3) == 0 { 1000 } else { 0 };
+    let mut text = header(c.radius, "7");
+    let call = |text: &mut String, vari: usize, feed: f64| {
+        let Common { depth, step, wall, floor, width, direction, at: [x, y], .. } = c;
+        let _ = writeln!(
+            text,
+            "POCKET4(10,0,2,{depth},{},{x},{y},{step},{wall},{floor},{feed},{PLUNGE},{direction},{},{width},0,0,{rad},{pitch},0,1,2,0,1,1)",
+            2.0 * size,
+            vari + helical
+        );
+    };
+    let finish = finish_calls(dice, &mut text, tens, call);
+    case(text, Outline::Circle { radius: size }, vec![(c.at, 0.0)], &c, finish)
+}
+
+fn slots(dice: &mut Dice) -> Case {
+    let c = common(dice);
+    let bow = dice.roll(2) == 0;
+    let half = c.radius + number(dice, 0.0, 2.5 * c.radius);
+    let wall = c.wall.min(half - c.radius);
+    let count = 1 + dice.roll(3);
+    let start = number(dice, 0.0, 360.0);
+    let index = 360.0 / count as f64;
+    let (sway, angle) = if dice.roll(2) == 0 { (10, 0.0) } else { (30, number(dice, 0.0, 20.0)) };
+    let unit = [0, 1][dice.roll(2)];
+    let vari = unit + sway;
+    let midf = if dice.roll(2) == 0 { 0.0 } else { number(dice, 1.0, 5.0) };
+    let Common { radius, depth, step, direction, at: [x, y], .. } = c;
+    let mut text = header(radius, "7");
+    let places = (0..count).map(|i| ([x, y], start + i as f64 * index)).collect();
+    let outline = if bow {
+        let about = half * 2.0 + number(dice, 0.0, 20.0) + 3.0 * half;
+        let room = (half / about).asin().to_degrees() * 2.2;
+        let sweep = number(dice, 5.0, (index - room).max(6.0)).min(350.0 - room);
+        let _ = writeln!(
+            text,
+            "SLOT2(10,0,2,,{depth},{count},{sweep},{},{x},{y},{about},{start},0,{PLUNGE},{ROUGH},{step},{direction},{wall},{},{midf},{FINISH},0,0,0,1,2,0,1,1)",
+            2.0 * half,
+            vari - if sway == 30 { 20 } else { 0 },
+        );
+        Outline::Bow { radius: about, sweep: sweep.to_radians(), half }
+    } else {
+        let rad = half * 2.0 + number(dice, 0.0, 20.0);
+        let length = 2.0 * half + number(dice, 0.5, 40.0);
+        let _ = writeln!(
+            text,
+            "SLOT1(10,0,2,,{depth},{count},{length},{},{x},{y},{rad},{start},0,{PLUNGE},{ROUGH},{step},{direction},{wall},{vari},{midf},{FINISH},0,{},{angle},0,0,1,2,0,1,1)",
+            2.0 * half,
+            c.floor
+        );
+        Outline::Slot { from: rad + half, to: rad + length - half, half }
+    };
+    text.push_str("M30\n");
+    let floor = if bow { 0.0 } else { c.floor };
+    let c = Common { wall, floor, ..c };
+    case(text, outline, places, &c, [unit == 0, unit == 0])
+}
+
+fn case(text: String, outline: Outline, places: Vec<([f64; 2], f64)>, c: &Common, finish: [bool; 2]) -> Case {
+    let Common { radius, depth, step, wall, floor, .. } = *c;
+    Case { text, outline, places, radius, depth, step, wall, floor, rough: true, finish }
+}
+
+#[test]
+fn pockets_at_random_keep_the_properties_of_cycles() {
+    let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
+    let (count, seed) = (from("PARTC_POCKETS", 250), from("PARTC_POCKETS_SEED", 1));
+    let settings = Settings::default();
+    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+    let mut bad = Vec::new();
+    for _ in 0..count {
+        let shift = dice.roll(100) as f64 / 100.0;
+        let case = random(&mut dice);
+        if let Err(why) = case.judge(&settings, shift) {
+            bad.push(format!("{why}\n{}{case:?}", case.text));
+        }
+    }
+    bad.sort_by_key(String::len);
+    assert!(bad.is_empty(), "{} of {count} fail, such as\n{}", bad.len(), bad[..bad.len().min(4)].join("\n\n"));
+}
