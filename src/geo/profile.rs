@@ -297,7 +297,7 @@ impl Profile {
         Some((self.pieces.first()?.from.x, self.pieces.last()?.to.x))
     }
 
-    fn from_place(&self, x: f64) -> &[Piece] {
+    fn beginning_at(&self, x: f64) -> &[Piece] {
         let first = self.pieces.partition_point(|piece| piece.to.x <= x + NARROW);
         self.pieces.get(first..).unwrap_or_default()
     }
@@ -314,20 +314,20 @@ impl Profile {
     /// Where the outline first runs on a circle about `center`, from `from` on.
     pub fn first_about(&self, center: Point2, from: f64) -> Option<Point2> {
         let on = |piece: &&Piece| matches!(piece.curve, Curve::Circle { center: own, .. } if distance(own, center) < SAME_CURVE);
-        let piece = self.from_place(from).iter().find(on)?;
+        let piece = self.beginning_at(from).iter().find(on)?;
         let x = piece.from.x.max(from);
         Some(Point2::new(x, piece.y(x)))
     }
 
     /// Greatest height between two places.
     pub fn highest(&self, from: f64, to: f64) -> f64 {
-        let inside = self.from_place(from).iter().take_while(|piece| piece.from.x <= to);
+        let inside = self.beginning_at(from).iter().take_while(|piece| piece.from.x <= to);
         inside.map(|piece| piece.y(from).max(piece.y(to))).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The lowest point between two places.
     pub fn lowest(&self, from: f64, to: f64) -> Option<Point2> {
-        let inside = self.from_place(from).iter().take_while(|piece| piece.from.x < to - NARROW);
+        let inside = self.beginning_at(from).iter().take_while(|piece| piece.from.x < to - NARROW);
         let points = inside.flat_map(|piece| {
             let part = piece.part(from, to);
             [part.from, part.to]
@@ -338,7 +338,7 @@ impl Profile {
     /// The first place from `from` on where the outline is higher than `y`.
     pub fn first_above(&self, y: f64, from: f64) -> Option<f64> {
         let above = y + LEVEL;
-        self.from_place(from).iter().find_map(|piece| {
+        self.beginning_at(from).iter().find_map(|piece| {
             let start = piece.from.x.max(from);
             if piece.y(start) > above {
                 Some(start)
@@ -353,7 +353,7 @@ impl Profile {
     /// The way that never falls, from `start` on the outline up to the height `top`: what falls away is bridged level.
     pub fn climb(&self, start: Point2, top: f64) -> Vec<Leg> {
         let mut way = Way::new(start);
-        for piece in self.from_place(start.x) {
+        for piece in self.beginning_at(start.x) {
             if way.at.y >= top - LEVEL {
                 break;
             }
@@ -381,7 +381,7 @@ impl Profile {
     /// The way along the outline from one point of it to another, farther on.
     pub fn follow(&self, start: Point2, end: Point2) -> Vec<Leg> {
         let mut way = Way::new(start);
-        for piece in self.from_place(start.x).iter().take_while(|piece| piece.from.x < end.x - NARROW) {
+        for piece in self.beginning_at(start.x).iter().take_while(|piece| piece.from.x < end.x - NARROW) {
             let part = piece.part(piece.from.x.max(start.x), piece.to.x.min(end.x));
             if distance(way.at, part.from) > super::SAME_POINT {
                 way.line(part.from);
@@ -401,7 +401,7 @@ impl Profile {
         // Where the dip under way begins, and its lowest height.
         let mut open: Option<(f64, f64)> = None;
         let mut last = from.x;
-        for piece in self.from_place(from.x) {
+        for piece in self.beginning_at(from.x) {
             let start = piece.from.x.max(from.x);
             for (x, y) in [(start, piece.y(start)), (piece.to.x, piece.to.y)] {
                 let falls = y < rim - LEVEL;

@@ -37,7 +37,7 @@ impl LongHole {
     /// The holes, each from its end that is nearer to where the tool comes from.
     pub fn in_order(&self, from: Option<Point2>) -> Vec<[Point2; 2]> {
         // Every level is one way.
-        let back = self.mill.heights.levels().len() % 2 == 0;
+        let back = self.mill.heights.levels().len().is_multiple_of(2);
         let mut at = from;
         let mut nearer = |[a, b]: [Point2; 2]| {
             let turned = at.is_some_and(|at| distance(at, b) < distance(at, a));
@@ -60,7 +60,7 @@ impl Family for LongHole {
 
     /// Above the end of the last way.
     fn leaves(&self, at: &mut Pos) {
-        let back = self.mill.heights.levels().len() % 2 == 0;
+        let back = self.mill.heights.levels().len().is_multiple_of(2);
         if let Some(hole) = self.in_order(at.in_plane(self.mill.plane)).last() {
             self.mill.leaves_above(hole[usize::from(!back)], at);
         }

@@ -119,7 +119,7 @@ impl Shape {
                 let normals = [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(0.0, -1.0)];
                 let vertices = [(x, y), (-x, y), (-x, -y), (x, -y)].map(|(x, y)| Point2::new(x, y));
                 let round = Round { corner, distance };
-                round.from_an_edge(Point2::new(x + distance, 0.0), &normals, &vertices)
+                round.edge_first(Point2::new(x + distance, 0.0), &normals, &vertices)
             }
             Shape::Polygon { edges, apothem, starts } => {
                 let half = half_angle(edges);
@@ -136,8 +136,8 @@ impl Shape {
                     .collect();
                 let round = Round { corner: 0.0, distance };
                 match starts {
-                    Starts::Edge => round.from_an_edge(Point2::new(apothem + distance, 0.0), &normals, &vertices),
-                    Starts::Corner => round.from_a_corner(&normals, &vertices),
+                    Starts::Edge => round.edge_first(Point2::new(apothem + distance, 0.0), &normals, &vertices),
+                    Starts::Corner => round.corner_first(&normals, &vertices),
                 }
             }
         }
@@ -166,7 +166,7 @@ impl Round {
     }
 
     /// `vertices[i]` lies between the edges of `normals[i]` and the next one; the start lies on the first edge.
-    fn from_an_edge(&self, start: Point2, normals: &[Vec2], vertices: &[Point2]) -> Vec<Element> {
+    fn edge_first(&self, start: Point2, normals: &[Vec2], vertices: &[Point2]) -> Vec<Element> {
         let mut elements = Vec::with_capacity(2 * vertices.len() + 1);
         let mut at = start;
         for (i, vertex) in vertices.iter().enumerate() {
@@ -180,7 +180,7 @@ impl Round {
     }
 
     /// The last vertex lies on the first axis: the circuit starts in the middle of its arc.
-    fn from_a_corner(&self, normals: &[Vec2], vertices: &[Point2]) -> Vec<Element> {
+    fn corner_first(&self, normals: &[Vec2], vertices: &[Point2]) -> Vec<Element> {
         let count = vertices.len();
         let arcs: Vec<Element> = (0..count)
             .map(|i| self.arc(vertices[(i + count - 1) % count], [normals[(i + count - 1) % count], normals[i]]))

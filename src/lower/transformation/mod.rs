@@ -167,7 +167,9 @@ impl Transformer {
         let Some((_, angle)) = started else {
             return match mv.path {
                 Path::Rapid => self.arrive(mv, to, origin, out),
-                _ => Err(self.no_start(origin)),
+                Path::Line(_) | Path::Arc(..) | Path::Carried { .. } | Path::Thread { .. } => {
+                    Err(self.no_start(origin))
+                }
             };
         };
         let way = Way::new(&self.at, mv);

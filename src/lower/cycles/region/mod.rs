@@ -253,7 +253,7 @@ impl Tool<'_> {
                     let height = if stroke >= strokes { to } else { from + (to - from) * done };
                     self.cutter.fall(if stroke % 2 == 1 { &there } else { &back }, height, feed);
                 }
-                if strokes % 2 == 0 {
+                if strokes.is_multiple_of(2) {
                     self.cutter.line(begin, feed);
                 }
             }
