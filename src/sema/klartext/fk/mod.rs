@@ -132,6 +132,8 @@ impl Run<'_> {
         let result = result.and_then(|()| if ends { self.close_contour() } else { self.flush() });
         if result.is_err() {
             self.abandon_contour();
+            // The element that it leads to is the one that was refused.
+            self.approach = None;
             self.lose_all();
         }
         result
@@ -296,6 +298,7 @@ impl Run<'_> {
         let result = result.and_then(|()| self.flush());
         if result.is_err() {
             self.abandon_contour();
+            self.approach = None;
             self.lose_all();
         }
         result
