@@ -127,6 +127,7 @@ impl CycleCall<'_, '_> {
             let (key, alarm) = match fault {
                 RegionFault::Mill(fault) => return self.mill_fault(&ALONG_CONTOURS, fault),
                 RegionFault::Width | RegionFault::TooManyRings => (DXY, 61111),
+                RegionFault::Pitch => (EP, 61019),
                 RegionFault::Insertion | RegionFault::Number | RegionFault::Nothing => (VARI, 61019),
             };
             let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));

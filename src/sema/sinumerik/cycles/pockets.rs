@@ -468,6 +468,8 @@ impl CycleCall<'_, '_> {
             PocketFault::Corner => (CRAD, Some(61113), "give at most half of the smaller side"),
             PocketFault::Length => (LENG, Some(61118), "a slot is longer than it is wide"),
             PocketFault::Width | PocketFault::TooManyRings => (MIDA, Some(61111), "give a usual width of a cut"),
+            PocketFault::Pitch => (DP1, Some(61019), "give the depth of one turn"),
+            PocketFault::FinishingStep => (MIDF, Some(61019), "give a larger infeed, or 0 for one cut"),
             PocketFault::Insertion => (VARI, Some(61019), "check the data of the insertion"),
             PocketFault::Number | PocketFault::Nothing => (VARI, Some(61019), "check the arguments of the cycle"),
         };
