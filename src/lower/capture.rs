@@ -88,6 +88,7 @@ impl Recording {
             Some(at) => {
                 self.started = true;
                 (self.made.plane, self.made.start) = (plane, at);
+                self.made.leaves_at_start = step.leaves(plane).then_some(step.origin);
                 Ok(())
             }
             None => Err(Unfit::NoStart(step.origin)),

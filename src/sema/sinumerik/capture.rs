@@ -7,7 +7,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Where, step};
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::calls::FrameKind;
 use super::cycles::{ContourCall, MOST_ELEMENTS};
@@ -25,11 +25,13 @@ pub(super) struct Capture {
     /// Something in it was refused.
     failed: bool,
     name: String,
+    /// What the contour holds and a milling cycle has its own of, each once.
+    beside: Vec<(&'static str, Loc)>,
 }
 
 impl Run<'_> {
     /// Runs the blocks of a contour.
-    pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
+    pub(super) fn capture(&mut self, call: &ContourCall, milled: bool) -> Outcome<Captured> {
         let here = self.here;
         let back = self.place();
         let before = self.enter_capture(call);
@@ -52,7 +54,28 @@ impl Run<'_> {
             self.stop_run();
             return self.contour_fault(call, Where::Block, None, "the program jumps out of the contour");
         }
-        made.or_else(|unfit| self.unfit(call, unfit))
+        let made = made.or_else(|unfit| self.unfit(call, unfit))?;
+        if milled {
+            self.says_words_beside(&capture, &made);
+        }
+        Ok(made)
+    }
+
+    /// Names what a milling cycle does not take from its contour.
+    fn says_words_beside(&mut self, capture: &Capture, made: &Captured) {
+        let mut words: Vec<&str> = capture.beside.iter().map(|(word, _)| *word).collect();
+        let mut place = capture.beside.first().map(|(_, loc)| *loc);
+        if let Some(origin) = made.leaves_at_start {
+            words.push("an axis outside its plane in its first move");
+            place = place.or(Some(origin.loc));
+        }
+        let Some(place) = place else { return };
+        let message =
+            format!("the milling cycle does not take {} from the contour `{}`", words.join(", "), capture.name);
+        if self.job.diags.first_text(codes::S8242, &message) {
+            let help = "feeds, side and depth of the cycle count; take these words out of the contour";
+            self.report(Diagnostic::new(codes::S8242, place, message).help(help));
+        }
     }
 
     /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
@@ -60,7 +83,13 @@ impl Run<'_> {
         let before = (self.st.clone(), self.vars.clone());
         self.st.begin_contour();
         let below = self.levels.len();
-        self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
+        self.capture = Some(Box::new(Capture {
+            below,
+            complete: false,
+            failed: false,
+            name: call.name.clone(),
+            beside: Vec::new(),
+        }));
         self.channel.core.out.contour_begins(MOST_ELEMENTS, &self.channel.st.ctx, &self.channel.core.here.origin);
         before
     }
@@ -123,6 +152,16 @@ impl Channel<'_> {
             "move it in front of the call of the cycle: in which pass the control would carry it out is not known",
         );
         true
+    }
+
+    /// A word of a contour that shapes no element.
+    pub(super) fn word_beside_contour(&mut self, word: &'static str, span: Span) {
+        let loc = self.loc(span);
+        if let Some(capture) =
+            self.capture.as_mut().filter(|capture| capture.beside.iter().all(|(known, _)| *known != word))
+        {
+            capture.beside.push((word, loc));
+        }
     }
 
     /// An axis that moves by itself is no path.

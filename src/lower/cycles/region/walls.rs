@@ -137,8 +137,7 @@ pub fn roomiest(low: Point2, high: Point2, room: impl Fn(Point2) -> f64) -> Opti
     squares.retain(|(_, room)| room + reach(half) >= highest.1);
     squares.sort_by(|a, b| before(&a.0, &b.0));
     let climbs = squares.iter().take(MOST_CLIMBS).map(|(p, _)| climbed(*p, half, &room));
-    let found = climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest);
-    Some(rounded(found, &room))
+    Some(climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest))
 }
 
 /// Squares along a side at first.
@@ -146,19 +145,11 @@ const CELLS: usize = 12;
 /// Squares become smaller than this part of the box.
 const FINEST: f64 = 400.0;
 /// Rooms that differ by less are equal, mm.
-const EQUAL: f64 = 1e-3;
+const EQUAL: f64 = 1e-6;
 const MOST_CLIMBS: usize = 100;
 
 fn before(a: &Point2, b: &Point2) -> core::cmp::Ordering {
     a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
-}
-
-/// The same point in thousandths, where it is as good.
-fn rounded((p, known): (Point2, f64), room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
-    let whole = |v: f64| libm::round(v * 1000.0) / 1000.0;
-    let near = Point2::new(whole(p.x), whole(p.y));
-    let there = room(near);
-    if there >= known - EQUAL { (near, there) } else { (p, known) }
 }
 
 /// From `p` to where no step leads to more room, with steps from `step` down.

@@ -139,7 +139,10 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
         }
         match self.known_radius() {
-            Some(radius) if radius > 0.0 => Ok(radius),
+            Some(radius) if radius > 0.0 => {
+                self.corners_of_cutter(radius);
+                Ok(radius)
+            }
             known => {
                 let what = if known.is_some() { "is not above 0" } else { "is not known" };
                 let message = format!("{}: the radius of tool {number} {what}", args.name());
@@ -149,6 +152,23 @@ impl CycleCall<'_, '_> {
                 );
                 self.fail_help(codes::S2241.alarm(61000), args.span, message, &help)
             }
+        }
+    }
+
+    /// The paths are those of a cutter with sharp corners.
+    fn corners_of_cutter(&self, radius: f64) {
+        let rounding = self.active_tool().and_then(|tool| tool.corner_radius).filter(|rounding| *rounding > 0.0);
+        let Some(rounding) = rounding else { return };
+        let message = format!(
+            "{}: the corner radius {rounding} mm of the cutter, radius {radius} mm, is not counted: it stays at the foot of walls, and as cusps on \
+             floors where the infeed in the plane is larger than {} mm",
+            self.args.name(),
+            2.0 * (radius - rounding).max(0.0)
+        );
+        if self.job.diags.first_text(codes::S8241, &message) {
+            let help =
+                "finish the floor with a smaller infeed in the plane, or with a cutter that has no corner radius";
+            self.report(Diagnostic::new(codes::S8241, self.loc(self.args.span), message).help(help));
         }
     }
 

@@ -131,7 +131,8 @@ impl CycleCall<'_, '_> {
             1 => left_hand,
             2 => !left_hand,
             _ => {
-                self.own_way("no sense is given: the tool climbs, and the thread is right-hand");
+                let hand = if left_hand { "left-hand" } else { "right-hand" };
+                self.own_way(&format!("no sense is given: the tool climbs, and the thread is {hand}"));
                 climbs
             }
         };
