@@ -241,6 +241,16 @@ impl Pocket {
         asked.min(radius).min(self.shape.helix_room(self.rough_distance())).max(0.0)
     }
 
+    /// Half of the longest way to and fro.
+    pub fn sway_room(&self) -> f64 {
+        match (self.shape, self.shape.room(self.rough_distance())) {
+            (Shape::Slot { from, to, .. }, _) => (to - from) / 2.0,
+            (Shape::Bow { radius, sweep, .. }, _) => radius * sweep.radians() / 2.0,
+            (_, Room::Rectangle([x, y])) => x.max(y).max(0.0),
+            (_, Room::Around(half)) => half.max(0.0),
+        }
+    }
+
     /// The radius of the arc on which the finishing cut comes to the wall.
     pub fn approach_radius(&self) -> f64 {
         APPROACH.max(self.allowance).min(self.shape.room(self.mill.radius).least())

@@ -46,6 +46,8 @@ pub struct Entry {
     pub room: f64,
     /// From a start point that was asked for straight on to where there is most room.
     pub then: Option<Point2>,
+    /// Where strokes to and fro end, which begin here.
+    pub stroke: Option<Point2>,
 }
 
 /// Outline and islands, ready for rings.

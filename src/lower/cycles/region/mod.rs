@@ -5,7 +5,7 @@ mod loops;
 mod walls;
 
 use crate::diag::codes;
-use crate::geo::{Element, Point2, distance, left};
+use crate::geo::{Deg, Element, Point2, distance, left};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::pocket::{Finish, Insertion};
@@ -24,6 +24,8 @@ const NOTHING: f64 = 1e-4;
 /// Radius of the arc on which a wall is approached, mm; it becomes smaller where the walls are near.
 const APPROACH: f64 = 2.0;
 const SMALLEST_APPROACH: f64 = 0.1;
+/// Directions in which strokes to and fro are tried.
+const STROKE_DIRECTIONS: u32 = 72;
 /// How much the room of a place may lose against the step of the rings, mm.
 const ROOM: f64 = 5e-3;
 /// Points nearer than this to the start of an element are that start, mm.
@@ -56,8 +58,8 @@ impl Expand for Region {
         if self.finish.is_some_and(|finish| finish.wall) && wall.is_empty() {
             return Err(no_room());
         }
-        if rough.iter().any(|part| self.sways_for_ever(part)) {
-            return Err(endless_strokes());
+        for part in &rough {
+            self.check_insertion(part, radius + self.allowance)?;
         }
         let cutter = Cutter::new(&self.mill, Place::HERE, start, out);
         let mut tool = Tool {
@@ -114,6 +116,12 @@ fn start_point() -> Failure {
     )
 }
 
+fn no_insertion(what: &str) -> Failure {
+    let help =
+        "take a smaller cutter, or 0 in the tens of `_VARI` for straight down, which needs a cutter that can plunge";
+    Failure::new(codes::G3321, what, help)
+}
+
 fn unproved() -> Failure {
     Failure::new(
         codes::G3321,
@@ -155,25 +163,45 @@ impl Region {
         if taken { Ok(inner) } else { Err(start_point()) }
     }
 
-    /// Half of the way of an insertion about a point that is `found` from the walls; 0 for one straight down.
-    fn arm(&self, found: f64, least: f64) -> f64 {
-        let radius = self.mill.radius;
-        let room = (found - least).max(0.0).min(radius);
-        let arm = match self.insertion {
-            Insertion::Helix { radius, .. } => radius.min(room),
-            Insertion::Sway { .. } => room,
-            Insertion::Predrilled | Insertion::Vertical => 0.0,
-        };
-        if arm < SMALLEST_APPROACH { 0.0 } else { arm }
+    /// Radius of the helix at a place that is `room` from the walls; 0 for one straight down.
+    fn helix_arm(&self, room: f64, least: f64) -> f64 {
+        match self.insertion {
+            Insertion::Helix { radius, .. } => radius.min(room - least).min(self.mill.radius).max(0.0),
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => 0.0,
+        }
     }
 
-    /// Is the angle so small that the strokes into a place of this part do not end?
-    fn sways_for_ever(&self, part: &Part) -> bool {
-        let Insertion::Sway { angle } = self.insertion else { return false };
-        let arm = part.entry.map_or(0.0, |entry| self.arm(entry.room, self.mill.radius + self.allowance));
+    /// The longest way from a place on which strokes to and fro keep off the walls, up to two diameters of the cutter.
+    fn stroke(&self, from: Point2, walls: &Walls, least: f64) -> Option<Point2> {
+        let lengths = [4.0, 3.0, 2.0, 1.0, 0.5, 0.25].map(|part| part * self.mill.radius);
+        lengths.into_iter().find_map(|length| {
+            let ends = (0..STROKE_DIRECTIONS).map(|i| {
+                let (sin, cos) = Deg(360.0 * f64::from(i) / f64::from(STROKE_DIRECTIONS)).sin_cos();
+                Point2::new(from.x + length * cos, from.y + length * sin)
+            });
+            ends.into_iter().find(|end| walls.is_free(from, *end, least))
+        })
+    }
+
+    /// Is there room for the insertion, and does it end?
+    fn check_insertion(&self, part: &Part, least: f64) -> Result<(), Failure> {
+        for inner in &part.inner {
+            self.check_insertion(inner, least)?;
+        }
+        let Some(entry) = part.entry else { return Ok(()) };
         let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
-        arm > 0.0 && strokes(step, 2.0 * arm, angle) > MOST_LEVELS
-            || part.inner.iter().any(|inner| self.sways_for_ever(inner))
+        match (self.insertion, entry.stroke) {
+            (Insertion::Helix { radius, .. }, _)
+                if radius >= SMALLEST_APPROACH && self.helix_arm(entry.room, least) < SMALLEST_APPROACH =>
+            {
+                Err(no_insertion("the walls leave no room for the helix"))
+            }
+            (Insertion::Sway { .. }, None) => Err(no_insertion("the walls leave no room for strokes to and fro")),
+            (Insertion::Sway { angle }, Some(end)) if strokes(step, distance(entry.at, end), angle) > MOST_LEVELS => {
+                Err(endless_strokes())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Finds where the tool is inserted into the parts that have nothing deeper. The start point counts for the first of them that
@@ -191,11 +219,15 @@ impl Region {
         if found.room > part.away + step + ROOM {
             return Err(unproved());
         }
-        part.entry = Some(found);
+        let stroke = |from: Point2| match self.insertion {
+            Insertion::Sway { .. } if self.rough => self.stroke(from, walls, least),
+            _ => None,
+        };
+        part.entry = Some(Entry { stroke: stroke(found.at), ..found });
         let (Some(start), false) = (self.start, *taken) else { return Ok(()) };
         let then = (!part.holds(start)).then_some(found.at);
         if then.is_none_or(|then| walls.is_free(start, then, least)) {
-            part.entry = Some(Entry { at: start, room: walls.distance(start), then });
+            part.entry = Some(Entry { at: start, room: walls.distance(start), then, stroke: stroke(start) });
             *taken = true;
         }
         Ok(())
@@ -211,11 +243,11 @@ fn entry(part: &Part, walls: &Walls) -> Option<Entry> {
         high = Point2::new(high.x.max(p.x), high.y.max(p.y));
     }
     let found = roomiest(low, high, |p| if part.holds(p) { walls.distance(p) } else { -part.outer.away(p) });
-    found.map(|(at, room)| Entry { at, room, then: None })
+    found.map(|(at, room)| Entry { at, room, then: None, stroke: None })
 }
 
 fn entry_of(part: &Part, least: f64) -> Entry {
-    part.entry.unwrap_or(Entry { at: part.outer.start(), room: least, then: None })
+    part.entry.unwrap_or(Entry { at: part.outer.start(), room: least, then: None, stroke: None })
 }
 
 struct Tool<'a> {
@@ -275,15 +307,16 @@ impl Tool<'_> {
     fn insert_into(&mut self, part: &Part, least: f64, from: f64, to: f64) {
         let heights = self.region.mill.heights;
         let entry = entry_of(part, least);
-        let (point, arm) = (entry.at, self.region.arm(entry.room, least));
-        let begin = Point2::new(point.x + arm, point.y);
+        let arm = self.region.helix_arm(entry.room, least);
+        let arm = if arm < SMALLEST_APPROACH { 0.0 } else { arm };
+        let begin = Point2::new(entry.at.x + arm, entry.at.y);
         self.go_over(begin);
         if self.region.insertion == Insertion::Predrilled {
             self.cutter.lift(to);
         } else {
             self.cutter.lift(if from == heights.reference { heights.safe() } else { heights.above_cleared(from) });
             self.cutter.plunge(from);
-            self.down(begin, point, arm, from, to);
+            self.down(begin, &entry, arm, from, to);
         }
         self.at = Some(begin);
         self.go_on(&entry, self.region.mill.feeds.plane);
@@ -299,18 +332,18 @@ impl Tool<'_> {
         }
     }
 
-    fn down(&mut self, begin: Point2, point: Point2, arm: f64, from: f64, to: f64) {
+    fn down(&mut self, begin: Point2, entry: &Entry, arm: f64, from: f64, to: f64) {
         let (feed, ccw) = (self.region.mill.feeds.depth, self.region.counter_clockwise);
-        match self.region.insertion {
-            Insertion::Helix { pitch, .. } if arm > 0.0 => {
+        match (self.region.insertion, entry.stroke) {
+            (Insertion::Helix { pitch, .. }, _) if arm > 0.0 => {
                 let turns = parts((from - to).abs(), pitch).min(MOST_LEVELS) as u32;
-                self.cutter.helix(point, ccw, turns, to, feed);
-                self.cutter.arc(begin, point, ccw, feed);
+                self.cutter.helix(entry.at, ccw, turns, to, feed);
+                self.cutter.arc(begin, entry.at, ccw, feed);
             }
-            Insertion::Sway { angle } if arm > 0.0 => {
-                let there = Element::Line { from: begin, to: Point2::new(point.x - arm, point.y) };
+            (Insertion::Sway { angle }, Some(end)) => {
+                let there = Element::Line { from: begin, to: end };
                 let back = reversed(&there);
-                let strokes = strokes((from - to).abs(), 2.0 * arm, angle);
+                let strokes = strokes((from - to).abs(), there.length(), angle);
                 for stroke in 1..=strokes + 1 {
                     let done = stroke.min(strokes) as f64 / strokes as f64;
                     let height = if stroke >= strokes { to } else { from + (to - from) * done };

@@ -95,6 +95,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the pitch of the helix `_EP` (argument {}) is 0 or missing", args.place(EP));
                     return self.cycle_fault(args.span_of(EP), 61019, &message, "give the depth of one turn");
                 }
+                self.own_way("the helix becomes smaller where the walls leave less room");
                 Insertion::Helix { radius, pitch }
             }
             2 => {

@@ -347,7 +347,7 @@ impl CycleCall<'_, '_> {
                 "the retraction plane lies on the far side of the surface, seen from the depth",
             ),
             MillFault::RetractBelowStart => {
-                (names.retract, Some(61101), "the retraction plane lies above the surface plus the safety distance")
+                (names.retract, None, "partc wants the retraction plane above the surface plus the safety distance")
             }
             MillFault::FloorAllowance => (names.floor, Some(61010), "give a smaller allowance on the floor"),
             MillFault::TooManyLevels => (names.step, Some(61019), "give a larger infeed in depth"),

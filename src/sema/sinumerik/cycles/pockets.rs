@@ -22,6 +22,8 @@ const WITH_RADIUS: usize = 19;
 const CLASSIC_SLOT: usize = 22;
 /// Most slots of a call.
 const MOST_SLOTS: i32 = 1000;
+/// Smaller helices and strokes are none, mm.
+const SMALLEST_ARM: f64 = 0.1;
 /// The part of the cutter that is a cut's width where the cycle has no argument for it.
 const USUAL_WIDTH: f64 = 0.8;
 
@@ -460,16 +462,32 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = pocket.check() {
             return self.pocket_fault(&pocket, fault);
         }
-        if let Insertion::Helix { radius, .. } = pocket.insertion
-            && pocket.rough
-            && radius.min(pocket.mill.radius) > pocket.helix_radius(radius)
-        {
-            let message = format!("the radius of the helix is {} mm only", pocket.helix_radius(radius));
-            self.says_once(&message, "the pocket has no room for more");
-        }
+        self.insertion_has_room(&pocket);
         self.own_way("the rings of a level, and how the tool comes to the wall, are those of partc");
         self.send_cycle(Cycle::Pocket(pocket));
         Ok(())
+    }
+
+    /// Says where the way down is another one than asked for.
+    fn insertion_has_room(&self, pocket: &Pocket) {
+        let straight = "the pocket has no room for it; a cutter that cannot plunge breaks";
+        match pocket.insertion {
+            Insertion::Helix { radius, .. } if pocket.rough => {
+                let made = pocket.helix_radius(radius);
+                if made < SMALLEST_ARM {
+                    self.says_once("there is no room for the helix: the tool goes straight down", straight);
+                } else if radius.min(pocket.mill.radius) > made {
+                    self.says_once(
+                        &format!("the radius of the helix is {made:.3} mm only"),
+                        "the pocket has no room for more",
+                    );
+                }
+            }
+            Insertion::Sway { .. } if pocket.rough && pocket.sway_room() < SMALLEST_ARM => {
+                self.says_once("there is no room to go to and fro: the tool goes straight down", straight);
+            }
+            _ => {}
+        }
     }
 
     fn pocket_fault(&self, pocket: &Pocket, fault: PocketFault) -> Outcome {
