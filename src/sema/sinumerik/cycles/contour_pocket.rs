@@ -95,6 +95,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the pitch of the helix `_EP` (argument {}) is 0 or missing", args.place(EP));
                     return self.cycle_fault(args.span_of(EP), 61019, &message, "give the depth of one turn");
                 }
+                self.own_way("the helix becomes smaller where the walls leave less room");
                 Insertion::Helix { radius, pitch }
             }
             2 => {
@@ -127,6 +128,7 @@ impl CycleCall<'_, '_> {
             let (key, alarm) = match fault {
                 RegionFault::Mill(fault) => return self.mill_fault(&ALONG_CONTOURS, fault),
                 RegionFault::Width | RegionFault::TooManyRings => (DXY, 61111),
+                RegionFault::Pitch => (EP, 61019),
                 RegionFault::Insertion | RegionFault::Number | RegionFault::Nothing => (VARI, 61019),
             };
             let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));
