@@ -9,6 +9,7 @@ mod geometry;
 mod grooves;
 mod klartext;
 mod klartext_free_contours;
+mod klartext_machining;
 mod klartext_readings;
 mod layers;
 mod milling;
@@ -27,6 +28,7 @@ pub use geometry::*;
 pub use grooves::*;
 pub use klartext::*;
 pub use klartext_free_contours::*;
+pub use klartext_machining::*;
 pub use klartext_readings::*;
 pub use layers::*;
 pub use milling::*;
@@ -108,6 +110,7 @@ pub fn all() -> Vec<&'static Code> {
         general::GENERAL,
         klartext::KLARTEXT,
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,
+        klartext_machining::KLARTEXT_MACHINING,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
         grooves::GROOVES,
