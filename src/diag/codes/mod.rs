@@ -8,6 +8,7 @@ mod general;
 mod geometry;
 mod grooves;
 mod klartext;
+mod klartext_cycles;
 mod klartext_free_contours;
 mod klartext_machining;
 mod klartext_readings;
@@ -27,6 +28,7 @@ pub use general::*;
 pub use geometry::*;
 pub use grooves::*;
 pub use klartext::*;
+pub use klartext_cycles::*;
 pub use klartext_free_contours::*;
 pub use klartext_machining::*;
 pub use klartext_readings::*;
@@ -109,6 +111,7 @@ pub fn all() -> Vec<&'static Code> {
     let mut list: Vec<_> = [
         general::GENERAL,
         klartext::KLARTEXT,
+        klartext_cycles::KLARTEXT_CYCLES,
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,
         klartext_machining::KLARTEXT_MACHINING,
         klartext_readings::KLARTEXT_READINGS,

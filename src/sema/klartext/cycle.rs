@@ -14,8 +14,8 @@ use crate::text::Span;
 
 use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::DefinedCycle;
+use super::cycles::call::{Call, Retract};
 use super::cycles::{Nature, find};
-use super::machining::{Call, Retract};
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
 

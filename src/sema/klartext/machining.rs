@@ -5,55 +5,21 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
 
+use super::cycles::call::{Call, Heights};
 use super::cycles::{CLEARANCE, DefinedCycle, Nature, Q, SECOND_CLEARANCE, SURFACE};
 use super::{Outcome, Reported, Run};
 
 /// Longest dwell in seconds.
 const LONGEST: f64 = 3600.0;
 
-/// How a cycle is called.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Call {
-    /// Lifts the surface, in mm.
-    pub shift: f64,
-    pub retract: Retract,
-}
-
-/// Where the tool goes behind a hole of a pattern.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Retract {
-    /// To the second set-up clearance, or to the set-up clearance where that is higher.
-    Far,
-    /// To the set-up clearance.
-    Near,
-    /// To this height, or to the 2nd set-up clearance where that is higher.
-    To(f64),
-}
-
-/// Heights of a hole by their Q parameters, in mm.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Heights {
-    pub surface: f64,
-    pub clearance: f64,
-    /// 2nd set-up clearance as an absolute height; not below the set-up clearance.
-    pub second: f64,
-}
-
-impl Heights {
-    /// Where rapid traverse ends.
-    pub fn start(&self) -> f64 {
-        self.surface + self.clearance
-    }
-}
-
-impl Retract {
-    pub fn height(self, heights: &Heights) -> f64 {
-        match self {
-            Retract::Far => heights.second,
-            Retract::Near => heights.start(),
-            Retract::To(height) => height.max(heights.second),
-        }
-    }
+/// What a cycle needs of the spindle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Needs {
+    Turning,
+    /// The cycle itself starts it.
+    Speed,
+    /// The cycle brings its speed, too.
+    Nothing,
 }
 
 impl Run<'_> {
@@ -94,8 +60,8 @@ impl Run<'_> {
         self.fail_help(codes::K2402, self.block_span(), message, "program all parameters of the cycle")
     }
 
-    /// What every machining cycle needs when it is called: `turning` is false where the cycle itself starts the spindle.
-    pub(super) fn cycle_may_run(&mut self, cycle: &DefinedCycle, turning: bool) -> Outcome {
+    /// What every machining cycle needs when it is called.
+    pub(super) fn cycle_may_run(&mut self, cycle: &DefinedCycle, spindle: Needs) -> Outcome {
         if self.st.compensation.is_on() {
             self.report(
                 Diagnostic::new(codes::K2407, self.here.origin.loc, "a cycle is called while RL or RR is active")
@@ -103,7 +69,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        if !self.st.spindle.turns() && turning {
+        if !self.st.spindle.turns() && spindle == Needs::Turning {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")
@@ -111,7 +77,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) {
+        if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) && spindle != Needs::Nothing {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")

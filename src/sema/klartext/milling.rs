@@ -5,19 +5,20 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
-use crate::ir::cycle::{Cycle, Family};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
 use crate::ir::cycle::pocket::Insertion;
+use crate::ir::cycle::{Cycle, Family};
 use crate::ir::function::Turn;
 use crate::machine::{Axis, AxisSet};
 
+use super::cycles::call::Call;
 use super::cycles::drilling::{FEED, PLUNGE};
 use super::cycles::milling::{
     CLIMB, FEED_REFERENCE, FINISHING_FEED, FINISHING_INFEED, FLOOR_ALLOWANCE, MILLING_FEED, OPERATION, OVERLAP,
     PLUNGING, SIDE_ALLOWANCE,
 };
-use super::cycles::{DEPTH, DefinedCycle, MillingOf, Q};
-use super::machining::Call;
+use super::cycles::{DefinedCycle, MillingOf, Q};
+use super::machining::Needs;
 use super::{Outcome, Reported, Run};
 
 /// Least and greatest factor of the overlap.
@@ -40,7 +41,7 @@ pub(super) struct Asked {
 impl Run<'_> {
     /// Mills where the tool stands, or at the place that the cycle names.
     pub(super) fn mill(&mut self, cycle: &DefinedCycle, making: MillingOf, call: Call) -> Outcome {
-        self.cycle_may_run(cycle, true)?;
+        self.cycle_may_run(cycle, Needs::Turning)?;
         self.frame_keeps_the_cutter(cycle)?;
         let Some(made) = making(self, cycle, call)? else { return Ok(()) };
         self.says_own_path(cycle);
@@ -142,10 +143,7 @@ impl Run<'_> {
         }
         let radius = self.cutter_radius(cycle)?;
         let heights = self.heights(cycle, call.shift)?;
-        let deep = self.cycle_length(cycle, DEPTH)?;
-        if deep > 0.0 {
-            return self.cycle_value(cycle, &format!("the depth Q201 = {deep} is positive"));
-        }
+        let deep = self.depth_below(cycle)?;
         if deep == 0.0 {
             self.has_no_depth(cycle);
             return Ok(None);

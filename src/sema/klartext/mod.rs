@@ -22,6 +22,7 @@ mod fk;
 mod flow;
 mod frames;
 mod help;
+mod holes;
 mod labels;
 mod lane;
 mod m_functions;

@@ -13,7 +13,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
 use super::cycles::SURFACE;
-use super::machining::{Call, Retract};
+use super::cycles::call::{Call, Retract};
 use super::patterns::PLACES_A_STEP;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};

@@ -13,11 +13,11 @@ use crate::parser::klartext::ast::Block;
 use crate::sema::common::plane::plane_axes;
 
 use super::cycles::DefinedCycle;
+use super::cycles::call::{Call, Heights, Retract};
 use super::cycles::patterns::{
     AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
 };
 use super::cycles::{PlacesOf, Q};
-use super::machining::{Call, Heights, Retract};
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
 

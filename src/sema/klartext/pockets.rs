@@ -11,9 +11,9 @@ use crate::ir::cycle::milling::{MOST_LEVELS, Mill, Place, parts};
 use crate::ir::cycle::pocket::{Between, Finish, Insertion, Pocket, Room, Shape, Strategy};
 
 use super::cycles::DefinedCycle;
+use super::cycles::call::Call;
 use super::cycles::milling::{CORNER, DIAMETER, FIRST_SIDE, POSITION, SECOND_SIDE, TURN};
 use super::cycles::pockets::{CENTER, NUMBER, OPENING, PITCH_CIRCLE, SLOT_TURN, START_ANGLE, STEP};
-use super::machining::Call;
 use super::milling::{Asked, Plunging};
 use super::{Outcome, Run};
 

@@ -306,6 +306,7 @@ impl Run<'_> {
             other_radius,
             corner_radius,
             plunge_angle: data.plunge_angle,
+            tip_angle: data.tip_angle,
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),
         });

@@ -146,7 +146,8 @@ impl Case {
             {
                 return Err(format!("goes into the material too steeply: {cut:?}"));
             }
-            if falls > EXACT && !cut.is_rapid() && cut.feed != Some(PLUNGE) {
+            let plunges = cut.is_vertical() || self.language == "klartext" && falls > EXACT;
+            if plunges && !cut.is_rapid() && cut.feed != Some(PLUNGE) {
                 return Err(format!("goes down at the feed of the plane: {cut:?}"));
             }
         }

@@ -1,5 +1,6 @@
 //! The cycles of CYCL DEF: one row each, one file a family.
 
+pub(super) mod call;
 mod defined;
 pub(super) mod drilling;
 pub(super) mod milling;
@@ -20,7 +21,8 @@ use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
 
-use super::machining::Call;
+use call::Call;
+
 use super::{Outcome, Run};
 
 /// A cycle: what its definition gives, and what it does.
@@ -77,6 +79,8 @@ pub(super) struct Drilling {
     pub dwell: Option<Name>,
     /// It cuts a thread.
     pub taps: bool,
+    /// It starts the spindle itself, at a speed of its own.
+    pub own_spindle: bool,
 }
 
 /// Feed, and dwell at the depth in seconds.

@@ -44,7 +44,6 @@ pub(super) const ROWS: &[Row] = &[
     named(231, "CYCL DEF 231", "RULED SURFACE"),
     named(232, "CYCL DEF 232", "FACE MILLING"),
     named(233, "CYCL DEF 233", "FACE MILLING"),
-    named(241, "CYCL DEF 241", "SINGLE-LIP DEEP-HOLE DRILLING"),
     named(256, "CYCL DEF 256", "RECTANGULAR STUD"),
     named(257, "CYCL DEF 257", "CIRCULAR STUD"),
     named(258, "CYCL DEF 258", "POLYGON STUD"),
