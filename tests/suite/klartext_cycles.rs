@@ -61,7 +61,7 @@ const VALUES: &[(u32, f64, f64)] = &[
     (367, 0.0, 2.0),
     (368, 0.5, 0.6),
     (369, 0.3, 0.4),
-    (370, 1.0, 0.8),
+    (370, 1.0, 0.5),
     (374, 15.0, 16.0),
     (375, 80.0, 81.0),
     (376, 20.0, 25.0),
@@ -165,12 +165,11 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
 }
 
 /// A drill of 12 mm, or a cutter.
-const TOOL: &str = "[tools.1]\nradius = 6.0\ntip_angle = 118.0\n";
+const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n";
 
 /// What is printed and what is said.
 fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {
-    let mut program =
-        "BEGIN PGM T MM\nTOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S1000 F200\nL X+0 Y+0 Z+40 R0 FMAX M3\n".to_owned();
+    let mut program = "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 F200\nL X+0 Y+0 Z+40 R0 FMAX M3\n".to_owned();
     if (220..=229).contains(&number) {
         let drilling = cycles().into_iter().find(|(number, _)| *number == 200).expect("cycle 200");
         program += &definition(200, drilling.1, usize::MAX, Given::Plain);
