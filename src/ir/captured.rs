@@ -13,8 +13,6 @@ pub struct Captured {
     pub plane: Plane,
     /// End of the first move: how the tool comes there is not part of the contour.
     pub start: Point2,
-    /// Where the first move names an axis outside of the plane, too.
-    pub leaves_at_start: Option<Origin>,
     /// In the order of travel, each from where the one before ends.
     pub pieces: Vec<CapturedElement>,
 }

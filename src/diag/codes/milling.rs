@@ -13,8 +13,4 @@ Later moves may run into it. Call the cycle several times with smaller and small
 S8241 Warning "siemens-milling-corner-radius" "corner radius of the cutter is not counted"
 "The milling cycles compute their paths for a cutter with sharp corners. With `[tools.N] corner_radius` a rounding stays at the foot of each wall, and cusps stay \
 on the floor between paths that lie farther apart than the flat part of the cutter is wide. Give a smaller infeed in the plane, or finish with another cutter."
-
-S8242 Note "siemens-contour-words" "word of a milled contour that the cycle does not take"
-"A milling cycle takes the elements of its contour, and has feeds, side, allowances and depth of its own. The contour holds a word of its own for one of them: F, FRC, FRCM, OFFN, \
-G40 to G42, or an axis outside of its plane in its first move. Whether the control counts it is not confirmed; partc does not."
 }

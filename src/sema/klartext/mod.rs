@@ -27,11 +27,14 @@ mod labels;
 mod lane;
 mod m_functions;
 mod m_table;
+mod machining;
+mod milling;
 mod numbered_functions;
 mod path;
 mod pattern_def;
 mod patterns;
 mod plane;
+mod pockets;
 mod polar;
 mod probing;
 mod refused;
@@ -444,6 +447,7 @@ impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     fn report_open(&mut self) {
         let _ = self.close_contour();
+        self.warn_of_unclosed();
         let _ = self.forbid_open_approach();
         if self.cycles.is_open() {
             self.finish_cycle();

@@ -7,12 +7,15 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Where, step};
-use crate::text::{Loc, Span};
+use crate::text::Span;
 
 use super::calls::FrameKind;
 use super::cycles::{ContourCall, MOST_ELEMENTS};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vars::Vars;
+use super::vocabulary::Address;
+use super::words::Words;
 use super::{Channel, Core, Outcome, Reported, Run};
 
 /// A contour while its blocks run.
@@ -25,13 +28,11 @@ pub(super) struct Capture {
     /// Something in it was refused.
     failed: bool,
     name: String,
-    /// What the contour holds and a milling cycle has its own of, each once.
-    beside: Vec<(&'static str, Loc)>,
 }
 
 impl Run<'_> {
     /// Runs the blocks of a contour.
-    pub(super) fn capture(&mut self, call: &ContourCall, milled: bool) -> Outcome<Captured> {
+    pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
         let here = self.here;
         let back = self.place();
         let before = self.enter_capture(call);
@@ -54,28 +55,7 @@ impl Run<'_> {
             self.stop_run();
             return self.contour_fault(call, Where::Block, None, "the program jumps out of the contour");
         }
-        let made = made.or_else(|unfit| self.unfit(call, unfit))?;
-        if milled {
-            self.says_words_beside(&capture, &made);
-        }
-        Ok(made)
-    }
-
-    /// Names what a milling cycle does not take from its contour.
-    fn says_words_beside(&mut self, capture: &Capture, made: &Captured) {
-        let mut words: Vec<&str> = capture.beside.iter().map(|(word, _)| *word).collect();
-        let mut place = capture.beside.first().map(|(_, loc)| *loc);
-        if let Some(origin) = made.leaves_at_start {
-            words.push("an axis outside its plane in its first move");
-            place = place.or(Some(origin.loc));
-        }
-        let Some(place) = place else { return };
-        let message =
-            format!("the milling cycle does not take {} from the contour `{}`", words.join(", "), capture.name);
-        if self.job.diags.first_text(codes::S8242, &message) {
-            let help = "feeds, side and depth of the cycle count; take these words out of the contour";
-            self.report(Diagnostic::new(codes::S8242, place, message).help(help));
-        }
+        made.or_else(|unfit| self.unfit(call, unfit))
     }
 
     /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
@@ -83,13 +63,7 @@ impl Run<'_> {
         let before = (self.st.clone(), self.vars.clone());
         self.st.begin_contour();
         let below = self.levels.len();
-        self.capture = Some(Box::new(Capture {
-            below,
-            complete: false,
-            failed: false,
-            name: call.name.clone(),
-            beside: Vec::new(),
-        }));
+        self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
         self.channel.core.out.contour_begins(MOST_ELEMENTS, &self.channel.st.ctx, &self.channel.core.here.origin);
         before
     }
@@ -154,22 +128,44 @@ impl Channel<'_> {
         true
     }
 
-    /// A word of a contour that shapes no element.
-    pub(super) fn word_beside_contour(&mut self, word: &'static str, span: Span) {
-        let loc = self.loc(span);
-        if let Some(capture) =
-            self.capture.as_mut().filter(|capture| capture.beside.iter().all(|(known, _)| *known != word))
-        {
-            capture.beside.push((word, loc));
-        }
-    }
-
     /// An axis that moves by itself is no path.
     pub(super) fn no_positioning_in_contour(&mut self, span: Span) -> Outcome {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
         let message = format!("a positioning axis moves in the contour `{}`", capture.name);
         self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
+    }
+
+    /// Words that shape no contour: the cycle has its own compensation and feeds.
+    pub(super) fn words_in_contour(&mut self, w: &Words) -> Outcome {
+        let Some(name) = self.capture.as_ref().map(|capture| capture.name.clone()) else { return Ok(()) };
+        let offset =
+            w.get(Address::Offn).filter(|offset| offset.value != 0.0).map(|given| ("OFFN".to_owned(), given.span));
+        let side = w.code_of(Group::Compensation).filter(|(code, _)| *code != GCode::G40);
+        let limit = w.get(Address::Lims).map(|given| ("LIMS".to_owned(), given.span));
+        if let Some((word, span)) = side.map(|(code, span)| (code.word(), span)).or(offset).or(limit) {
+            if let Some(capture) = &mut self.capture {
+                capture.failed = true;
+            }
+            let message = format!("{word} stands in the contour `{name}`, which is a shape for a cycle");
+            let help =
+                "remove it from the contour: the cycle leads its tool beside the shape with arguments of its own";
+            return self.fail_help(codes::S2091, span, message, help);
+        }
+        let feeds = [Address::F, Address::Frc, Address::Frcm];
+        if let Some((word, given)) =
+            feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
+            && self.job.diags.first_time(codes::S8199)
+        {
+            let message = format!("{word} in the contour `{name}` does not count: the cycle moves at its own feeds");
+            let found = Diagnostic::new(codes::S8199, self.loc(given.span), message);
+            self.report(
+                found.help(
+                    "give the feed to the cycle; whether a control finishes at F of the contour is not known here",
+                ),
+            );
+        }
+        Ok(())
     }
 
     /// A cycle inside a contour.

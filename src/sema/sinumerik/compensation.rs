@@ -97,7 +97,6 @@ impl Channel<'_> {
     }
 
     fn normal_offset(&mut self, offn: Given) -> Outcome {
-        self.word_beside_contour("OFFN", offn.span);
         let value = offn.value * self.st.length_unit();
         if !self.resolves() {
             if value == 0.0 {

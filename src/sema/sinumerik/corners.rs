@@ -51,7 +51,6 @@ impl Channel<'_> {
             if frcm.value < 0.0 {
                 return self.fail(codes::S2041.alarm(14800), frcm.span, "the feed FRCM= is negative");
             }
-            self.word_beside_contour("FRCM", frcm.span);
             self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
         }
         Ok(())
@@ -73,9 +72,6 @@ impl Channel<'_> {
             if given.value < 0.0 {
                 return self.negative(given.span);
             }
-        }
-        if let Some(frc) = frc {
-            self.word_beside_contour("FRC", frc.span);
         }
         let unit = self.st.length_unit();
         // A rounding goes before a chamfer in the same block.

@@ -42,10 +42,7 @@ impl Channel<'_> {
                     self.plane_change(code, span)?;
                 }
             }
-            Group::Compensation => {
-                self.word_beside_contour("G40, G41 and G42", span);
-                self.compensation_code(code, span)?;
-            }
+            Group::Compensation => self.compensation_code(code, span)?,
             Group::WorkOffset => self.work_offset(code.index, span)?,
             Group::FeedType => self.feed_code(code, span)?,
             Group::Diameter => {

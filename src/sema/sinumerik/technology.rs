@@ -62,7 +62,6 @@ impl Channel<'_> {
                     "program a feed above 0",
                 );
             }
-            self.word_beside_contour("F", f.span);
             w.feed_given = true;
             self.st.feed.program(self.st.feed_of(f.value));
         }

@@ -92,7 +92,7 @@ impl Run<'_> {
         }
         // What is wrong with it shows here, also where no cycle follows that is built.
         self.contours.list.push(call.clone());
-        let made = self.capture(&call, false)?;
+        let made = self.capture(&call)?;
         self.check_elements(&call, &made)
     }
 
@@ -199,7 +199,7 @@ impl Run<'_> {
                 Source::Milled => Some(61931),
                 _ => None,
             };
-            let result = self.capture(&call, source == Source::Milled).and_then(|contour| {
+            let result = self.capture(&call).and_then(|contour| {
                 self.cycle(args).check_contour((source, turned), &call, &contour, closed)?;
                 Ok(contour)
             });
@@ -229,7 +229,7 @@ impl Run<'_> {
                 }
             }
         };
-        let contour = self.capture(&call, true)?;
+        let contour = self.capture(&call)?;
         if contour.pieces.is_empty() {
             return self.contour_fault(&call, args.span, 61930, "it has no element");
         }
