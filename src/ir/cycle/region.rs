@@ -9,6 +9,9 @@ use super::Family;
 use super::milling::{Mill, MillFault, parts};
 use super::pocket::{Finish, Insertion, MOST_RINGS};
 
+/// Largest radius of an arc of a contour, mm; more is a line, or a lost decimal point.
+const LARGEST_ARC: f64 = 10_000.0;
+
 /// A pocket along a contour.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
@@ -42,6 +45,7 @@ pub enum RegionFault {
     /// The helix falls by so little that its turns do not end.
     Pitch,
     TooManyRings,
+    LargeArc,
     Nothing,
 }
 
@@ -54,8 +58,17 @@ impl fmt::Display for RegionFault {
             RegionFault::Insertion => "the pitch of the helix is above 0, and the angle below 90 degrees",
             RegionFault::Pitch => "the pitch of the helix is so small that its turns do not end",
             RegionFault::TooManyRings => "the infeed in the plane is so small that the rings do not end",
+            RegionFault::LargeArc => "an arc of the contour has a radius of more than 10 m",
             RegionFault::Nothing => "neither roughing nor finishing is asked for, or there is no outline",
         })
+    }
+}
+
+/// 0 for a line.
+fn radius_of(element: &Element) -> f64 {
+    match *element {
+        Element::Line { .. } => 0.0,
+        Element::Arc { from, center, .. } => crate::geo::distance(from, center),
     }
 }
 
@@ -86,7 +99,7 @@ impl Family for Region {
         let insertion = match self.insertion {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
-            Insertion::Sway { angle } => (0.0..90.0).contains(&angle.0),
+            Insertion::Sway { angle, .. } => (0.0..90.0).contains(&angle.0),
         };
         let finish = self.finish.is_none_or(|finish| usable(finish.step) && finish.feed.value() > 0.0);
         let points = self.walls().flat_map(|element| [element.from(), element.to()]).chain(self.start);
@@ -94,6 +107,7 @@ impl Family for Region {
         let rules = [
             (usable(self.allowance) && finite && finish, RegionFault::Number),
             (self.width > 0.0 && self.width <= 2.0 * self.mill.radius + 1e-9, RegionFault::Width),
+            (self.walls().all(|element| radius_of(element) <= LARGEST_ARC), RegionFault::LargeArc),
             (self.size() / self.width <= MOST_RINGS, RegionFault::TooManyRings),
             (insertion, RegionFault::Insertion),
             (self.insertion.ends(&self.mill), RegionFault::Pitch),

@@ -2,6 +2,7 @@
 
 mod faces;
 mod grooves;
+mod klartext_pockets;
 mod layers;
 mod milled_threads;
 pub mod milling;

@@ -197,7 +197,9 @@ impl Region {
                 Err(no_insertion("the walls leave no room for the helix"))
             }
             (Insertion::Sway { .. }, None) => Err(no_insertion("the walls leave no room for strokes to and fro")),
-            (Insertion::Sway { angle }, Some(end)) if strokes(step, distance(entry.at, end), angle) > MOST_LEVELS => {
+            (Insertion::Sway { angle, .. }, Some(end))
+                if strokes(step, distance(entry.at, end), angle) > MOST_LEVELS =>
+            {
                 Err(endless_strokes())
             }
             _ => Ok(()),
@@ -340,7 +342,7 @@ impl Tool<'_> {
                 self.cutter.helix(entry.at, ccw, turns, to, feed);
                 self.cutter.arc(begin, entry.at, ccw, feed);
             }
-            (Insertion::Sway { angle }, Some(end)) => {
+            (Insertion::Sway { angle, .. }, Some(end)) => {
                 let there = Element::Line { from: begin, to: end };
                 let back = reversed(&there);
                 let strokes = strokes((from - to).abs(), there.length(), angle);

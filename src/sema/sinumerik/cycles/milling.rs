@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
-use crate::ir::cycle::milling::{Feeds, Heights, Mill, MillFault};
+use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, MillFault};
 use crate::ir::frame::PlaneMap;
 use crate::ir::function::Turn;
 use crate::machine::Axis;
@@ -19,6 +19,8 @@ use super::call::CycleCall;
 /// The plane infeed as a part of the diameter of the cutter, where none is given.
 const USUAL_WIDTH: f64 = 0.8;
 
+/// More mm per revolution were probably meant per minute.
+const LARGE_PER_REVOLUTION: f64 = 10.0;
 /// No machine travels faster, in units of the feed.
 const LARGEST_FEED: f64 = 999_999.999;
 
@@ -182,6 +184,7 @@ impl CycleCall<'_, '_> {
             clearance: self.magnitude(names.clearance),
             depth,
             step: self.magnitude(names.step),
+            division: Division::Even,
             allowance: self.magnitude(names.floor),
         })
     }
@@ -231,7 +234,12 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span_of(key), 61003, &message, "look for a lost decimal point");
         }
         if value > 0.0 {
-            return Ok(self.st.feed_of(value));
+            let feed = self.st.feed_of(value);
+            if matches!(feed, Feed::PerRevolution(way) if way > LARGE_PER_REVOLUTION) {
+                let message = format!("the feed {value} is read as a way per revolution, since G95 is in force");
+                self.says_once(&message, "program G94 before the cycle where it is a feed per minute");
+            }
+            return Ok(feed);
         }
         if value == 0.0 && self.st.feed.is_lost() {
             return Err(Reported);

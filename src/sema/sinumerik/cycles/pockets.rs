@@ -4,7 +4,7 @@
 
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::pocket::{Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
+use crate::ir::cycle::pocket::{Between, Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
 use crate::ir::cycle::{Cycle, Family, LongHole};
 
 use super::super::Outcome;
@@ -127,12 +127,18 @@ impl CycleCall<'_, '_> {
         let (length, width) = (self.size(LENG)?, self.size(WID)?);
         let rad = self.magnitude(RAD);
         let between = length - width;
-        let shape = if self.slot_is_centred()? {
+        let centred = self.slot_is_centred()?;
+        let shape = if centred {
             Shape::Slot { from: -between / 2.0, to: between / 2.0, width }
         } else {
             Shape::Slot { from: rad + width / 2.0, to: rad + length - width / 2.0, width }
         };
         let places = self.places()?;
+        if centred && places.len() > 1 {
+            let help = "give 1, or 0 in the thousands of `_GMODE` for slots on a circle";
+            let what = "slots about one point run into each other: `NUM` (argument 6)";
+            return self.cycle_fault(self.args.span_of(NUM), 61104, what, help);
+        }
         if places.len() > 1 {
             self.slots_are_apart(chord(shape.entry().x, least_turn(&places)), width)?;
         }
@@ -275,6 +281,8 @@ impl CycleCall<'_, '_> {
             feed: mill.feeds.plane,
             step: mill.heights.step,
             speed: None,
+            arc: None,
+            inserts: false,
         });
         let width =
             if self.args.place(MIDA) > 0 { self.width(MIDA, mill.radius)? } else { USUAL_WIDTH * 2.0 * mill.radius };
@@ -291,6 +299,8 @@ impl CycleCall<'_, '_> {
             finish,
             cleared: None,
             transfer: None,
+            between: Between::Straight,
+            home: None,
         })
     }
 
@@ -315,6 +325,15 @@ impl CycleCall<'_, '_> {
         let speed = self.args.or_zero(SSF).abs();
         if speed > 0.0 && self.st.spindles.is_cutting() {
             return self.not_built(SSF, "a speed for finishing under G96");
+        }
+        if speed > 0.0 {
+            self.master_is_main(self.args.span_of(SSF), "a speed for finishing")?;
+            if self.st.spindles.speed().is_none() {
+                self.says_once(
+                    "the speed of finishing stays, as none stands in front of the cycle",
+                    "program S before the cycle",
+                );
+            }
         }
         let speed = (speed > 0.0).then(|| Speed { finishing: speed, after: self.st.spindles.speed() });
         let step = self.magnitude(MIDF);
@@ -360,7 +379,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle of insertion `_RAD1` (argument {place}) is above 0 and below 90");
                     return self.cycle_fault(args.span_of(RAD1), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
         })
     }
@@ -385,7 +404,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle `_STA2` (argument {}) is below 90", self.args.place(STA2));
                     return self.cycle_fault(self.args.span_of(STA2), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 and 1 straight down, 3 to and fro"),
         })

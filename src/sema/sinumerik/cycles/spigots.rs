@@ -128,6 +128,9 @@ impl CycleCall<'_, '_> {
     fn stock_that_stays(&self, mill: &Mill, stands: f64) {
         let args = self.args;
         let roughs = args.digit(VARI, 0) == 1;
+        if roughs && stands < 0.0 {
+            self.says_once("the blank is smaller than the spigot", "give the size of the blank in front of the cycle");
+        }
         let reach = 2.0 * mill.radius + if roughs { self.magnitude(FAL) } else { 0.0 };
         let stays = stands - reach;
         // Where it finishes, the allowance on the floor is all that was left.
