@@ -100,6 +100,11 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     part("corner_radius", Kind::Number, "corner radius in mm"),
     part("tip_angle", Kind::Number, "angle at the tip of a drill or centre drill in degrees"),
     part("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
+    part(
+        "clearance",
+        Kind::Number,
+        "angle of the flank of a turning tool in degrees: it cuts no relief that falls steeper",
+    ),
     part("width", Kind::Number, "cutting width of recessing tools in mm"),
     part(
         "reference",

@@ -1,8 +1,11 @@
 //! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
 
+mod corner;
+mod cut_off;
 mod grooves;
 mod layers;
 pub mod milling;
 mod pockets;
 mod regions;
+mod removal;
 mod turning;
