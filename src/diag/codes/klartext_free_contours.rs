@@ -30,4 +30,8 @@ K8024 Warning "fk-reference-reading" "what a centre counts from is a reading"
 "An incremental centre without a reference counts from the start of its arc here, and one with a reference to the block of an arc from the centre of that. No manual at hand says either. \
 Write absolute coordinates of the centre to be sure."
 
+K8025 Warning "fk-not-closed" "free contour is never closed"
+"CLSD+ marks the first element of a closed contour, and no element with CLSD- ends it: the contour stays open where the last element ends. \
+Write CLSD- in the last element, which takes its end point from the first one."
+
 }

@@ -380,14 +380,21 @@ impl Run<'_> {
     /// CLSD+ and CLSD-.
     fn closing(&mut self, item: &mut Item, free: &mut Free, said: &Data) -> Outcome {
         if let Some(ends) = said.get(Key::Closed(false)) {
-            item.closes = free.closes.take().filter(|serial| free.window.knows(*serial));
+            item.closes = free.closes.take().map(|(serial, _)| serial).filter(|serial| free.window.knows(*serial));
             if item.closes.is_none() {
                 return self
                     .incomplete(ends.span, "a block with CLSD+ where the contour begins, at most 64 elements before");
             }
         }
-        if said.get(Key::Closed(true)).is_some() {
-            free.closes = Some(free.window.next_serial());
+        if let Some(begins) = said.get(Key::Closed(true)) {
+            let loc = self.loc(begins.span);
+            if let Some((_, open)) = free.closes.replace((free.window.next_serial(), loc)) {
+                self.report(
+                    Diagnostic::new(codes::K8025, open, "no CLSD- closes the contour that begins here")
+                        .also(loc, "another begins here")
+                        .help("write CLSD- in the last element of the first one, or remove one CLSD+"),
+                );
+            }
         }
         Ok(())
     }
