@@ -26,12 +26,9 @@ S8211 Note "siemens-relief-unchecked" "clearance of the tool in a relief cut is 
 "On the falling side of a relief cut the flank of the tool has to clear the part: the side may be at most as steep as the clearance angle of the \
 tool. The tool data do not hold this angle, so nothing is checked here, as on a control where it is 0."
 
-S8213 Note "siemens-contour-feed" "feed in a contour is not used"
-"A cycle that cuts along a contour has feeds of its own: for roughing, for plunging and for finishing. F, FRC, FRCM and the kind of feed in the blocks of the contour would change the feed of single elements on a control that takes them over. Give the feeds in the call of the cycle."
-
-S8214 Warning "siemens-edge-points-back" "cutting edge points against the way of the cuts"
-"The edge position in the tool data says that the programmed point lies behind the nose, seen along the cuts. The body of such a tool runs ahead of its nose, into whatever stands at the end of the cut. Check the edge position, or turn the direction of the cycle around."
-
 S8212 Note "siemens-leaning" "leaning part is left to finishing"
 "Cuts along an axis cannot get behind a part that leans over, such as the side of an undercut of form F. Roughing leaves the little that stands there; finishing along the contour removes it."
+
+S8213 Warning "siemens-edge-points-back" "cutting edge points against the way of the cuts"
+"The edge position in the tool data says that the programmed point lies behind the nose, seen along the cuts. The body of such a tool runs ahead of its nose, into whatever stands at the end of the cut. Check the edge position, or turn the direction of the cycle around."
 }

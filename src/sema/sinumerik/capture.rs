@@ -128,33 +128,6 @@ impl Channel<'_> {
         true
     }
 
-    /// Words in a contour that its shape does not show.
-    pub(super) fn words_in_contour(&mut self, w: &Words) -> Outcome {
-        if self.capture.is_none() {
-            return Ok(());
-        }
-        let feeds = [Address::F, Address::Frc, Address::Frcm];
-        let feed = feeds.iter().find_map(|address| w.get(*address)).map(|given| given.span);
-        if let Some(span) = feed.or(w.code_of(Group::FeedType).map(|(_, span)| span)) {
-            let message = "a feed in a contour is not used: the cycle cuts at the feeds of its call";
-            self.note_once(codes::S8213, span, message.to_owned());
-        }
-        let path = w.code_of(Group::Compensation).filter(|(code, _)| *code != GCode::G40).map(|(_, span)| span);
-        let (span, what) = if let Some(span) = path {
-            (span, "radius compensation")
-        } else if let Some(given) = w.get(Address::Offn) {
-            (given.span, "the offset OFFN")
-        } else if let Some(given) = w.get(Address::Lims) {
-            (given.span, "the speed limit LIMS")
-        } else {
-            return Ok(());
-        };
-        let Some(capture) = self.capture.as_mut() else { return Ok(()) };
-        capture.failed = true;
-        let message = format!("{what} stands in the contour `{}`", capture.name);
-        self.fail_help(codes::S2091, span, message, "program it in front of the cycle, which compensates by itself")
-    }
-
     /// An axis that moves by itself is no path.
     pub(super) fn no_positioning_in_contour(&mut self, span: Span) -> Outcome {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };

@@ -52,7 +52,6 @@ impl Channel<'_> {
     // F, S, T, D.
 
     pub(super) fn technology(&mut self, w: &mut Words) -> Outcome {
-        self.words_in_contour(w)?;
         if let Some(f) = w.take(Address::F) {
             if f.value <= 0.0 {
                 self.st.feed.lose();

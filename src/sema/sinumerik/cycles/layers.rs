@@ -205,8 +205,8 @@ impl CycleCall<'_, '_> {
                 "{}: the cutting edge points back, against the way of the cuts: the body of such a tool runs ahead of its nose",
                 args.name()
             );
-            if self.job.diags.first_text(codes::S8214, &message) {
-                let found = Diagnostic::new(codes::S8214, self.loc(args.span), message);
+            if self.job.diags.first_text(codes::S8213, &message) {
+                let found = Diagnostic::new(codes::S8213, self.loc(args.span), message);
                 self.report(found.help("check the edge position in the tool data, and the direction of the cycle"));
             }
         }
