@@ -3,6 +3,7 @@
 mod corner;
 mod cut_off;
 mod grooves;
+mod klartext_pockets;
 mod layers;
 pub mod milling;
 mod pockets;

@@ -34,7 +34,7 @@ pub(super) struct Free {
     /// Blocks that wait, in their order.
     queue: VecDeque<Waiting>,
     /// Block numbers of the elements that data can refer to.
-    numbers: VecDeque<(u32, Serial)>,
+    numbers: VecDeque<(u32, Serial, Loc)>,
     pole: Option<Point2>,
     /// The element with CLSD+ that no CLSD- has closed, and the word.
     closes: Option<(Serial, Loc)>,
@@ -71,8 +71,15 @@ impl Free {
     }
 
     fn serial_of(&self, number: u32) -> Option<Serial> {
-        let found = self.numbers.iter().rev().find(|(of, _)| *of == number);
-        found.map(|(_, serial)| *serial).filter(|serial| self.window.knows(*serial))
+        let found = self.numbers.iter().rev().find(|(of, ..)| *of == number);
+        found.map(|(_, serial, _)| *serial).filter(|serial| self.window.knows(*serial))
+    }
+
+    /// Have several blocks of elements this number? One block may come again and again.
+    fn is_twice(&self, number: u32) -> bool {
+        let mut places = self.numbers.iter().filter(|(of, ..)| *of == number).map(|(_, _, loc)| (loc.file, loc.line));
+        let first = places.next();
+        places.any(|place| Some(place) != first)
     }
 
     /// The block of an element that waits.
@@ -153,7 +160,7 @@ impl Run<'_> {
             if free.numbers.len() == MOST_BACK {
                 free.numbers.pop_front();
             }
-            free.numbers.push_back((number, serial));
+            free.numbers.push_back((number, serial, self.here.origin.loc));
         }
         let waiting = Waiting { kind: Kind::Element { serial, item }, words, here: self.here, span: self.block_span() };
         free.queue.push_back(waiting);
