@@ -105,6 +105,11 @@ pub(super) const TOOL_KEYS: &[Key] = &[
         "greatest angle in degrees at which a cutter goes down into material (ANGLE of the tool table); 0 straight down only",
     ),
     part("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
+    part(
+        "clearance",
+        Kind::Number,
+        "angle of the flank of a turning tool in degrees: it cuts no relief that falls steeper",
+    ),
     part("width", Kind::Number, "cutting width of recessing tools in mm"),
     part(
         "reference",
