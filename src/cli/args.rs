@@ -86,6 +86,9 @@ pub(super) struct Check {
     /// File for the report, instead of the terminal or standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Write comments into the programs that suppress the warnings found now; notes, too, with `--fail-on note`
+    #[arg(long)]
+    pub add_ignores: bool,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
@@ -207,6 +210,12 @@ pub(super) struct Report {
     /// The least severity of a finding that makes the run fail: exit code 1, and no output
     #[arg(long, value_enum, default_value = "error")]
     pub fail_on: Severity,
+    /// Findings that are reported: codes, beginnings of codes, names, `default`, `all`; as `[lint] select`
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub select: Option<Vec<String>>,
+    /// Findings that are not reported; as `[lint] ignore`
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub ignore: Option<Vec<String>>,
     /// Exit code 0 whatever is found in programs
     #[arg(long)]
     pub exit_zero: bool,
