@@ -222,11 +222,16 @@ fn read_tool_t(text: &str) -> Result<BTreeMap<ToolKey, Tool>, TableError> {
                 Some(text) => signed(text).map(|v| Some(v * unit)).ok_or_else(|| fail(title)),
             }
         };
+        let number_of = |title: &str| match field(title) {
+            None => Ok(None),
+            Some(text) => signed(text).map(Some).ok_or_else(|| fail(title)),
+        };
         let tool = Tool {
             name: field("NAME").map(|name| name.trim_matches('"').to_owned()),
             radius: length("R")?,
             length: length("L")?,
             corner_radius: length("R2")?,
+            tip_angle: number_of("T-ANGLE")?.filter(|angle| *angle != 0.0),
             deltas: [length("DL")?.unwrap_or(0.0), length("DR")?.unwrap_or(0.0), length("DR2")?.unwrap_or(0.0)],
             ..Tool::default()
         };

@@ -2,11 +2,10 @@
 //! there is missed. The parameters are those of the table that the compiler reads them by.
 
 use partc::internals::dialect;
-use partc::internals::machine::Settings;
 use partc::internals::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
 use partc::internals::text::files::NoFiles;
 
-use super::common::compile_bytes;
+use super::common::{compile_bytes, settings};
 
 /// A Q parameter, a value, and another one that makes a difference.
 const VALUES: &[(u32, f64, f64)] = &[
@@ -45,14 +44,27 @@ const VALUES: &[(u32, f64, f64)] = &[
     (259, 1.0, 1.2),
     (301, 1.0, 0.0),
     (336, 0.0, 45.0),
-    (342, 0.0, 5.0),
-    (343, 0.0, 1.0),
+    (342, 4.0, 5.0),
+    (343, 1.0, 0.0),
     (344, -8.0, -9.0),
     (365, 0.0, 1.0),
-    (379, 0.0, 1.0),
+    (379, 1.0, 2.0),
     (395, 0.0, 1.0),
+    (401, 100.0, 50.0),
     (403, 1.0, 2.0),
+    (426, 3.0, 4.0),
+    (427, 25.0, 30.0),
+    (428, 500.0, 600.0),
+    (429, 8.0, 7.0),
+    (430, 9.0, 0.0),
+    (435, 0.0, 1.0),
 ];
+
+/// A cycle, a Q parameter, and the values that it has there.
+const OWN: &[(u32, u32, f64, f64)] = &[(241, 202, 30.0, 10.0)];
+
+/// A cycle, the parameter under test, and another one with the value that makes it count.
+const WITH: &[(u32, u32, u32, f64)] = &[(240, 201, 343, 0.0)];
 
 /// The parts of the old cycles, by their kinds: a value and another one.
 const PARTS: &[(u32, u32, f64, f64)] = &[
@@ -77,7 +89,7 @@ fn cycles() -> Vec<(u32, &'static Signature)> {
         let number = cycle.name.strip_prefix("CYCL DEF ")?.parse().ok()?;
         Some((number, cycle))
     });
-    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 200..=209 | 220..=240)).collect()
+    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 200..=209 | 220..=246)).collect()
 }
 
 /// The value of a parameter: `Other` for the one under test.
@@ -90,7 +102,10 @@ enum Given {
 
 fn value(number: u32, parameter: &Parameter, given: Given) -> Option<f64> {
     let (plain, other) = match parameter.name {
-        Name::Q(q) => VALUES.iter().find(|(known, ..)| *known == q).map(|(_, a, b)| (*a, *b)),
+        Name::Q(q) => {
+            let own = OWN.iter().find(|(of, known, ..)| (*of, *known) == (number, q)).map(|(.., a, b)| (*a, *b));
+            own.or_else(|| VALUES.iter().find(|(known, ..)| *known == q).map(|(_, a, b)| (*a, *b)))
+        }
         Name::Part(part) => {
             PARTS.iter().find(|(of, known, ..)| (*of, *known) == (number, part)).map(|(.., a, b)| (*a, *b))
         }
@@ -109,6 +124,14 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
     let mut shown = format!("CYCL DEF {number}{}", if number < 20 { ".0 NAME\n" } else { " NAME" });
     for (place, parameter) in cycle.parameters.iter().enumerate() {
         let Some(value) = value(number, parameter, if place == at { given } else { Given::Plain }) else { continue };
+        let under = cycle.parameters.get(at).map(|parameter| parameter.name);
+        let with = WITH
+            .iter()
+            .find(|(of, tested, other, _)| {
+                *of == number && under == Some(Name::Q(*tested)) && parameter.name == Name::Q(*other)
+            })
+            .map(|(.., value)| *value);
+        let value = with.unwrap_or(value);
         match parameter.name {
             Name::Part(part) if matches!(parameter.kind, Kind::Feed) => {
                 shown += &format!("CYCL DEF {number}.{part} F{value}\n")
@@ -119,6 +142,9 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
     }
     shown + "\n"
 }
+
+/// A drill of 12 mm, or a cutter.
+const TOOL: &str = "[tools.1]\nradius = 6.0\ntip_angle = 118.0\n";
 
 /// What is printed and what is said.
 fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {
@@ -132,7 +158,7 @@ fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>,
         program += "CYCL CALL\n";
     }
     program += "L X+9 M30\nEND PGM T MM\n";
-    let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &Settings::default(), &NoFiles);
+    let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &settings(TOOL), &NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     (moves, compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect())
 }

@@ -8,6 +8,7 @@ mod general;
 mod geometry;
 mod grooves;
 mod klartext;
+mod klartext_cycles;
 mod klartext_free_contours;
 mod klartext_readings;
 mod layers;
@@ -28,6 +29,7 @@ pub use general::*;
 pub use geometry::*;
 pub use grooves::*;
 pub use klartext::*;
+pub use klartext_cycles::*;
 pub use klartext_free_contours::*;
 pub use klartext_readings::*;
 pub use layers::*;
@@ -129,6 +131,7 @@ pub fn all() -> Vec<&'static Code> {
     let mut list: Vec<_> = [
         general::GENERAL,
         klartext::KLARTEXT,
+        klartext_cycles::KLARTEXT_CYCLES,
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,

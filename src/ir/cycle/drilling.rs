@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::ir::function::{Spindle, Turn};
+use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
 
@@ -17,7 +17,18 @@ pub struct Drilling {
     pub axis: Axis,
     pub levels: Levels,
     pub feed: Feed,
+    /// Where the tool goes from the start plane at another feed, before it drills.
+    pub entry: Option<Entry>,
     pub method: Method,
+}
+
+/// The upper part of a hole that is open already.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry {
+    /// Between the start plane and the bottom.
+    pub height: f64,
+    /// `None` for rapid.
+    pub feed: Option<Feed>,
 }
 
 /// Heights of a hole.
@@ -42,6 +53,8 @@ pub enum Method {
     /// In steps.
     Peck(Pecking),
     Tap(Tap),
+    /// In with the spindle in a state of its own, which holds on the way out, too.
+    Deep(DeepHole),
     /// To the depth, wait, back to the start plane at another feed, out.
     Ream {
         dwell: f64,
@@ -56,10 +69,26 @@ pub enum Method {
     },
 }
 
+/// Drilling with a drill that is guided by the hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DeepHole {
+    pub dwell: f64,
+    /// Speed and sense on the way in and out; no sense where the spindle stands.
+    pub entry: (f64, Option<Turn>),
+    /// While it drills.
+    pub drilling: (f64, Turn),
+    /// Before it drills, and at the bottom.
+    pub coolant: [Option<Coolant>; 2],
+    /// Feed to the start plane; `None` for rapid.
+    pub back: Option<Feed>,
+}
+
 /// Drilling in steps: chips are broken in the hole, or removed out of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pecking {
-    /// First step, from the surface; over 0.
+    /// Depth below the surface at which the first step begins, 0 or more.
+    pub from: f64,
+    /// First step, over 0.
     pub first: f64,
     pub degression: Degression,
     /// Factor on the feed of the first step, over 0 to 1.
@@ -200,6 +229,8 @@ pub enum DrillingFault {
     ReferencePlane,
     /// The clearance is negative.
     Clearance,
+    /// The tool would enter the hole above the start plane, or below the bottom.
+    Entry,
     /// The retract height lies below the start plane, so that the tool would rest in the clearance.
     RetractBelowStart,
     Dwell,
@@ -221,6 +252,7 @@ impl fmt::Display for DrillingFault {
             DrillingFault::Number => "a height of the hole is not a number",
             DrillingFault::ReferencePlane => "the surface must lie between the retract height and the depth",
             DrillingFault::Clearance => "the safety distance must not be negative",
+            DrillingFault::Entry => "drilling has to begin between the start plane and the depth",
             DrillingFault::RetractBelowStart => "the retract height lies below the surface plus the safety distance",
             DrillingFault::Dwell => "the dwell time must not be negative",
             DrillingFault::Peck => "the steps of the hole must be over 0, and a factor at most 1",
@@ -305,6 +337,7 @@ impl Pecking {
     pub fn new(first: f64, degression: Degression) -> Pecking {
         let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::ByDepth, at_the_end: false };
         Pecking {
+            from: 0.0,
             first,
             degression,
             first_feed: 1.0,
@@ -366,6 +399,11 @@ impl Family for Drilling {
             Method::Ream { dwell, back } => {
                 &[(seconds(*dwell), DrillingFault::Dwell), (positive(back.value()), DrillingFault::Feed)]
             }
+            Method::Deep(hole) => &[
+                (seconds(hole.dwell), DrillingFault::Dwell),
+                (hole.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
+                (positive(hole.drilling.0) && (positive(hole.entry.0) || hole.entry.1.is_none()), DrillingFault::Speed),
+            ],
             Method::Bore(bore) => &[
                 (seconds(bore.dwell), DrillingFault::Dwell),
                 (bore.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
@@ -384,6 +422,7 @@ impl Family for Drilling {
                 (seconds(peck.dwell) && seconds(peck.dwell_at_bottom), DrillingFault::Dwell),
                 (seconds(peck.removal.dwell), DrillingFault::Dwell),
                 (positive(peck.first) && good(peck.degression), DrillingFault::Peck),
+                (seconds(peck.from) && (peck.from == 0.0 || peck.from < self.levels.way()), DrillingFault::Entry),
                 (positive(peck.first_feed) && peck.first_feed <= 1.0, DrillingFault::Feed),
                 (seconds(peck.way) && peck.breaks.is_possible(), DrillingFault::Peck),
                 (peck.removal.ahead.is_possible(), DrillingFault::Peck),
@@ -392,6 +431,9 @@ impl Family for Drilling {
         };
         if !positive(self.feed.value()) && !matches!(self.method, Method::Tap(Tap { lead: Some(_), .. })) {
             return Err(DrillingFault::Feed);
+        }
+        if self.entry.is_some_and(|entry| !self.enters(&entry)) {
+            return Err(DrillingFault::Entry);
         }
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }
@@ -411,12 +453,21 @@ impl Family for Drilling {
             Method::Tap(tap) => Some(tap.after),
             Method::Bore(bore) => Some(Spindle::Start(bore.turn)),
             Method::BoreWithStop { turn, .. } => Some(Spindle::Start(*turn)),
+            Method::Deep(hole) => Some(hole.entry.1.map_or(Spindle::Stop, Spindle::Start)),
             Method::Drill { .. } | Method::Peck(_) | Method::Ream { .. } => None,
         }
     }
 
     fn repeats(&self) -> bool {
         true
+    }
+}
+
+impl Drilling {
+    fn enters(&self, entry: &Entry) -> bool {
+        let out = self.levels.outward();
+        let (above, below) = (self.levels.start_plane() - entry.height, entry.height - self.levels.depth);
+        above * out >= 0.0 && below * out > 0.0 && entry.feed.is_none_or(|feed| feed.value() > 0.0)
     }
 }
 

@@ -5,8 +5,8 @@ mod pecking;
 use crate::diag::codes;
 use crate::ir::contour::{Coords, Move, Path, Thread};
 use crate::ir::cycle::Family;
-use crate::ir::cycle::drilling::{Bore, Chip, Drilling, DrillingFault, Levels, Method, Tap};
-use crate::ir::function::{Spindle, Turn};
+use crate::ir::cycle::drilling::{Bore, Chip, DeepHole, Drilling, DrillingFault, Levels, Method, Tap};
+use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::Axis;
 
@@ -40,6 +40,12 @@ fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut
     };
     let mut hole = Hole { drilling, levels, out };
     hole.rapid(levels.start_plane());
+    if let Method::Deep(deep) = &drilling.method {
+        hole.deep(deep);
+        hole.rapid(levels.retract);
+        return Ok(());
+    }
+    hole.enter();
     match &drilling.method {
         Method::Drill { dwell } => {
             hole.cut(levels.depth, drilling.feed);
@@ -52,6 +58,7 @@ fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut
             hole.dwell(*dwell);
             hole.cut(levels.start_plane(), *back);
         }
+        Method::Deep(_) => {}
         Method::Bore(bore) => return hole.bore(bore, start, axes),
         Method::BoreWithStop { dwell, turn } => {
             hole.cut(levels.depth, drilling.feed);
@@ -109,6 +116,42 @@ impl Hole<'_> {
 
     fn spindle(&mut self, spindle: Spindle) {
         (self.out)(CycleItem::Function(Function::Spindle(spindle)));
+    }
+
+    /// Down to where the hole is open.
+    fn enter(&mut self) {
+        if let Some(entry) = self.drilling.entry.filter(|entry| entry.height != self.levels.start_plane()) {
+            match entry.feed {
+                Some(feed) => self.cut(entry.height, feed),
+                None => self.rapid(entry.height),
+            }
+        }
+    }
+
+    /// In with the spindle slow or standing, down, coolant off, out as it came in.
+    fn deep(&mut self, hole: &DeepHole) {
+        self.slowly(hole);
+        self.enter();
+        self.turn(hole.drilling.1, Some(hole.drilling.0));
+        self.coolant(hole.coolant[0]);
+        self.cut(self.levels.depth, self.drilling.feed);
+        self.dwell(hole.dwell);
+        self.coolant(hole.coolant[1]);
+        self.slowly(hole);
+        self.leave(hole.back);
+    }
+
+    fn slowly(&mut self, hole: &DeepHole) {
+        match hole.entry {
+            (speed, Some(turn)) => self.turn(turn, Some(speed)),
+            (_, None) => self.spindle(Spindle::Stop),
+        }
+    }
+
+    fn coolant(&mut self, coolant: Option<Coolant>) {
+        if let Some(coolant) = coolant {
+            (self.out)(CycleItem::Function(Function::Coolant(coolant)));
+        }
     }
 
     /// Out to the start plane.

@@ -1,4 +1,4 @@
-//! Drilling cycles: 1, 2, 17, 200 to 203, 205 to 207, 240. Their parameters become a [`Drilling`].
+//! Drilling cycles: 1, 2, 17, 200 to 203, 205 to 207, 240, 241. Their parameters become a [`Drilling`].
 //!
 //! Source: K 4.4, 6.0 to 6.2 (docs/sources.md). The parameters Q200 and up stay variables: a call takes what they hold
 //! then. The values of the old dotted cycles are those of the definition.
@@ -13,8 +13,8 @@ use crate::sema::cycle_table::Name;
 
 use super::cycles::DefinedCycle;
 use super::cycles::drilling::{
-    AHEAD_ABOVE, AHEAD_BELOW, ANGLE, BREAK_DEPTH, BREAK_WAY, BREAKS, BY_DIAMETER, DECREMENT, DEEPENED, DEPTH_REFERENCE,
-    DIRECTION, DWELL, DWELL_ABOVE, FEED, LEAST_PLUNGE, PITCH, PLUNGE, RETRACT_FEED, ROUGH_DIAMETER,
+    AHEAD_ABOVE, AHEAD_BELOW, ANGLE, BREAK_DEPTH, BREAK_WAY, BREAKS, DECREMENT, DEEPENED, DIRECTION, DWELL,
+    DWELL_ABOVE, FEED, LEAST_PLUNGE, PITCH, PLUNGE, RETRACT_FEED,
 };
 use super::cycles::{CLEARANCE, Cut, DEPTH, Q, SECOND_CLEARANCE, SURFACE};
 use super::{Outcome, Reported, Run};
@@ -95,7 +95,8 @@ impl Run<'_> {
         // The control itself starts the spindle for rigid tapping.
         let drilling = cycle.row().nature.drilling();
         let by_pitch = drilling.is_some_and(|drilling| drilling.feed.is_none());
-        if !self.st.spindle.turns() && !by_pitch {
+        let own_spindle = drilling.is_some_and(|drilling| drilling.own_spindle);
+        if !self.st.spindle.turns() && !by_pitch && !own_spindle {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")
@@ -103,7 +104,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) {
+        if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) && !own_spindle {
             self.report(
                 Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
                     .also(cycle.loc, "the cycle is defined here")
@@ -129,8 +130,12 @@ impl Run<'_> {
         let axis = self.st.axis();
         self.st.position.cycle_leaves(&end, AxisSet::of(axis));
         self.st.moved = true;
-        if matches!(cycle, Cycle::Drilling(Drilling { method: Method::Tap(Tap { after: Spindle::Stop, .. }), .. })) {
-            self.st.spindle.stop();
+        match &cycle {
+            Cycle::Drilling(Drilling { method: Method::Tap(Tap { after: Spindle::Stop, .. }), .. }) => {
+                self.st.spindle.stop();
+            }
+            Cycle::Drilling(Drilling { method: Method::Deep(hole), .. }) => self.leave_deep_hole(hole),
+            _ => {}
         }
         Ok(())
     }
@@ -163,10 +168,10 @@ impl Run<'_> {
                 _ => NO_FEED,
             };
             let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
-            return Ok(Some(Drilling { axis, levels, feed, method }));
+            return Ok(Some(Drilling { axis, levels, feed, entry: None, method }));
         }
         let heights = self.heights(cycle, shift)?;
-        let deep = self.depth_of(cycle)?;
+        let deep = self.hole_depth(cycle)?;
         if deep == 0.0 {
             self.report(
                 Diagnostic::new(codes::K2404, self.here.origin.loc, format!("cycle {} has depth 0", cycle.number))
@@ -190,12 +195,10 @@ impl Run<'_> {
             Some(_) => self.cycle_feed(cycle, FEED, None)?,
             None => NO_FEED,
         };
-        if self.cycle_option(cycle, DEPTH_REFERENCE)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "a depth that counts from the full diameter (Q395=1)");
-        }
         let dwell = if drilling.dwell.is_some() { self.cycle_dwell(cycle, DWELL)? } else { 0.0 };
         let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
-        Ok(Some(Drilling { axis, levels, feed, method }))
+        let entry = self.hole_entry(cycle, &levels)?;
+        Ok(Some(Drilling { axis, levels, feed, entry, method }))
     }
 
     /// The heights that Q200, Q203 and Q204 give.
@@ -222,11 +225,8 @@ impl Run<'_> {
         Ok(Heights { surface, clearance, second: surface + second.max(clearance) })
     }
 
-    /// Depth from the surface, negative or 0.
-    fn depth_of(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
-        if self.cycle_option(cycle, BY_DIAMETER)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "centring by the diameter (Q343=1) needs the tip angle of the tool");
-        }
+    /// Q201, negative or 0.
+    pub(super) fn depth_below(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
         let deep = self.cycle_length(cycle, DEPTH)?;
         if deep > 0.0 {
             return self.cycle_value(cycle, &format!("the depth Q201 = {deep} is positive"));
@@ -256,16 +256,8 @@ impl Run<'_> {
         self.tapping(cut, Some(lead))
     }
 
-    /// Cycle 240.
-    pub(super) fn centering(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
-        if self.cycle_option(cycle, ROUGH_DIAMETER)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "centring of a hole that is drilled already (Q342)");
-        }
-        Ok(Method::Drill { dwell: cut.dwell })
-    }
-
     /// Q202.
-    fn infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+    pub(super) fn infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
         let step = self.cycle_length(cycle, PLUNGE)?;
         if step <= 0.0 {
             return self.cycle_value(cycle, &format!("the plunging depth Q202 = {step} is not above zero"));
@@ -291,9 +283,7 @@ impl Run<'_> {
     }
 
     pub(super) fn pecking(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
-        if self.cycle_option(cycle, DEEPENED)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "a deepened start (Q379)");
-        }
+        let from = self.cycle_open_length(cycle, DEEPENED)?;
         let first = self.infeed(cycle)?;
         let ahead = [self.cycle_length(cycle, AHEAD_ABOVE)?, self.cycle_length(cycle, AHEAD_BELOW)?];
         if ahead[0] != ahead[1] {
@@ -304,12 +294,13 @@ impl Run<'_> {
             ));
         }
         let every = self.cycle_length(cycle, BREAK_DEPTH)?;
-        let back = if cycle.sets(RETRACT_FEED) { self.retract_feed(cycle, RETRACT_FEED, None)? } else { None };
+        let back =
+            if cycle.sets(RETRACT_FEED) { self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))? } else { None };
         let shorter = (self.cycle_length(cycle, DECREMENT)?, self.cycle_length(cycle, LEAST_PLUNGE)?);
         let way = self.cycle_length(cycle, BREAK_WAY)?;
         let breaks = if every > 0.0 { Breaks::Every(every) } else { Breaks::Never };
         let removal = Removal { back, dwell: 0.0, ahead: Ahead::Evenly(ahead), at_the_end: true };
-        Ok(Method::Peck(Pecking { breaks, way, removal, ..steps(first, shorter, cut.dwell) }))
+        Ok(Method::Peck(Pecking { from, breaks, way, removal, ..steps(first, shorter, cut.dwell) }))
     }
 
     pub(super) fn boring(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
@@ -454,7 +445,7 @@ impl Run<'_> {
     }
 
     /// A feed; 0 stands for `instead` where that is given.
-    fn cycle_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Feed> {
+    pub(super) fn cycle_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Feed> {
         if cycle.word(q) == Some("FAUTO") {
             return self.tool_feed_of(cycle, q);
         }
@@ -486,7 +477,7 @@ impl Run<'_> {
     }
 
     /// A retract: FMAX is rapid traverse.
-    fn retract_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Option<Feed>> {
+    pub(super) fn retract_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Option<Feed>> {
         if cycle.word(q) == Some("FMAX") { Ok(None) } else { self.cycle_feed(cycle, q, instead).map(Some) }
     }
 

@@ -22,6 +22,7 @@ mod fk;
 mod flow;
 mod frames;
 mod help;
+mod holes;
 mod labels;
 mod lane;
 mod m_functions;
@@ -445,6 +446,7 @@ impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     fn report_open(&mut self) {
         let _ = self.close_contour();
+        self.warn_of_unclosed();
         let _ = self.forbid_open_approach();
         if self.cycles.is_open() {
             self.finish_cycle();

@@ -48,7 +48,7 @@ impl Run<'_> {
 
     fn send_drilling(&mut self, start: f64, depth: f64, feed: Feed, method: Method) {
         let levels = Levels { retract: start, reference: start, clearance: 0.0, depth };
-        self.send_cycle(&Cycle::Drilling(Drilling { axis: Axis::Z, levels, feed, method }));
+        self.send_cycle(&Cycle::Drilling(Drilling { axis: Axis::Z, levels, feed, entry: None, method }));
     }
 
     /// G36: the thread is cut with the spindle in step; it turns back on the way out.

@@ -17,7 +17,8 @@ pub(super) fn steps(levels: &Levels, peck: &Pecking) -> Result<Vec<f64>, Drillin
     if matches!(peck.breaks, Breaks::Every(way) if levels.way() / way > MOST_PECKS as f64) {
         return Err(DrillingFault::TooManyPecks);
     }
-    depths(levels, peck.first, peck.degression)
+    let begin = Levels { reference: levels.reference - peck.from * levels.outward(), ..*levels };
+    depths(&begin, peck.first, peck.degression)
 }
 
 /// Depths of the steps, the last one at the bottom. The last two are made alike where the rest would be shorter
@@ -83,7 +84,7 @@ impl Hole<'_> {
     pub(super) fn peck(&mut self, peck: &Pecking, depths: &[f64]) {
         let out = self.levels.outward();
         let feed = self.drilling.feed;
-        let mut from = self.levels.reference;
+        let mut from = self.levels.reference - peck.from * out;
         let mut broken = 0;
         for (at, &depth) in depths.iter().enumerate() {
             let feed = if at == 0 { feed.with_value(feed.value() * peck.first_feed) } else { feed };

@@ -11,7 +11,7 @@ fn levels(retract: f64, reference: f64, clearance: f64, depth: f64) -> Levels {
 }
 
 fn hole(levels: Levels, method: Method) -> Drilling {
-    Drilling { axis: Axis::Z, levels, feed: Feed::PerMinute(100.0), method }
+    Drilling { axis: Axis::Z, levels, feed: Feed::PerMinute(100.0), entry: None, method }
 }
 
 fn breaking(first: f64, degression: Degression) -> Method {

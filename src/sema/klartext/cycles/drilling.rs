@@ -1,4 +1,4 @@
-//! Drilling and tapping: 1, 2, 17, 200 to 203, 205 to 207, 240.
+//! Drilling and tapping: 1, 2, 17, 200 to 203, 205 to 207, 240, 241.
 
 use crate::sema::cycle_table::{Kind, Name, Parameter, Signature, Status};
 
@@ -25,6 +25,13 @@ pub(in super::super) const BY_DIAMETER: Q = Q(343);
 pub(in super::super) const DIAMETER: Q = Q(344);
 pub(in super::super) const DEEPENED: Q = Q(379);
 pub(in super::super) const DEPTH_REFERENCE: Q = Q(395);
+pub(in super::super) const FEED_PERCENT: Q = Q(401);
+pub(in super::super) const ENTRY_TURN: Q = Q(426);
+pub(in super::super) const ENTRY_SPEED: Q = Q(427);
+pub(in super::super) const DRILLING_SPEED: Q = Q(428);
+pub(in super::super) const COOLANT_ON: Q = Q(429);
+pub(in super::super) const COOLANT_OFF: Q = Q(430);
+pub(in super::super) const DWELL_DEPTH: Q = Q(435);
 
 pub(super) const Q201: Parameter = q(DEPTH, Kind::Length, "depth below the surface, 0 or less").needed();
 const Q202: Parameter = q(PLUNGE, Kind::Length, "plunging depth, above 0").needed();
@@ -35,16 +42,22 @@ const Q210: Parameter = q(DWELL_ABOVE, Kind::Dwell, "dwell above the hole").need
 const Q211: Parameter = q(DWELL, Kind::Dwell, "dwell at the depth").needed();
 const Q212: Parameter = q(DECREMENT, Kind::Length, "by which each plunging depth is shorter").needed();
 pub(super) const Q239: Parameter = q(PITCH, Kind::Length, "pitch; above 0 right-hand, below 0 left-hand").needed();
-const Q395: Parameter =
-    q(DEPTH_REFERENCE, Kind::Number, "depth: 0 of the tip; 1, of the full diameter, is refused").default("0");
+const Q379: Parameter =
+    q(DEEPENED, Kind::Length, "deepened start below the surface: the hole is open down to it").default("0");
+const Q395: Parameter = q(DEPTH_REFERENCE, Kind::Number, "depth: 0 of the tip, 1 of the full diameter").default("0");
 
 /// Feed by Q206.
 const BY_Q206: Option<Name> = Some(Name::Q(FEED.0));
 
 const BY_Q211: Option<Name> = Some(Name::Q(DWELL.0));
 
-const CUTTING: Drilling =
-    Drilling { method: |run, cycle, cut| run.drilling(cycle, cut), feed: BY_Q206, dwell: BY_Q211, taps: false };
+const CUTTING: Drilling = Drilling {
+    method: |run, cycle, cut| run.drilling(cycle, cut),
+    feed: BY_Q206,
+    dwell: BY_Q211,
+    taps: false,
+    own_spindle: false,
+};
 
 const fn cycle(
     number: u32,
@@ -84,6 +97,7 @@ pub(super) const ROWS: &[Row] = &[
             feed: Some(Name::Part(5)),
             dwell: Some(Name::Part(4)),
             taps: false,
+            own_spindle: false,
         },
         &[
             CLEARANCE_OF_OLD,
@@ -102,6 +116,7 @@ pub(super) const ROWS: &[Row] = &[
             feed: Some(Name::Part(4)),
             dwell: Some(Name::Part(3)),
             taps: true,
+            own_spindle: false,
         },
         &[CLEARANCE_OF_OLD, DEPTH_OF_OLD, part(3, Kind::Dwell, "dwell at the depth"), part(4, Kind::Feed, "feed")],
     ),
@@ -109,7 +124,13 @@ pub(super) const ROWS: &[Row] = &[
         17,
         "CYCL DEF 17",
         "RIGID TAPPING",
-        &Drilling { method: |run, cycle, cut| run.old_rigid_tapping(cycle, cut), feed: None, dwell: None, taps: true },
+        &Drilling {
+            method: |run, cycle, cut| run.old_rigid_tapping(cycle, cut),
+            feed: None,
+            dwell: None,
+            taps: true,
+            own_spindle: false,
+        },
         &[CLEARANCE_OF_OLD, DEPTH_OF_OLD, part(3, Kind::Length, "pitch; above 0 right-hand, below 0 left-hand")],
     ),
     cycle(
@@ -194,9 +215,9 @@ pub(super) const ROWS: &[Row] = &[
             q(BREAK_DEPTH, Kind::Length, "depth after which the chip is broken; 0 never").needed(),
             q(BREAK_WAY, Kind::Length, "way back to break the chip").needed(),
             Q211,
-            q(DEEPENED, Kind::Length, "deepened start; refused where it is not 0").default("0"),
-            q(PREPOSITION, Kind::Feed, "feed to a deepened start").without_effect("used with Q379 only"),
-            q(RETRACT_FEED, Kind::Feed, "feed of the retraction").default("rapid"),
+            Q379,
+            q(PREPOSITION, Kind::Feed, "feed to a deepened start").default("needed with Q379"),
+            q(RETRACT_FEED, Kind::Feed, "feed of the retraction, 0 that of Q206").default("rapid"),
             Q395,
         ],
     ),
@@ -211,7 +232,13 @@ pub(super) const ROWS: &[Row] = &[
         207,
         "CYCL DEF 207",
         "RIGID TAPPING",
-        &Drilling { method: |run, cycle, cut| run.rigid_tapping(cycle, cut), feed: None, dwell: None, taps: true },
+        &Drilling {
+            method: |run, cycle, cut| run.rigid_tapping(cycle, cut),
+            feed: None,
+            dwell: None,
+            taps: true,
+            own_spindle: false,
+        },
         &[SET_UP, Q201, Q239, AT_SURFACE, SECOND],
     ),
     cycle(
@@ -221,15 +248,44 @@ pub(super) const ROWS: &[Row] = &[
         &Drilling { method: |run, cycle, cut| run.centering(cycle, cut), ..CUTTING },
         &[
             SET_UP,
-            q(BY_DIAMETER, Kind::Number, "0 the depth is given; 1, the diameter, is refused").needed(),
+            q(BY_DIAMETER, Kind::Number, "0 the depth Q201 is given, 1 the diameter Q344").needed(),
             Q201,
             Q206,
             Q211,
             AT_SURFACE,
             SECOND,
-            q(DIAMETER, Kind::Length, "diameter").without_effect("used with Q343 only"),
-            q(ROUGH_DIAMETER, Kind::Length, "diameter that is drilled already; refused where it is not 0").default("0"),
-            q(PREPOSITION, Kind::Feed, "feed to a start in the hole").without_effect("used with Q342 only"),
+            q(DIAMETER, Kind::Length, "diameter on the surface, its sign is left out").default("needed with Q343"),
+            q(ROUGH_DIAMETER, Kind::Length, "diameter that is drilled already").default("0"),
+            q(PREPOSITION, Kind::Feed, "feed to where the drilled hole is that wide").default("needed with Q342"),
+        ],
+    ),
+    cycle(
+        241,
+        "CYCL DEF 241",
+        "SINGLE-LIP DEEP-HOLE DRILLING",
+        &Drilling { method: |run, cycle, cut| run.deep_hole(cycle, cut), own_spindle: true, ..CUTTING },
+        &[
+            SET_UP,
+            Q201,
+            Q206,
+            Q211,
+            AT_SURFACE,
+            SECOND,
+            Q379,
+            q(PREPOSITION, Kind::Feed, "feed to a deepened start").default("needed with Q379"),
+            Q208,
+            q(ENTRY_TURN, Kind::Number, "spindle on the way in and out: 3 as M3, 4 as M4, 5 it stands").needed(),
+            q(ENTRY_SPEED, Kind::Speed, "speed on the way in and out").needed(),
+            q(DRILLING_SPEED, Kind::Speed, "speed of drilling").needed(),
+            q(COOLANT_ON, Kind::Number, "M function before drilling: 7, 8, 9, or 0 for none").default("8"),
+            q(COOLANT_OFF, Kind::Number, "M function at the bottom: 7, 8, 9, or 0 for none").default("9"),
+            q(DWELL_DEPTH, Kind::Length, "depth at which it dwells; refused where it is not 0").default("0"),
+            q(FEED_PERCENT, Kind::Number, "feed behind that depth in percent; refused where it is not 100")
+                .default("100"),
+            q(PLUNGE, Kind::Length, "plunging depth; refused where it is less than the depth").default("the depth"),
+            q(DECREMENT, Kind::Length, "by which each plunging depth is shorter").without_effect("there is one plunge"),
+            q(LEAST_PLUNGE, Kind::Length, "least plunging depth").without_effect("there is one plunge"),
+            Q395,
         ],
     ),
 ];

@@ -68,6 +68,8 @@ pub(super) struct Drilling {
     pub dwell: Option<Name>,
     /// It cuts a thread.
     pub taps: bool,
+    /// It starts the spindle itself, at a speed of its own.
+    pub own_spindle: bool,
 }
 
 /// Feed, and dwell at the depth in seconds.

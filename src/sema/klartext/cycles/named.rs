@@ -44,7 +44,6 @@ pub(super) const ROWS: &[Row] = &[
     named(231, "CYCL DEF 231", "RULED SURFACE"),
     named(232, "CYCL DEF 232", "FACE MILLING"),
     named(233, "CYCL DEF 233", "FACE MILLING"),
-    named(241, "CYCL DEF 241", "SINGLE-LIP DEEP-HOLE DRILLING"),
     named(251, "CYCL DEF 251", "RECTANGULAR POCKET"),
     named(252, "CYCL DEF 252", "CIRCULAR POCKET"),
     named(253, "CYCL DEF 253", "SLOT MILLING"),

@@ -19,6 +19,7 @@ pub(super) const ROWS: &[Row] = &[Row {
         feed: None,
         dwell: None,
         taps: true,
+        own_spindle: false,
     }),
     signature: Signature {
         name: "CYCL DEF 209",
@@ -32,7 +33,12 @@ pub(super) const ROWS: &[Row] = &[Row {
             AT_SURFACE,
             SECOND,
             q(BREAK_DEPTH, Kind::Length, "depth after which the chip is broken; 0 never").needed(),
-            q(BREAK_WAY, Kind::Number, "way back in pitches; 0 out of the hole").needed(),
+            q(
+                BREAK_WAY,
+                Kind::Number,
+                "way back in pitches, with `[control] klartext = \"tnc426\"` a length; 0 out of the hole",
+            )
+            .needed(),
             q(ANGLE, Kind::Angle, "angle of the spindle before the cut").needed(),
             q(BACK_FACTOR, Kind::Number, "factor on the speed of the way back, 0.0001 to 10").default("1"),
         ],
@@ -53,17 +59,16 @@ impl Run<'_> {
         if !(0.0001..=10.0).contains(&factor) {
             return self.cycle_value(cycle, &format!("the factor Q403 = {factor} is not 0.0001 to 10"));
         }
+        // Older software counts Q256 in lengths.
         let old = self.job.settings.control.klartext == Generation::Tnc426;
-        if old && way > 0.0 && pitches > 0.0 {
-            return self.cycle_unbuilt(cycle, "Q256, which may be a length on older controls,");
-        }
+        let back_way = if old { Some(self.cycle_length(cycle, BREAK_WAY)?) } else { None };
         if way > 0.0 && pitches == 0.0 && factor != 1.0 {
             return self.cycle_unbuilt(cycle, "Q256 = 0 with Q403, whose speed back into the hole is not known,");
         }
         let Method::Tap(mut tap) = self.rigid_tapping(cycle, cut)? else { return Err(super::super::Reported) };
         tap.orient = Some(angle.rem_euclid(360.0));
         if way > 0.0 {
-            let back = pitches * tap.lead.unwrap_or(0.0);
+            let back = back_way.unwrap_or(pitches * tap.lead.unwrap_or(0.0));
             let chip = if pitches == 0.0 { Chip::Remove { ahead: 0.0 } } else { Chip::Break { back } };
             tap.step = Some(TapStep { way, degression: Degression::Plain { less: 0.0, least: 0.0 }, chip });
         }

@@ -47,7 +47,7 @@ impl CycleCall<'_, '_> {
                 format!("{}: the tap needs a compensating chuck on the target", args.name()),
             );
         }
-        let hole = Drilling { axis, levels, feed, method };
+        let hole = Drilling { axis, levels, feed, entry: None, method };
         match hole.check() {
             Ok(()) => Ok(hole),
             Err(fault) => {
