@@ -1,6 +1,6 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, cycles, klartext, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{control, cycles, klartext, klartext_cycles, machine, mtc200, output, sinumerik, turning, undercut};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -154,7 +154,7 @@ pub const SECTIONS: &[Section] = &[
         name: "cycles",
         doc: "what a control decides inside its machining cycles",
         entry: &[],
-        keys: &[cycles::KEYS],
+        keys: &[cycles::KEYS, klartext_cycles::KEYS],
     },
     Section {
         name: "start",

@@ -32,6 +32,7 @@ mod path;
 mod pattern_def;
 mod patterns;
 mod plane;
+mod plane_normal;
 mod polar;
 mod probing;
 mod refused;
