@@ -36,6 +36,18 @@ pub struct Pocket {
     pub cleared: Option<Cleared>,
     /// Feed on the arc from place to place at the retract height; straight at rapid traverse without one.
     pub transfer: Option<Feed>,
+    pub between: Between,
+    /// Over this point of the plane the tool stands in the end; none: over the entry.
+    pub home: Option<Point2>,
+}
+
+/// From the end of one level to the insertion of the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Between {
+    /// On the level, at the feed.
+    Straight,
+    /// Off the wall on an arc, up by the safety distance, and over cleared ground at rapid traverse.
+    Lifted,
 }
 
 /// The finished outline, about its own origin.
@@ -74,9 +86,11 @@ pub enum Insertion {
         radius: f64,
         pitch: f64,
     },
-    /// To and fro, falling by at most this angle; 0 for one stroke.
+    /// To and fro, falling by at most this angle; 0 for one stroke. Along slots, else on the long axis as far as there is room.
     Sway {
         angle: Deg,
+        /// Length of a stroke; that of the long axis without one.
+        stroke: Option<f64>,
     },
 }
 
@@ -99,6 +113,10 @@ pub struct Finish {
     /// Greatest infeed in depth along the wall; 0 for one cut.
     pub step: f64,
     pub speed: Option<Speed>,
+    /// Radius of the arcs on which the wall is approached and left; the usual one without it.
+    pub arc: Option<f64>,
+    /// The floor is entered as roughing enters a level; else straight down.
+    pub inserts: bool,
 }
 
 /// Speeds of the spindle in rev/min: while it finishes, and afterwards where that is known.
@@ -223,7 +241,8 @@ impl Pocket {
 
     /// The radius of the arc on which the finishing cut comes to the wall.
     pub fn approach_radius(&self) -> f64 {
-        APPROACH.max(self.allowance).min(self.shape.room(self.mill.radius).least())
+        let asked = self.finish.and_then(|finish| finish.arc).unwrap_or(APPROACH);
+        asked.max(self.allowance).min(self.shape.room(self.mill.radius).least())
     }
 
     /// Was all cleared before at `height` that the cutter reaches from a ring with these half sizes and corners?
@@ -271,7 +290,7 @@ impl Family for Pocket {
         let insertion = match self.insertion {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
-            Insertion::Sway { angle } => (0.0..90.0).contains(&angle.0),
+            Insertion::Sway { angle, stroke } => (0.0..90.0).contains(&angle.0) && stroke.is_none_or(usable),
         };
         let circle = matches!(self.shape, Shape::Circle { .. });
         let rings = self.shape.room(radius).least() / self.width;
@@ -290,10 +309,11 @@ impl Family for Pocket {
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }
 
-    /// It ends above the entry of the last place.
+    /// It ends above the entry of the last place, or at home.
     fn leaves(&self, at: &mut Pos) {
         if let Some(place) = self.places.last() {
-            self.mill.leaves_above(place.point(self.shape.entry()), at);
+            let end = self.home.unwrap_or_else(|| place.point(self.shape.entry()));
+            self.mill.leaves_above(end, at);
         }
     }
 }

@@ -249,7 +249,7 @@ impl Run<'_> {
     }
 
     /// `+Q1`, `-QL5`: its value, `None` where `text` is no parameter.
-    fn signed_parameter(&mut self, text: &str, span: Span) -> Option<Outcome<f64>> {
+    pub(super) fn signed_parameter(&mut self, text: &str, span: Span) -> Option<Outcome<f64>> {
         let (negative, name) = match text.as_bytes().first()? {
             b'-' => (true, &text[1..]),
             b'+' => (false, &text[1..]),

@@ -52,11 +52,15 @@ impl Sink for Track {
 
 /// The moves of a SINUMERIK program, or the codes of its errors.
 pub fn track(text: &str, settings: &Settings) -> Result<Vec<Cut>, Vec<String>> {
-    let main =
-        Opened { name: "P.MPF".into(), identity: "P".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
+    track_of("sinumerik", text, settings)
+}
+
+/// The moves of a program, or the codes of its errors.
+pub fn track_of(language: &str, text: &str, settings: &Settings) -> Result<Vec<Cut>, Vec<String>> {
+    let main = Opened { name: "P".into(), identity: "P".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
     let session = Session::new(main);
     let mut track = Track::default();
-    session.lower(dialect::find("sinumerik").expect("a dialect"), settings, &NoFiles, &mut track);
+    session.lower(dialect::find(language).expect("a dialect"), settings, &NoFiles, &mut track);
     let errors: Vec<String> = session
         .diags
         .into_sorted()

@@ -1,6 +1,8 @@
 //! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
 
 mod grooves;
+mod klartext_bores;
+mod klartext_pockets;
 mod layers;
 pub mod milling;
 mod pockets;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
-use super::milling::{Cut, EXACT, Stock, track};
+use super::milling::{Cut, EXACT, Stock, track_of};
 
 /// Feeds by which the cuts are told apart.
 pub const ROUGH: f64 = 1000.0;
@@ -14,7 +14,7 @@ pub const FINISH: f64 = 500.0;
 
 /// A finished outline about its own origin.
 #[derive(Debug, Clone, Copy)]
-enum Outline {
+pub enum Outline {
     Rectangle { half: [f64; 2], corner: f64 },
     Circle { radius: f64 },
     Slot { from: f64, to: f64, half: f64 },
@@ -22,18 +22,23 @@ enum Outline {
 }
 
 #[derive(Debug, Clone)]
-struct Case {
-    text: String,
-    outline: Outline,
-    places: Vec<([f64; 2], f64)>,
-    radius: f64,
-    depth: f64,
-    step: f64,
-    wall: f64,
-    floor: f64,
-    rough: bool,
+pub struct Case {
+    pub language: &'static str,
+    pub text: String,
+    pub outline: Outline,
+    pub places: Vec<([f64; 2], f64)>,
+    pub radius: f64,
+    pub depth: f64,
+    pub step: f64,
+    pub wall: f64,
+    pub floor: f64,
+    pub rough: bool,
     /// Wall and floor are finished.
-    finish: [bool; 2],
+    pub finish: [bool; 2],
+    /// Greatest slope of the way into the material; none where the cutter may go straight down.
+    pub slope: Option<f64>,
+    /// Where it ends in the plane, if that is promised.
+    pub home: Option<[f64; 2]>,
 }
 
 /// Distance of `p` from the wall, above 0 inside.
@@ -107,8 +112,8 @@ impl Case {
     }
 
     /// Cuts the blank and says what is wrong.
-    fn judge(&self, settings: &Settings, shift: f64) -> Result<(), String> {
-        let cuts = track(&self.text, settings).map_err(|codes| format!("refused: {codes:?}"))?;
+    pub fn judge(&self, settings: &Settings, shift: f64) -> Result<(), String> {
+        let cuts = track_of(self.language, &self.text, settings).map_err(|codes| format!("refused: {codes:?}"))?;
         let (low, high) = self.extent();
         let cell = self.radius / 5.0;
         let mut stock = Stock::new(low.map(|v| v - shift * cell), high, cell);
@@ -135,11 +140,24 @@ impl Case {
             if level && !finishing && met.depth > self.step + EXACT {
                 return Err(format!("an infeed of {}: {cut:?}", met.depth));
             }
-            if cut.is_vertical() && !cut.is_rapid() && cut.feed != Some(PLUNGE) {
+            let falls = cut.from[2] - cut.to[2];
+            if let Some(slope) = self.slope.filter(|_| falls > 0.0 && met.depth > EXACT)
+                && falls > slope * cut.length() + EXACT
+            {
+                return Err(format!("goes into the material too steeply: {cut:?}"));
+            }
+            let plunges = cut.is_vertical() || self.language == "klartext" && falls > EXACT;
+            if plunges && !cut.is_rapid() && cut.feed != Some(PLUNGE) {
                 return Err(format!("goes down at the feed of the plane: {cut:?}"));
             }
         }
         self.complete(&stock)?;
+        let end = cuts.last().map(|last| [last.to[0], last.to[1]]);
+        if let (Some(home), Some(end)) = (self.home, end)
+            && (home[0] - end[0]).hypot(home[1] - end[1]) > EXACT
+        {
+            return Err(format!("ends at {end:?}, not at {home:?}"));
+        }
         if let Some(last) = cuts.last().filter(|last| last.to[2] != 10.0) {
             return Err(format!("ends below the retract height: {last:?}"));
         }
@@ -355,7 +373,8 @@ fn slots(dice: &mut Dice) -> Case {
 
 fn case(text: String, outline: Outline, places: Vec<([f64; 2], f64)>, c: &Common, finish: [bool; 2]) -> Case {
     let Common { radius, depth, step, wall, floor, .. } = *c;
-    Case { text, outline, places, radius, depth, step, wall, floor, rough: true, finish }
+    let (language, slope, home) = ("sinumerik", None, None);
+    Case { language, text, outline, places, radius, depth, step, wall, floor, rough: true, finish, slope, home }
 }
 
 #[test]

@@ -244,7 +244,7 @@ impl Tool<'_> {
                 self.cutter.helix(point, ccw, turns, to, feed);
                 self.cutter.arc(begin, point, ccw, feed);
             }
-            Insertion::Sway { angle } if arm > 0.0 => {
+            Insertion::Sway { angle, .. } if arm > 0.0 => {
                 let there = Element::Line { from: begin, to: Point2::new(point.x - arm, point.y) };
                 let back = reversed(&there);
                 let strokes = parts((from - to).abs(), 2.0 * arm * libm::tan(angle.radians())).min(MOST_LEVELS);

@@ -78,6 +78,8 @@ impl CycleCall<'_, '_> {
                 feed: mill.feeds.plane,
                 step: mill.heights.step,
                 speed: None,
+                arc: None,
+                inserts: false,
             }),
             lifts_high,
             mill,
@@ -104,7 +106,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle of insertion `_EW` (argument {place}) is above 0 and below 90");
                     return self.cycle_fault(args.span_of(EW), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 straight down, 1 on a helix, 2 to and fro"),
         })

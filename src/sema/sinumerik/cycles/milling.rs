@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
-use crate::ir::cycle::milling::{Feeds, Heights, Mill, MillFault};
+use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, MillFault};
 use crate::ir::function::Turn;
 use crate::machine::Axis;
 
@@ -150,6 +150,7 @@ impl CycleCall<'_, '_> {
             clearance: self.magnitude(names.clearance),
             depth,
             step: self.magnitude(names.step),
+            division: Division::Even,
             allowance: self.magnitude(names.floor),
         })
     }

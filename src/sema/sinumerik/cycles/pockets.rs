@@ -4,7 +4,7 @@
 
 use crate::geo::{Deg, Point2, distance};
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::pocket::{Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
+use crate::ir::cycle::pocket::{Between, Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
 use crate::ir::cycle::{Cycle, Family, LongHole};
 
 use super::super::Outcome;
@@ -258,6 +258,8 @@ impl CycleCall<'_, '_> {
             feed: mill.feeds.plane,
             step: mill.heights.step,
             speed: None,
+            arc: None,
+            inserts: false,
         });
         let width =
             if self.args.place(MIDA) > 0 { self.width(MIDA, mill.radius)? } else { USUAL_WIDTH * 2.0 * mill.radius };
@@ -274,6 +276,8 @@ impl CycleCall<'_, '_> {
             finish,
             cleared: None,
             transfer: None,
+            between: Between::Straight,
+            home: None,
         })
     }
 
@@ -343,7 +347,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle of insertion `_RAD1` (argument {place}) is above 0 and below 90");
                     return self.cycle_fault(args.span_of(RAD1), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
         })
     }
@@ -368,7 +372,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle `_STA2` (argument {}) is below 90", self.args.place(STA2));
                     return self.cycle_fault(self.args.span_of(STA2), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 and 1 straight down, 3 to and fro"),
         })
