@@ -1,6 +1,8 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, cycles, klartext, klartext_cycles, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{
+    control, cycles, klartext, klartext_cycles, machine, mtc200, output, sinumerik, turning, undercut,
+};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -167,7 +169,12 @@ pub const SECTIONS: &[Section] = &[
         entry: &[],
         keys: &[],
     },
-    Section { name: "variables", doc: "start values of parameters: Q50 = 3.0, R1 = 5.0", entry: &[], keys: &[] },
+    Section {
+        name: "variables",
+        doc: "start values of parameters: Q50 = 3.0, R1 = 5.0; Klartext: system data, \"ID240 NR1 IDX3\" = 100.0",
+        entry: &[],
+        keys: &[],
+    },
     Section { name: "output", doc: "what is printed", entry: &[], keys: &[output::KEYS] },
     Section { name: "limits", doc: "limits of a run", entry: &[], keys: &[output::LIMITS] },
 ];

@@ -6,8 +6,8 @@ use core::fmt;
 use crate::geo::Point2;
 use crate::ir::{Feed, Pos};
 
-use super::drilling::{Drilling, DrillingFault};
 use super::Family;
+use super::drilling::{Drilling, DrillingFault};
 use super::milling::{Mill, MillFault, Place};
 
 /// Most turns or passes; more is a lost decimal point.

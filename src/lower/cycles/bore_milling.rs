@@ -73,8 +73,15 @@ mod tests {
 
     fn bore(pitch: f64) -> BoreMilling {
         let feed = Feed::PerMinute(100.0);
-        let heights =
-            Heights { retract: 50.0, reference: 0.0, clearance: 2.0, depth: -10.0, step: 0.0, division: Division::Even, allowance: 0.0 };
+        let heights = Heights {
+            retract: 50.0,
+            reference: 0.0,
+            clearance: 2.0,
+            depth: -10.0,
+            step: 0.0,
+            division: Division::Even,
+            allowance: 0.0,
+        };
         BoreMilling {
             mill: Mill { plane: Plane::Xy, heights, radius: 6.0, feeds: Feeds { plane: feed, depth: feed } },
             place: Place::HERE,

@@ -95,8 +95,8 @@ mod tests {
     use super::*;
     use crate::geo::{Deg, Plane};
     use crate::ir::Feed;
-    use crate::ir::cycle::thread_milling::{Turns, Ways};
     use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
+    use crate::ir::cycle::thread_milling::{Turns, Ways};
 
     fn thread(depth: f64) -> ThreadMilling {
         let feed = Feed::PerMinute(100.0);

@@ -9,9 +9,9 @@ use crate::ir::cycle::{BoreMilling, Cycle};
 
 use super::cycles::DefinedCycle;
 use super::cycles::bores::{NOMINAL, TURN_INFEED};
+use super::cycles::call::Call;
 use super::cycles::drilling::{FEED, ROUGH_DIAMETER};
 use super::cycles::milling::{CLIMB, OVERLAP};
-use super::cycles::call::Call;
 use super::{Outcome, Reported, Run};
 
 /// What arithmetic may lose at a size, mm.

@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::lexer::klartext::QRef;
 use crate::machine::Unit;
 use crate::parser::klartext::ast::Block;
-use crate::text::{Span, decode::readable, number::decimal};
+use crate::text::{Span, number::decimal};
 
 use super::{Outcome, Run};
 
@@ -70,7 +70,7 @@ fn lines(code: &str, start: u32) -> Vec<Line> {
 
 impl Run<'_> {
     pub(super) fn global_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let code = readable(text.get(block.span.start as usize..).unwrap_or_default()).into_owned();
+        let code = String::from_utf8_lossy(text.get(block.span.start as usize..).unwrap_or_default());
         let words = split(lines(&code, block.span.start));
         let Some((head, parameters)) = words.split_first() else { return Ok(()) };
         let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
@@ -194,7 +194,8 @@ mod tests {
         let code = "GLOBAL DEF 100 GENERAL ~\n  Q200=+2 ;SET-UP ~\n Q204=+50 Q253=+750 ~\n Q208=FMAX";
         let words: Vec<String> = split(lines(code, 0)).into_iter().map(|(word, _)| word).collect();
         assert_eq!(words, ["GLOBAL DEF 100 GENERAL", "Q200=+2", "Q204=+50", "Q253=+750", "Q208=FMAX"]);
-        let one: Vec<String> = split(lines("GLOBAL DEF 105 DRILLING Q256=Q1 Q210 = 0", 4)).into_iter().map(|l| l.0).collect();
+        let one: Vec<String> =
+            split(lines("GLOBAL DEF 105 DRILLING Q256=Q1 Q210 = 0", 4)).into_iter().map(|l| l.0).collect();
         assert_eq!(one, ["GLOBAL DEF 105 DRILLING", "Q256=Q1", "Q210 = 0"]);
     }
 }

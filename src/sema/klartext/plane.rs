@@ -55,7 +55,7 @@ impl Plane {
     fn read(code: &str, parameter: &mut dyn FnMut(&str) -> Option<f64>) -> Plane {
         let mut plane = Plane::default();
         for (at, word) in code.split_whitespace().enumerate() {
-            let (name, rest) = word.split_at(word.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(word.len()));
+            let (name, rest) = word.split_at(end_of_name(word));
             match (at, name, rest) {
                 (0, "PLANE", "") => {}
                 (1, kind, "") => plane.kind = kind.to_owned(),
@@ -140,7 +140,10 @@ impl Plane {
                 plane_normal::points([p, q, r])?;
                 let along = q - p;
                 let upright = p.z == q.z && q.z == r.z;
-                Some(turned(!upright, if along.y == 0.0 && along.x > 0.0 { 0.0 } else { atan2(along.y, along.x).to_degrees() }))
+                Some(turned(
+                    !upright,
+                    if along.y == 0.0 && along.x > 0.0 { 0.0 } else { atan2(along.y, along.x).to_degrees() },
+                ))
             }),
             _ => None,
         };
@@ -159,9 +162,9 @@ impl Plane {
         let normal = match self.kind.as_str() {
             "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(plane_normal::spatial),
             "EULER" => self.exactly(["EULPR", "EULNU", "EULROT"]).map(plane_normal::euler),
-            "VECTOR" => self.exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"]).and_then(|[.., x, y, z]| {
-                Vector3::new(x, y, z).try_normalize(1e-12)
-            }),
+            "VECTOR" => self
+                .exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"])
+                .and_then(|[.., x, y, z]| Vector3::new(x, y, z).try_normalize(1e-12)),
             "POINTS" => self.points().and_then(plane_normal::points),
             "RELATIVE" => self.data.first().map(|(name, value)| {
                 let axis = usize::from(name == "SPB");
@@ -172,6 +175,17 @@ impl Plane {
         };
         let points = normal.map(|normal| format!(": the tool axis points along {}", plane_normal::shown(&normal)));
         format!(" by {}{}", words.join(" "), points.unwrap_or_default())
+    }
+}
+
+/// `SPA` of `SPA+20`, `P1X` of `P1X+0`.
+fn end_of_name(word: &str) -> usize {
+    let letters = |from: usize| {
+        word[from..].find(|c: char| !c.is_ascii_alphabetic()).map_or(word.len(), |length| from + length)
+    };
+    match word.as_bytes() {
+        [b'P', b'1'..=b'3', b'X' | b'Y' | b'Z', ..] => letters(2),
+        _ => letters(0),
     }
 }
 
@@ -237,7 +251,10 @@ impl Run<'_> {
             }
             Effect::Tilted => {
                 let what = plane.tilted(self.st.frames.transform().turn.0);
-                return refuse(self, &format!("tilts the working plane{what}, which cannot be compiled for three axes"));
+                return refuse(
+                    self,
+                    &format!("tilts the working plane{what}, which cannot be compiled for three axes"),
+                );
             }
             Effect::Unsettled => {
                 return refuse(self, "turns the plane by words whose sense no manual page settles");

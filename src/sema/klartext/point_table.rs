@@ -8,7 +8,7 @@ use crate::geo::Point2;
 use crate::machine::Axis;
 use crate::parser::klartext::ast::Block;
 use crate::sema::run::open_program;
-use crate::text::{Loc, Span, decode::readable, number::decimal};
+use crate::text::{Loc, Span, number::decimal};
 
 use super::pattern_def::{Place, Places};
 use super::{Outcome, Reported, Run};
@@ -37,7 +37,9 @@ impl Run<'_> {
         let (sources, wrong) = (self.job.sources, |run: &Self, line: u32, what: String| {
             run.report(
                 Diagnostic::new(codes::K2945, here.loc, format!("line {line} of the point table `{name}`: {what}"))
-                    .help("a table has `BEGIN NAME.PNT MM`, a line with the names of its columns, and one place a line"),
+                    .help(
+                        "a table has `BEGIN NAME.PNT MM`, a line with the names of its columns, and one place a line",
+                    ),
             );
             Err(Reported)
         });
@@ -54,7 +56,7 @@ impl Run<'_> {
         }
         let (first, second, third) = self.st.plane().axes();
         let letters = [first, second, third].map(|axis| Axis::ALL[axis].letter());
-        match read(&readable(&bytes), letters, here.loc) {
+        match read(&String::from_utf8_lossy(&bytes), letters, here.loc) {
             Ok(places) => {
                 self.places = Some(places);
                 self.places_lost = false;
@@ -77,7 +79,9 @@ fn read(text: &str, axes: [char; 3], loc: Loc) -> Result<Places, Wrong> {
             continue;
         }
         let Some(mm) = mm else {
-            mm = Some(unit(&upper).ok_or_else(|| fail("it does not begin with BEGIN, its name, and MM or INCH".into()))?);
+            mm = Some(
+                unit(&upper).ok_or_else(|| fail("it does not begin with BEGIN, its name, and MM or INCH".into()))?,
+            );
             continue;
         };
         if upper.starts_with("[END]") {
@@ -133,7 +137,9 @@ fn row(line: &str, columns: &[(String, usize)], axes: [char; 3], mm: f64) -> Res
     };
     let length = |title: &str| match field(title) {
         None => Ok(None),
-        Some(text) => signed(text).map(|value| Some(value * mm)).ok_or_else(|| format!("`{text}` under {title} is no number")),
+        Some(text) => {
+            signed(text).map(|value| Some(value * mm)).ok_or_else(|| format!("`{text}` under {title} is no number"))
+        }
     };
     for (title, _) in columns {
         let known = ["NR", "FADE", "CLEARANCE", "DOC"].contains(&title.as_str());
@@ -147,9 +153,7 @@ fn row(line: &str, columns: &[(String, usize)], axes: [char; 3], mm: f64) -> Res
         Some("Y" | "1" | "J") => return Ok(None),
         Some(other) => return Err(format!("FADE is `{other}` in place of Y or N")),
     }
-    let needed = |axis: char| {
-        length(&axis.to_string())?.ok_or_else(|| format!("the place has no {axis}"))
-    };
+    let needed = |axis: char| length(&axis.to_string())?.ok_or_else(|| format!("the place has no {axis}"));
     Ok(Some(Place {
         at: Point2::new(needed(axes[0])?, needed(axes[1])?),
         surface: length(&axes[2].to_string())?.unwrap_or(0.0),

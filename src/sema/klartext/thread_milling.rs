@@ -14,14 +14,12 @@ use crate::machine::options::klartext_cycles::OutsideThread;
 use crate::sema::cycle_table::Name;
 
 use super::cycles::bores::NOMINAL;
+use super::cycles::call::Call;
 use super::cycles::drilling::{AHEAD_ABOVE, BREAK_DEPTH, BREAK_WAY, FEED, PITCH, PREPOSITION};
 use super::cycles::milling::{CLIMB, MILLING_FEED};
-use super::cycles::threads::{
-    APPROACH_FEED, FRONT_DEPTH, FRONT_OFFSET, SINK_FEED, SINK_LATER, STEPS, TOTAL_DEPTH,
-};
+use super::cycles::threads::{APPROACH_FEED, FRONT_DEPTH, FRONT_OFFSET, SINK_FEED, SINK_LATER, STEPS, TOTAL_DEPTH};
 use super::cycles::{DefinedCycle, Q};
 use super::drilling::steps;
-use super::cycles::call::Call;
 use super::{Outcome, Reported, Run};
 
 /// Depth of a metric thread in pitches, of a hole and of a stud (ISO 68-1).
@@ -68,12 +66,8 @@ impl Run<'_> {
         };
         self.keep_above(cycle, &mut thread, depth)?;
         let heights = &thread.mill.heights;
-        let levels = Levels {
-            retract: heights.safe(),
-            reference: heights.reference,
-            clearance: heights.clearance,
-            depth,
-        };
+        let levels =
+            Levels { retract: heights.safe(), reference: heights.reference, clearance: heights.clearance, depth };
         let mut peck = steps(self.infeed(cycle)?, (0.0, 0.0), 0.0);
         let every = self.cycle_open_length(cycle, BREAK_DEPTH)?;
         peck.breaks = if every > 0.0 { Breaks::Every(every) } else { Breaks::Never };

@@ -39,7 +39,7 @@ fn turns(cut: &Cut) -> Option<f64> {
 
 fn program(radius: f64, cycle: &str) -> String {
     format!(
-        "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL CALL 1 Z S3000\nL X+0 Y+0 Z+50 R0 FMAX M3\n{cycle}\nCYCL CALL\nL X+300 FMAX\nEND PGM P MM\n"
+        "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius:.4}\nTOOL CALL 1 Z S3000\nL X+0 Y+0 Z+50 R0 FMAX M3\n{cycle}\nCYCL CALL\nL X+300 FMAX\nEND PGM P MM\n"
     )
 }
 
@@ -113,7 +113,8 @@ fn bore(dice: &mut Dice) -> (String, Result<(), String>) {
                 if fall > EXACT && (fall / turns.abs() - pitch).abs() > 0.01 * pitch {
                     return Err(format!("falls {} in a turn of {pitch}: {cut:?}", fall / turns.abs()));
                 }
-                if fall.abs() < EXACT && (far(cut.to) + radius - size).abs() < LOST && (cut.to[2] + depth).abs() < EXACT {
+                if fall.abs() < EXACT && (far(cut.to) + radius - size).abs() < LOST && (cut.to[2] + depth).abs() < EXACT
+                {
                     round += turns;
                 }
                 if turns.signum() != f64::from(climb) {
@@ -165,7 +166,8 @@ fn thread(dice: &mut Dice) -> Thread {
 fn threads(cuts: &[Cut], t: &Thread, on: f64, down: bool, once: bool) -> Result<(), String> {
     let mut found = Vec::new();
     for cut in cuts {
-        let Some(turns) = turns(cut).filter(|_| (far(cut.to) - on).abs() < LOST && (cut.to[2] - cut.from[2]).abs() > EXACT)
+        let Some(turns) =
+            turns(cut).filter(|_| (far(cut.to) - on).abs() < LOST && (cut.to[2] - cut.from[2]).abs() > EXACT)
         else {
             continue;
         };
@@ -203,7 +205,8 @@ fn inside(dice: &mut Dice) -> (String, Result<(), String>) {
     let (sink, circle) = (number(dice, 0.1, 1.5).min(t.depth), number(dice, 0.1, 0.5));
     let core = t.nominal - IN_HOLE * t.pitch;
     if cycle == 265 {
-        t.radius = t.radius.max(0.51 * t.nominal).min(0.98 * core);
+        t.radius = (t.radius.max(0.51 * t.nominal).min(0.98 * core) * 1e3).round() / 1e3;
+        t.steps = 1;
     }
     let signed = if t.left { -t.pitch } else { t.pitch };
     let all = format!(
@@ -224,9 +227,6 @@ fn inside(dice: &mut Dice) -> (String, Result<(), String>) {
     let judge = || {
         let cuts = moves(&text, &settings)?;
         let down = if cycle == 265 { true } else { (climb > 0) == t.left };
-        if cycle == 265 {
-            t.steps = 1;
-        }
         let on = t.nominal - t.radius;
         threads(&cuts, &t, on, down, cycle == 263 || cycle == 264)?;
         let floor = match cycle {
@@ -236,7 +236,8 @@ fn inside(dice: &mut Dice) -> (String, Result<(), String>) {
         };
         for cut in &cuts {
             // A countersink may be wider than the thread.
-            let wall = if lowest(cut) > -sink - EXACT && cycle != 262 { t.nominal.max(circle + t.radius) } else { t.nominal };
+            let wall =
+                if lowest(cut) > -sink - EXACT && cycle != 262 { t.nominal.max(circle + t.radius) } else { t.nominal };
             if lowest(cut) < 0.0 && reach(cut).0 + t.radius > wall + LOST {
                 return Err(format!("gouges the wall: {cut:?}"));
             }

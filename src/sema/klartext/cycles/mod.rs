@@ -158,8 +158,16 @@ impl Row {
     }
 }
 
-const FAMILIES: &[&[Row]] =
-    &[drilling::ROWS, tapping_in_steps::ROWS, pockets::ROWS, bores::ROWS, threads::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
+const FAMILIES: &[&[Row]] = &[
+    drilling::ROWS,
+    tapping_in_steps::ROWS,
+    pockets::ROWS,
+    bores::ROWS,
+    threads::ROWS,
+    patterns::ROWS,
+    transformations::ROWS,
+    named::ROWS,
+];
 
 /// All cycles that are known, family by family.
 pub(super) fn rows() -> impl Iterator<Item = &'static Row> {

@@ -3,9 +3,7 @@
 use crate::sema::cycle_table::{Kind, Parameter};
 
 use super::bores::DIAMETER;
-use super::drilling::{
-    AHEAD_ABOVE, BREAK_DEPTH, BREAK_WAY, FEED, PLUNGE, PREPOSITION, Q201, Q239,
-};
+use super::drilling::{AHEAD_ABOVE, BREAK_DEPTH, BREAK_WAY, FEED, PLUNGE, PREPOSITION, Q201, Q239};
 use super::milling::{MILLING_FEED, Q351, cycle};
 use super::{AT_SURFACE, Q, Row, SECOND, SET_UP, q};
 
@@ -23,7 +21,8 @@ const Q253: Parameter = q(PREPOSITION, Kind::Feed, "feed of positioning in the h
 const Q254: Parameter = q(SINK_FEED, Kind::Feed, "feed for countersinking").needed();
 const Q355: Parameter =
     q(STEPS, Kind::Count, "0 one turn, 1 turns over the whole depth, more: one turn every so many pitches").needed();
-const Q358: Parameter = q(FRONT_DEPTH, Kind::Length, "depth of the tip for the countersink at the front, 0 none").needed();
+const Q358: Parameter =
+    q(FRONT_DEPTH, Kind::Length, "depth of the tip for the countersink at the front, 0 none").needed();
 const Q359: Parameter = q(FRONT_OFFSET, Kind::Length, "radius of the centre's circle in the countersink").needed();
 const Q512: Parameter = q(APPROACH_FEED, Kind::Feed, "feed of the way to the thread").default("Q207");
 

@@ -176,7 +176,9 @@ impl CycleCall<'_, '_> {
     fn thread_milling_fault(&self, fault: ThreadMillingFault) -> Outcome {
         let (key, alarm, help): (Key, _, _) = match fault {
             ThreadMillingFault::Mill(fault) => return self.mill_fault(&NAMES, fault),
-            ThreadMillingFault::Cutter | ThreadMillingFault::Way | ThreadMillingFault::Hole(_) => (DIATH, 61105, "take a smaller cutter"),
+            ThreadMillingFault::Cutter | ThreadMillingFault::Way | ThreadMillingFault::Hole(_) => {
+                (DIATH, 61105, "take a smaller cutter")
+            }
             ThreadMillingFault::Pitch | ThreadMillingFault::TooMany => {
                 (super::arguments::PIT, 61001, "check the pitch and the infeed")
             }
