@@ -75,6 +75,8 @@ pub(super) struct Compile {
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
+    pub findings: Findings,
+    #[command(flatten)]
     pub common: Common,
 }
 
@@ -88,6 +90,8 @@ pub(super) struct Check {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub many: Many,
+    #[command(flatten)]
+    pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
 }
@@ -126,6 +130,8 @@ pub(super) struct Trace {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
     #[command(flatten)]
+    pub findings: Findings,
+    #[command(flatten)]
     pub common: Common,
 }
 
@@ -139,6 +145,8 @@ pub(super) struct Plot {
     /// Overwrite a picture that partc did not draw
     #[arg(long)]
     pub force: bool,
+    #[command(flatten)]
+    pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
 }
@@ -195,12 +203,22 @@ pub(super) struct Common {
     pub stdin_filename: Option<PathBuf>,
 }
 
-/// How findings are shown, and what they come to.
+/// How findings are shown.
 #[derive(Debug, ClapArgs)]
 pub(super) struct Report {
     /// How findings are written [default: human; github in a workflow of GitHub Actions]
     #[arg(long, value_enum)]
     pub format: Option<Format>,
+    /// Show errors only
+    #[arg(short, long)]
+    pub quiet: bool,
+    #[arg(long, value_enum, default_value = "auto")]
+    pub color: Color,
+}
+
+/// What the findings of a run come to.
+#[derive(Debug, ClapArgs)]
+pub(super) struct Findings {
     /// One more report, in a file; may be given several times: `--report sarif=findings.sarif`
     #[arg(long = "report", value_name = "FORMAT=FILE", value_parser = one_more)]
     pub more: Vec<(Format, PathBuf)>,
@@ -213,11 +231,12 @@ pub(super) struct Report {
     /// How often each code was found, at the end
     #[arg(long)]
     pub statistics: bool,
-    /// Show errors only
-    #[arg(short, long)]
-    pub quiet: bool,
-    #[arg(long, value_enum, default_value = "auto")]
-    pub color: Color,
+}
+
+impl Findings {
+    /// Those of a command that only shows what it found.
+    pub const SHOWN: Findings =
+        Findings { more: Vec::new(), fail_on: Severity::Error, exit_zero: false, statistics: false };
 }
 
 fn one_more(text: &str) -> Result<(Format, PathBuf), String> {

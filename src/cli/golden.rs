@@ -12,7 +12,7 @@ use crate::emit::reread::Change;
 use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
 
-use super::args::{Format, Test};
+use super::args::{Findings, Format, Test};
 use super::inputs::{Ignored, walk};
 use super::listing::print;
 
@@ -71,7 +71,7 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
     if !matches!(format, Format::Human | Format::Concise | Format::Json) {
         return Err("`partc test` writes human, concise or json".to_owned());
     }
-    let reporter = Reporter::new(&args.common, Stdout::Taken, None)?;
+    let reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None)?;
     let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new() };
     for program in &programs {
         if let Err(trouble) = run.one(program) {

@@ -23,6 +23,13 @@ pub(super) struct Input {
     pub below: PathBuf,
 }
 
+impl Input {
+    /// A program that was named itself.
+    pub fn named(path: &Path) -> Input {
+        Input { path: path.to_path_buf(), below: PathBuf::from(file_name(path)) }
+    }
+}
+
 /// What was found, in order, and what could not be read.
 #[derive(Debug, Default)]
 pub(super) struct Inputs {
@@ -31,12 +38,19 @@ pub(super) struct Inputs {
 }
 
 /// The programs that `paths` and `many` name; of folders those that `takes` takes.
-pub(super) fn inputs(paths: &[PathBuf], many: &Many, takes: &dyn Fn(&Path) -> bool) -> Inputs {
+///
+/// # Errors
+/// Standard input cannot hold a program and the list.
+pub(super) fn inputs(paths: &[PathBuf], many: &Many, takes: &dyn Fn(&Path) -> bool) -> Result<Inputs, Trouble> {
     let mut found = Inputs::default();
     let mut named = paths.to_vec();
     match many.files_from.as_deref().map(list_from).transpose() {
         Ok(list) => named.extend(list.unwrap_or_default()),
         Err(trouble) => found.troubles.push(trouble),
+    }
+    let stdin = |path: &Path| path == Path::new("-");
+    if many.files_from.as_deref().is_some_and(stdin) && named.iter().any(|path| stdin(path)) {
+        return Err("standard input holds the list of --files-from; it cannot hold a program, too".to_owned());
     }
     let mut seen = BTreeSet::new();
     for path in &named {
@@ -48,7 +62,7 @@ pub(super) fn inputs(paths: &[PathBuf], many: &Many, takes: &dyn Fn(&Path) -> bo
     if let Some(shard) = many.shard {
         found.list.retain(|input| is_in(shard, &input.path));
     }
-    found
+    Ok(found)
 }
 
 /// The names in a list, one a line.
@@ -74,7 +88,7 @@ fn expand(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec<Input>> 
     if !path.exists() && pattern.contains(['*', '?', '[', '{']) {
         return matching(&pattern);
     }
-    Ok(vec![Input { path: path.to_path_buf(), below: PathBuf::from(file_name(path)) }])
+    Ok(vec![Input::named(path)])
 }
 
 /// With their paths below `folder`.
@@ -105,8 +119,8 @@ pub(super) enum Ignored {
     LeftOut,
 }
 
-/// Files below `folder` that `takes` takes, in order of their names. Hidden ones are passed over, no link is followed, and
-/// nothing outside the tree decides: no ignore file of the user or of a repository.
+/// Files below `folder` that `takes` takes, in order of their names. Hidden ones are passed over, no link to a folder is
+/// followed, and nothing outside the tree decides: no ignore file of the user or of a repository.
 pub(super) fn walk(folder: &Path, takes: &dyn Fn(&Path) -> bool, ignored: Ignored) -> io::Result<Vec<PathBuf>> {
     let mut walk = WalkBuilder::new(folder);
     let ignores = ignored == Ignored::LeftOut;
@@ -120,9 +134,8 @@ pub(super) fn walk(folder: &Path, takes: &dyn Fn(&Path) -> bool, ignored: Ignore
             Some(inner) => io::Error::new(inner.kind(), error.to_string()),
             None => io::Error::other(error.to_string()),
         })?;
-        let is_file = entry.file_type().is_some_and(|kind| kind.is_file());
         let path = entry.into_path();
-        if is_file && takes(&path) {
+        if path.is_file() && takes(&path) {
             found.push(path);
         }
     }

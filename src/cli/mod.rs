@@ -57,7 +57,7 @@ pub fn main() -> ExitCode {
     };
     std::panic::set_hook(Box::new(|panic| {
         say(&format!("partc: internal error: {panic}"));
-        say("Nothing was written. Please report this with the program that caused it.");
+        say("Nothing was written for that program. Please report this with the program that caused it.");
     }));
     let exit = match catch_unwind(AssertUnwindSafe(|| dispatch(&args))) {
         Ok(Ok(exit)) => exit,

@@ -1,6 +1,6 @@
 //! The findings of a command: on the terminal, as documents, and as an exit code.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -9,12 +9,15 @@ use crate::diag::render::concise;
 use crate::diag::render::terminal::Style;
 use crate::diag::report::{Checked, Counts, Document};
 use crate::diag::{Severity, codes};
+use crate::dialect;
 use crate::driver::Session;
 use crate::text::FileId;
 
-use super::args::{Color, Common, Format};
+use super::args::{Color, Common, Findings, Format};
+use super::inputs::Input;
 use super::listing::print;
 use super::output::Destination;
+use super::run::{is_output, real, same_file};
 use super::{Exit, Trouble, say};
 
 /// Characters in a line on the terminal.
@@ -134,11 +137,16 @@ impl Reporter {
     ///
     /// # Errors
     /// A format that needs a file and has none.
-    pub(super) fn new(common: &Common, stdout: Stdout, output: Option<&Path>) -> Result<Reporter, Trouble> {
+    pub(super) fn new(
+        common: &Common,
+        findings: &Findings,
+        stdout: Stdout,
+        output: Option<&Path>,
+    ) -> Result<Reporter, Trouble> {
         let args = &common.report;
-        let fails = args.fail_on.of_findings();
+        let fails = findings.fail_on.of_findings();
         let format = format(common, stdout);
-        if let Some((format, _)) = args.more.iter().find(|(format, _)| format.kind().is_none()) {
+        if let Some((format, _)) = findings.more.iter().find(|(format, _)| format.kind().is_none()) {
             return Err(format!("--report writes documents; `{format:?}` is for people: use --format").to_lowercase());
         }
         let kind = format.kind();
@@ -153,12 +161,12 @@ impl Reporter {
             None if output.is_some() => Main::Text(String::new()),
             None => Main::Terminal,
         };
-        let documents = kind.is_some() || !args.more.is_empty();
+        let documents = kind.is_some() || !findings.more.is_empty();
         Ok(Reporter {
             look: Look { text: kind.is_none().then_some(format), documents, quiet: args.quiet, color, fails },
             main,
             output,
-            more: args
+            more: findings
                 .more
                 .iter()
                 .filter_map(|(format, file)| Some((format.kind()?.document(fails), file.clone())))
@@ -167,8 +175,8 @@ impl Reporter {
             codes: BTreeMap::new(),
             programs: 0,
             bytes: 0,
-            statistics: args.statistics,
-            exit_zero: args.exit_zero,
+            statistics: findings.statistics,
+            exit_zero: findings.exit_zero,
             troubles: Vec::new(),
             started: Instant::now(),
             shown: None,
@@ -177,6 +185,27 @@ impl Reporter {
 
     pub(super) fn look(&self) -> Look {
         self.look
+    }
+
+    /// Keeps its files off what is no report: the programs themselves, and what partc makes of them.
+    ///
+    /// # Errors
+    /// A file that would be lost.
+    pub(super) fn spares(&self, inputs: &[Input]) -> Result<(), Trouble> {
+        let files = self.output.iter().chain(self.more.iter().map(|(_, file)| file));
+        let mut taken = BTreeSet::new();
+        for file in files.filter(|file| file.as_path() != Path::new("/dev/null")) {
+            let shown = file.display();
+            if !taken.insert(real(file)) {
+                return Err(format!("{shown}: two reports cannot go to one file"));
+            }
+            // By its name only: a report for people quotes blocks.
+            let named_so = dialect::guess(&file.to_string_lossy(), b"").is_some();
+            if named_so || inputs.iter().any(|input| same_file(&input.path, file)) || is_output(file) {
+                return Err(format!("{shown}: the report would replace a part program; name another file"));
+            }
+        }
+        Ok(())
     }
 
     /// Takes what a session found.

@@ -60,7 +60,7 @@ pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
 /// `partc compile`
 pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     let takes = |path: &Path| is_program(path) && !is_output(path);
-    let found = inputs(&args.inputs, &args.many, &takes);
+    let found = inputs(&args.inputs, &args.many, &takes)?;
     if found.list.len() > 1 && args.output.is_some() {
         return Err("several inputs cannot go to one output; use --out-dir".to_owned());
     }
@@ -90,7 +90,8 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
     let stdout = if streams.is_empty() || document { Stdout::Free } else { Stdout::Taken };
-    let mut reporter = Reporter::new(&args.common, stdout, None)?;
+    let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None)?;
+    reporter.spares(&found.list)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (look, inputs) = (reporter.look(), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
@@ -138,7 +139,7 @@ fn different_outputs(args: &Compile, inputs: &[Input]) -> Result<(), Trouble> {
 }
 
 /// The one path of a file that may not exist yet.
-fn real(path: &Path) -> PathBuf {
+pub(super) fn real(path: &Path) -> PathBuf {
     if let Ok(path) = fs::canonicalize(path) {
         return path;
     }
@@ -259,8 +260,9 @@ pub(super) fn same_file(a: &Path, b: &Path) -> bool {
 
 /// `partc check`
 pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
-    let mut reporter = Reporter::new(&args.common, Stdout::Free, args.output.as_deref())?;
-    let found = inputs(&args.paths, &args.many, &is_program);
+    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref())?;
+    let found = inputs(&args.paths, &args.many, &is_program)?;
+    reporter.spares(&found.list)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
         reporter.say("partc: no part program lies in the folders that are named");
@@ -296,7 +298,8 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
         return Err("the moves and the findings cannot both go to standard output".to_owned());
     }
     let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
-    let mut reporter = Reporter::new(&args.common, Stdout::Taken, None)?;
+    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None)?;
+    reporter.spares(&[Input::named(&args.input)])?;
     // Moves of a program with errors are not shown: they end where nobody knows.
     let mut held = Destination::open(Path::new("-")).map_err(|error| format!("stdout: {error}"))?;
     let mut writer = BufWriter::new(&mut held);

@@ -32,6 +32,8 @@ pub(super) struct Way {
 
 /// How a length may miss the radius by the rounding of what was printed, in mm.
 const SAME_LENGTH: f64 = 1e-9;
+/// What rounding takes from a way that is as long as the radius, such as that of DEP CT, in mm.
+const ROUNDED: f64 = 0.001;
 
 /// State of the target's compensation.
 #[derive(Debug, Default)]
@@ -91,7 +93,7 @@ impl Compensation {
     fn too_short(&self, side: Side, way: Way) -> Option<String> {
         let (length, radius) = (way.length?, way.radius?);
         let (what, short) = if side == Side::None {
-            ("leaves", length < radius - SAME_LENGTH)
+            ("leaves", length < radius - ROUNDED)
         } else {
             ("leads to", length <= radius + SAME_LENGTH)
         };

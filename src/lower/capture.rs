@@ -85,6 +85,7 @@ impl Recording {
         let plane = step.ctx.plane;
         let both = plane_axes(plane).iter().all(|axis| step.mv.axes.contains(axis));
         match step.mv.end.in_plane(plane).filter(|_| both && !step.mv.machine) {
+            Some(_) if !step.mv.axes.without(plane_axes(plane)).is_empty() => Err(Unfit::Leaves(step.origin)),
             Some(at) => {
                 self.started = true;
                 (self.made.plane, self.made.start) = (plane, at);

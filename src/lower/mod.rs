@@ -259,7 +259,7 @@ impl<'a> Lower<'a> {
     fn transform(&mut self, by: Option<Transformation>, origin: &Origin) {
         self.flush();
         if !self.compensator.is_idle(Side::None) {
-            self.diags.push(*compensation::still_on(&Function::Transformation(by), origin));
+            self.diags.push(*compensation::still_on(compensation::TRANSFORMED, origin));
             self.position_lost(origin);
         }
         let workpiece = self.ctx.frame.apply(&self.at);

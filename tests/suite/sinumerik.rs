@@ -144,7 +144,7 @@ fn programs_that_call_each_other_end() {
     assert_eq!(compile("OTHER\nM30\n", "OTHER\nM17\n").codes(), ["P4003"]);
 }
 
-/// A contour is run to be checked only: without its call the program does the same.
+/// A contour that no cycle takes is run to be checked only: without its call the program does the same.
 #[test]
 fn calling_a_contour_changes_nothing() {
     let mut count = 0;
@@ -159,7 +159,8 @@ fn calling_a_contour_changes_nothing() {
         };
         let calls = |line: &&str| !line.to_ascii_uppercase().starts_with("CYCLE62");
         let without = text.lines().filter(calls).collect::<Vec<_>>().join("\n") + "\n";
-        if let Some(with) = moves(text) {
+        let taken = ["CYCLE63", "CYCLE64", "CYCLE72", "CYCLE95"].iter().any(|taker| text.contains(taker));
+        if let Some(with) = moves(text).filter(|_| !taken) {
             assert_eq!(Some(with), moves(&without), "{}", case.name);
             count += 1;
         }

@@ -27,7 +27,11 @@ K8023 Warning "fk-cca-reading" "CCA of a free contour has two readings"
 places. partc takes the older reading. Choose with `[control] fk_cca`, or write the end point."
 
 K8024 Warning "fk-reference-reading" "what a centre counts from is a reading"
-"An incremental centre without a reference counts from the start of its arc here, and one with a reference to the block of an arc from the centre of that. No manual at hand says either. \
+"An incremental centre without a reference counts from the start of its arc here, and one with a reference to the block of an arc from the centre of that; PAR takes the direction in which an arc ends. No manual at hand says so. \
 Write absolute coordinates of the centre to be sure."
+
+K8025 Warning "fk-not-closed" "free contour is never closed"
+"CLSD+ marks the first element of a closed contour, and no element with CLSD- ends it: the contour stays open where the last element ends. \
+Write CLSD- in the last element, which takes its end point from the first one."
 
 }

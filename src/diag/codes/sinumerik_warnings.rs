@@ -267,6 +267,14 @@ S8197 Warning "siemens-no-discl" "soft approach without DISCL"
 "Without DISCL the height at which the fast infeed ends is that of the contour: the tool goes into the material at the velocity of the block before. So the manuals are read; \
 none says it in words. Program DISCL and FAD."
 
+S8198 Warning "siemens-mirror-tool-axis" "tool axis is mirrored"
+"A frame mirrors the tool axis: depths turn into heights, a hole programmed to Z-10 goes to Z+10, and a rapid move above the part becomes one inside it. Check that this is meant; most often \
+another axis is."
+
+S8199 Warning "siemens-contour-feed" "feed in the contour of a cycle does not count"
+"F, FRC or FRCM stands in a contour that a cycle takes. partc moves at the feeds of the cycle. The manuals at hand do not say for every cycle whether F of the contour counts while \
+finishing; give the feed to the cycle."
+
 S8160 Warning "siemens-contour-inches" "records of a contour are read in inches"
 "The NC blocks of a contour of the contour editor are missing, and the unit in force is the inch, so its hidden records are taken as inches, as the \
 blocks would be. No stored contour of inches is known to us: compare the size of the part with the drawing."

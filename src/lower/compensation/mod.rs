@@ -31,7 +31,7 @@ use damage::{Damage, Seen};
 use joints::Bench;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
-pub use reports::{cycle_beside, still_on};
+pub use reports::{TRANSFORMED, cycle_beside, still_on};
 
 /// Functions and moves that may wait for one element of a contour.
 const MOST_ITEMS: usize = 4096;
@@ -123,12 +123,10 @@ impl Compensator {
     pub fn function(&mut self, function: &Function, origin: &Origin, out: &mut Out<'_>) {
         match self.stage {
             Stage::Off | Stage::Refused => out.function(function, origin),
-            Stage::Constant(_) if self.ends_contour(function) => {
-                self.refuse(*reports::still_on(function, origin), origin, out);
-                out.function(function, origin);
-            }
             Stage::Leaving | Stage::Constant(_) => {
-                if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
+                if let (Stage::Constant(_), Some(event)) = (self.stage, self.ends_contour(function)) {
+                    self.refuse(*reports::still_on(event, origin), origin, out);
+                } else if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
                     self.at.clear();
                 }
                 out.function(function, origin);
@@ -142,12 +140,15 @@ impl Compensator {
         }
     }
 
-    /// May `function` not happen while the contour goes on?
-    fn ends_contour(&self, function: &Function) -> bool {
+    /// What `function` does that must not happen while the contour goes on.
+    fn ends_contour(&self, function: &Function) -> Option<&'static str> {
         match function {
-            Function::ToolChange { .. } | Function::End { .. } | Function::WorkOffset(_) | Function::Cutter(_) => true,
-            Function::Transformation(_) => true,
-            Function::Plane(plane) => *plane != self.plane,
+            Function::ToolChange { .. } => Some("the tool changes"),
+            Function::End { .. } => Some("the program ends"),
+            Function::WorkOffset(_) => Some("the work offset changes"),
+            Function::Cutter(_) => Some("the tool data change"),
+            Function::Transformation(_) => Some(TRANSFORMED),
+            Function::Plane(plane) => (*plane != self.plane).then_some("the working plane changes"),
             Function::ToolPrepare { .. }
             | Function::Spindle(_)
             | Function::SpindleOf { .. }
@@ -157,14 +158,14 @@ impl Compensator {
             | Function::Stop
             | Function::OptionalStop
             | Function::Aux(_)
-            | Function::Comment(_) => false,
+            | Function::Comment(_) => None,
         }
     }
 
     /// The function happens where the last element ends.
     fn waits(&mut self, function: &Function, origin: &Origin) -> Result<(), Refused> {
-        if self.ends_contour(function) {
-            return Err(reports::still_on(function, origin));
+        if let Some(event) = self.ends_contour(function) {
+            return Err(reports::still_on(event, origin));
         }
         self.item(Item::Function(function.clone(), *origin), origin)
     }

@@ -87,26 +87,11 @@ pub fn never_ends(of: &Origin) -> Refused {
     Box::new(at(codes::G3204, *of, message).help("end it in a block that leads away from the contour"))
 }
 
-pub fn still_on(function: &Function, origin: &Origin) -> Refused {
-    let what = match function {
-        Function::ToolChange { .. } => "the tool changes",
-        Function::End { .. } => "the program ends",
-        Function::WorkOffset(_) => "the work offset changes",
-        Function::Cutter(_) => "the tool data change",
-        Function::Transformation(_) => "a transformation begins or ends",
-        Function::Plane(_)
-        | Function::ToolPrepare { .. }
-        | Function::Spindle(_)
-        | Function::SpindleOf { .. }
-        | Function::FeedSpindle(_)
-        | Function::Coolant(_)
-        | Function::Dwell(_)
-        | Function::Stop
-        | Function::OptionalStop
-        | Function::Aux(_)
-        | Function::Comment(_) => "the working plane changes",
-    };
-    let message = format!("{what} while radius compensation is on");
+/// What TRANSMIT and TRACYL do.
+pub const TRANSFORMED: &str = "a transformation begins or ends";
+
+pub fn still_on(event: &str, origin: &Origin) -> Refused {
+    let message = format!("{event} while radius compensation is on");
     Box::new(at(codes::G3204, *origin, message).help("end the compensation in a block in front of it"))
 }
 

@@ -241,7 +241,7 @@ impl Run<'_> {
             Diagnostic::new(
                 codes::K2893,
                 self.loc(m.span),
-                "M98 opens the corner at the end of this block: a straight line leads from one side to the other",
+                "M98 opens the corner at the end of this block where it is an inside one: a straight line leads from one side to the other",
             )
             .help("`[control] m98 = \"refuse\"` refuses such corners"),
         );

@@ -455,6 +455,7 @@ impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     fn report_open(&mut self) {
         let _ = self.close_contour();
+        self.warn_of_unclosed();
         let _ = self.forbid_open_approach();
         if self.cycles.is_open() {
             self.finish_cycle();

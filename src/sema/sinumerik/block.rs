@@ -89,6 +89,9 @@ impl Run<'_> {
         if self.st.threads.are_open() {
             self.beside_threads(w);
         }
+        if self.is_capturing() {
+            self.words_in_contour(w)?;
+        }
         let triggers = self.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
         if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() {

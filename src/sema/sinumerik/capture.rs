@@ -11,8 +11,11 @@ use crate::text::Span;
 
 use super::calls::FrameKind;
 use super::cycles::{ContourCall, MOST_ELEMENTS};
+use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vars::Vars;
+use super::vocabulary::Address;
+use super::words::Words;
 use super::{Channel, Core, Outcome, Reported, Run};
 
 /// A contour while its blocks run.
@@ -131,6 +134,38 @@ impl Channel<'_> {
         capture.failed = true;
         let message = format!("a positioning axis moves in the contour `{}`", capture.name);
         self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
+    }
+
+    /// Words that shape no contour: the cycle has its own compensation and feeds.
+    pub(super) fn words_in_contour(&mut self, w: &Words) -> Outcome {
+        let Some(name) = self.capture.as_ref().map(|capture| capture.name.clone()) else { return Ok(()) };
+        let offset =
+            w.get(Address::Offn).filter(|offset| offset.value != 0.0).map(|given| ("OFFN".to_owned(), given.span));
+        let side = w.code_of(Group::Compensation).filter(|(code, _)| *code != GCode::G40);
+        let limit = w.get(Address::Lims).map(|given| ("LIMS".to_owned(), given.span));
+        if let Some((word, span)) = side.map(|(code, span)| (code.word(), span)).or(offset).or(limit) {
+            if let Some(capture) = &mut self.capture {
+                capture.failed = true;
+            }
+            let message = format!("{word} stands in the contour `{name}`, which is a shape for a cycle");
+            let help =
+                "remove it from the contour: the cycle leads its tool beside the shape with arguments of its own";
+            return self.fail_help(codes::S2091, span, message, help);
+        }
+        let feeds = [Address::F, Address::Frc, Address::Frcm];
+        if let Some((word, given)) =
+            feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
+            && self.job.diags.first_time(codes::S8199)
+        {
+            let message = format!("{word} in the contour `{name}` does not count: the cycle moves at its own feeds");
+            let found = Diagnostic::new(codes::S8199, self.loc(given.span), message);
+            self.report(
+                found.help(
+                    "give the feed to the cycle; whether a control finishes at F of the contour is not known here",
+                ),
+            );
+        }
+        Ok(())
     }
 
     /// A cycle inside a contour.

@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula};
-use crate::text::Span;
+use crate::text::{FileError, Request, Span};
 
 use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
@@ -97,14 +97,24 @@ impl Run<'_> {
 
     /// Is there a program of this name in the file, or beside it?
     pub(super) fn is_here(&mut self, name: &str) -> bool {
-        let file = self.units.list[self.unit()].file;
+        let unit = self.unit();
+        if let Some((_, here)) = self.units.asked.get(name).filter(|(asked, _)| *asked == unit) {
+            return *here;
+        }
+        let here = self.stands_beside(name, self.units.list[unit].file);
+        self.units.asked.insert(name.to_owned(), (unit, here));
+        here
+    }
+
+    fn stands_beside(&mut self, name: &str, file: usize) -> bool {
         let listed = self.list_programs(file).is_ok();
         if listed && (self.units.find_in_file(file, name).is_some() || self.units.find_in_file(0, name).is_some()) {
             return true;
         }
         let identity = self.job.sources.identity(self.here.file);
-        let request = crate::text::Request { from: &identity, name, extensions: &["SPF"] };
-        self.job.files.open(&request).is_ok()
+        let request = Request { from: &identity, name, extensions: &["SPF"] };
+        // Two that differ by upper and lower case are here: the call says so.
+        matches!(self.job.files.open(&request), Ok(_) | Err(FileError::Ambiguous { .. }))
     }
 
     pub(super) fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {

@@ -53,6 +53,8 @@ pub(super) struct Unit {
 #[derive(Debug, Default)]
 pub(super) struct Units {
     pub list: Vec<Unit>,
+    /// Names of cycles, each with the program that asked last whether it stands here, and the answer.
+    pub asked: FxHashMap<String, (usize, bool)>,
 }
 
 impl Units {

@@ -185,8 +185,8 @@ impl Channel<'_> {
                 // On the helix of a retraction F holds, and without DISCL nothing is left to go at the feed of the infeed.
                 let why = if !approaches && falls {
                     Some("G340 retracts at F")
-                } else if !falls && safe.is_none() {
-                    Some("without DISCL there is no slow infeed")
+                } else if !falls && matches!(safe, None | Some(Height::Above(0.0))) {
+                    Some("without DISCL, or with DISCL=0, there is no slow infeed")
                 } else {
                     None
                 };

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
-use crate::ir::{Feed, Side};
+use crate::ir::{Feed, Frame, Side};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
@@ -294,11 +294,22 @@ impl Channel<'_> {
             return;
         };
         if frame != self.st.ctx.frame {
+            self.warn_of_mirrored_tool_axis(&frame);
             self.st.heading =
                 self.st.heading.across_frames(&self.st.position, frame.linear() != self.st.ctx.frame.linear());
             self.st.position.keep_programmed();
             self.st.position.through_frame(&self.st.ctx.frame, &frame);
             self.st.ctx = Rc::new(Ctx { frame, ..(*self.st.ctx).clone() });
+        }
+    }
+
+    fn warn_of_mirrored_tool_axis(&mut self, next: &Frame) {
+        let [_, _, axis] = self.st.roles();
+        let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
+        if turned(next) && !turned(&self.st.ctx.frame) {
+            let message = format!("the tool axis {} is mirrored", axis.letter());
+            let found = Diagnostic::new(codes::S8198, self.here.origin.loc, message);
+            self.report(found.help("check that this is meant; most often another axis is"));
         }
     }
 }

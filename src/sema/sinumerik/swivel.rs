@@ -16,10 +16,13 @@ use super::{Channel, Outcome, Run};
 /// Places of the arguments, from 0.
 const RETRACTION: usize = 0;
 const STATE: usize = 2;
+const MODE: usize = 3;
 const BEFORE: usize = 4;
 const ANGLES: usize = 7;
 const AFTER: usize = 10;
+const DIRECTION: usize = 13;
 const RETRACTION_WAY: usize = 14;
+const MODE_OF_SCREEN: usize = 15;
 
 /// Most arguments.
 const MOST: usize = 16;
@@ -67,6 +70,7 @@ impl Run<'_> {
                 let help = "have the CAM system put out the swivelled part by itself";
                 return self.fail_help(codes::S9006, formula.span, message, help);
             }
+            self.known_code(at, value, formula.span)?;
         }
         let unit = self.st.length_unit();
         let swivel = Swivel {
@@ -81,6 +85,29 @@ impl Run<'_> {
 }
 
 impl Channel<'_> {
+    /// Codes of which nobody knows what they turn.
+    fn known_code(&mut self, at: usize, value: f64, span: Span) -> Outcome {
+        let code = whole(value);
+        let (name, known, wanted) = match at {
+            STATE => (
+                "_ST",
+                code.is_some_and(|code| code >= 0 && code % 10 < 2),
+                "units 0 for a new plane or 1 for an additive one",
+            ),
+            MODE => ("_MODE", code.is_some_and(|code| (0..256).contains(&code)), "a code up to 255"),
+            DIRECTION => ("_DIR", code.is_some_and(|code| (-2..3).contains(&code)), "-1 or 1, or 0"),
+            MODE_OF_SCREEN => ("_DMODE", code.is_some_and(|code| (0..100_000_000).contains(&code)), "a whole number"),
+            _ => return Ok(()),
+        };
+        if known {
+            return Ok(());
+        }
+        self.st.position.lose(AxisSet::ALL);
+        self.lost();
+        let message = format!("CYCLE800 has no {value} as `{name}` (argument {})", at + 1);
+        self.fail_help(codes::S9006, span, message, format!("give {wanted}"))
+    }
+
     fn swivel_by_nothing(&mut self, swivel: &Swivel, span: Span) -> Outcome {
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
         if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
@@ -94,7 +121,8 @@ impl Channel<'_> {
         let shift = if swivel.additive { self.st.frames.swivelled().chain(&added) } else { added };
         let [x, y, z] = [0, 1, 2].map(|axis| shift.shift[axis]);
         let message = if shift == FrameValue::default() {
-            "CYCLE800 without angles and offsets turns nothing and is left out".to_owned()
+            let rest = if swivel.retraction == 0.0 { "and is left out" } else { "and only retracts" };
+            format!("CYCLE800 without angles and offsets turns nothing {rest}")
         } else {
             format!("CYCLE800 without angles turns nothing and shifts the workpiece by X{x} Y{y} Z{z}")
         };

@@ -11,7 +11,9 @@ type Checked = Result<(), (&'static str, Option<f64>)>;
 /// Marks an element of which everything is known, if it meets its data.
 pub(super) fn complete(view: &View<'_>, node: usize) -> Made {
     let of = view.node(node);
-    if of.checked || !view.has_references(node) {
+    // Without the direction in front nobody knows yet whether a smooth one agrees.
+    let goes_on = !view.item(node).smooth || view.before(node).is_some();
+    if of.checked || !goes_on || !view.has_references(node) {
         return Ok(Vec::new());
     }
     let (Some(start), Some(end), Some(_), Some(_)) = (view.start(node), view.end(node), of.entry, of.exit) else {
@@ -106,6 +108,9 @@ fn circle_of(view: &View<'_>, node: usize, (start, end): (Point2, Point2), (cent
 fn shared(view: &View<'_>, node: usize, end: Point2, entry: Vec2, over: f64) -> Checked {
     let item = view.item(node);
     placed(&view.known_end(node), item.pole, end, "the end point is missed")?;
+    if item.closes.is_some() {
+        placed(&view.written_end(node), item.pole, end, "CLSD- ends elsewhere than its coordinates say")?;
+    }
     if let Some(wanted) = view.node(node).entry {
         aims(entry, wanted, over, "the direction at its start does not agree")?;
     }

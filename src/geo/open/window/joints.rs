@@ -175,7 +175,6 @@ pub(super) fn written(known: &Known, pole: Point2, list: &mut Vec<Locus>) {
     }
     if let (Some(radius), Some(ray)) = (known.radius, known.ray) {
         list.push(Locus::Point(pole + ray * radius));
-        return;
     }
     if let Some(x) = known.x {
         list.push(Locus::Line(Point2::new(x, 0.0), Vec2::y(), false));

@@ -236,9 +236,14 @@ impl View<'_> {
         Some(spun(from, given.value))
     }
 
+    /// What its own coordinates say of its end.
+    pub fn written_end(&self, node: usize) -> Known {
+        self.known(node, &self.item(node).end, Self::end_of)
+    }
+
     pub fn known_end(&self, node: usize) -> Known {
         let item = self.item(node);
-        let mut known = self.known(node, &item.end, Self::end_of);
+        let mut known = self.written_end(node);
         if let Some(at) = item.closes.and_then(|serial| self.start_of(serial)) {
             (known.x, known.y) = (Some(at.x), Some(at.y));
         }

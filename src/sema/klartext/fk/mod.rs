@@ -15,7 +15,7 @@ use crate::geo::{Point2, Vec2, distance};
 use crate::ir::Pos;
 use crate::parser::klartext::ast::{Addr, Block, FkHead, PathFn, Stmt};
 use crate::sema::run::Site;
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::contour::LastMove;
 use super::path::Motion;
@@ -34,10 +34,10 @@ pub(super) struct Free {
     /// Blocks that wait, in their order.
     queue: VecDeque<Waiting>,
     /// Block numbers of the elements that data can refer to.
-    numbers: VecDeque<(u32, Serial)>,
+    numbers: VecDeque<(u32, Serial, Loc)>,
     pole: Option<Point2>,
-    /// The element with CLSD+.
-    closes: Option<Serial>,
+    /// The element with CLSD+ that no CLSD- has closed, and the word.
+    closes: Option<(Serial, Loc)>,
     /// The coordinate system that all this counts in.
     system: u32,
 }
@@ -71,8 +71,15 @@ impl Free {
     }
 
     fn serial_of(&self, number: u32) -> Option<Serial> {
-        let found = self.numbers.iter().rev().find(|(of, _)| *of == number);
-        found.map(|(_, serial)| *serial).filter(|serial| self.window.knows(*serial))
+        let found = self.numbers.iter().rev().find(|(of, ..)| *of == number);
+        found.map(|(_, serial, _)| *serial).filter(|serial| self.window.knows(*serial))
+    }
+
+    /// Have several blocks of elements this number? One block may come again and again.
+    fn is_twice(&self, number: u32) -> bool {
+        let mut places = self.numbers.iter().filter(|(of, ..)| *of == number).map(|(_, _, loc)| (loc.file, loc.line));
+        let first = places.next();
+        places.any(|place| Some(place) != first)
     }
 
     /// The block of an element that waits.
@@ -116,10 +123,12 @@ impl Run<'_> {
     }
 
     pub(super) fn fk_block(&mut self, head: FkHead, block: &Block, text: &[u8]) -> Outcome {
-        let mut free = match self.free.take() {
-            Some(free) if free.system == self.st.frames.system() => free,
-            _ => Box::new(Free::new(self.st.frames.system())),
-        };
+        let system = self.st.frames.system();
+        if self.free.as_ref().is_some_and(|free| free.system != system) {
+            self.warn_of_unclosed();
+        }
+        let mut free =
+            self.free.take().filter(|free| free.system == system).unwrap_or_else(|| Box::new(Free::new(system)));
         let result = match head {
             FkHead::Pole => self.set_fk_pole(&mut free, block),
             FkHead::Select => self.select(&mut free, block),
@@ -130,6 +139,8 @@ impl Run<'_> {
         let result = result.and_then(|()| if ends { self.close_contour() } else { self.flush() });
         if result.is_err() {
             self.abandon_contour();
+            // The element that it leads to is the one that was refused.
+            self.approach = None;
             self.lose_all();
         }
         result
@@ -149,7 +160,7 @@ impl Run<'_> {
             if free.numbers.len() == MOST_BACK {
                 free.numbers.pop_front();
             }
-            free.numbers.push_back((number, serial));
+            free.numbers.push_back((number, serial, self.here.origin.loc));
         }
         let waiting = Waiting { kind: Kind::Element { serial, item }, words, here: self.here, span: self.block_span() };
         free.queue.push_back(waiting);
@@ -294,9 +305,18 @@ impl Run<'_> {
         let result = result.and_then(|()| self.flush());
         if result.is_err() {
             self.abandon_contour();
+            self.approach = None;
             self.lose_all();
         }
         result
+    }
+
+    /// Nothing closes a contour any more that began with CLSD+.
+    pub(super) fn warn_of_unclosed(&mut self) {
+        if let Some((_, loc)) = self.free.as_mut().and_then(|free| free.closes.take()) {
+            let found = Diagnostic::new(codes::K8025, loc, "no CLSD- closes the contour that begins here");
+            self.report(found.help("write CLSD- in the last element, or remove CLSD+"));
+        }
     }
 
     /// The contour is given up, which was reported: nobody knows where it leads.

@@ -345,7 +345,17 @@ impl Run<'_> {
         }
         let apart = said.get(Key::ParallelDistance);
         match (said.get(Key::Parallel), apart) {
-            (Some(of), _) => item.parallel = Some((self.referred(free, of)?, apart.map(|said| said.value))),
+            (Some(of), _) => {
+                let serial = self.referred(free, of)?;
+                if free.window.is_arc(serial) {
+                    self.unconfirmed(
+                        of.span,
+                        "refers to an arc, and takes the direction in which that ends",
+                        "refer to a line, or write AN",
+                    );
+                }
+                item.parallel = Some((serial, apart.map(|said| said.value)));
+            }
             (None, Some(apart)) => return self.incomplete(apart.span, "PAR and the number of a block"),
             (None, None) => {}
         }
@@ -380,14 +390,21 @@ impl Run<'_> {
     /// CLSD+ and CLSD-.
     fn closing(&mut self, item: &mut Item, free: &mut Free, said: &Data) -> Outcome {
         if let Some(ends) = said.get(Key::Closed(false)) {
-            item.closes = free.closes.take().filter(|serial| free.window.knows(*serial));
+            item.closes = free.closes.take().map(|(serial, _)| serial).filter(|serial| free.window.knows(*serial));
             if item.closes.is_none() {
                 return self
                     .incomplete(ends.span, "a block with CLSD+ where the contour begins, at most 64 elements before");
             }
         }
-        if said.get(Key::Closed(true)).is_some() {
-            free.closes = Some(free.window.next_serial());
+        if let Some(begins) = said.get(Key::Closed(true)) {
+            let loc = self.loc(begins.span);
+            if let Some((_, open)) = free.closes.replace((free.window.next_serial(), loc)) {
+                self.report(
+                    Diagnostic::new(codes::K8025, open, "no CLSD- closes the contour that begins here")
+                        .also(loc, "another begins here")
+                        .help("write CLSD- in the last element of the first one, or remove one CLSD+"),
+                );
+            }
         }
         Ok(())
     }
@@ -436,10 +453,20 @@ impl Run<'_> {
     fn referred(&mut self, free: &Free, said: &Said) -> Outcome<Serial> {
         debug_assert!(said.key.is_reference(), "a block number");
         let number = Some(said.value).filter(|value| value.fract() == 0.0 && (0.0..1e6).contains(value));
+        let text = self.word_text(said.span);
+        if let Some(number) = number
+            && free.is_twice(number as u32)
+        {
+            return self.fail_help(
+                codes::K3004,
+                said.span,
+                format!("`{text}` refers to one of several blocks with this number"),
+                "number the blocks anew, and name the block that is meant",
+            );
+        }
         if let Some(serial) = number.and_then(|number| free.serial_of(number as u32)) {
             return Ok(serial);
         }
-        let text = self.word_text(said.span);
         self.fail_help(
             codes::K3004,
             said.span,
