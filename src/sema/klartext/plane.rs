@@ -180,9 +180,8 @@ impl Plane {
 
 /// `SPA` of `SPA+20`, `P1X` of `P1X+0`.
 fn end_of_name(word: &str) -> usize {
-    let letters = |from: usize| {
-        word[from..].find(|c: char| !c.is_ascii_alphabetic()).map_or(word.len(), |length| from + length)
-    };
+    let letters =
+        |from: usize| word[from..].find(|c: char| !c.is_ascii_alphabetic()).map_or(word.len(), |length| from + length);
     match word.as_bytes() {
         [b'P', b'1'..=b'3', b'X' | b'Y' | b'Z', ..] => letters(2),
         _ => letters(0),
