@@ -97,6 +97,10 @@ impl Family for BoreMilling {
         }
     }
 
+    fn moves(&self) -> f64 {
+        5.0 * self.circles.len() as f64
+    }
+
     /// Above its middle.
     fn leaves(&self, at: &mut Pos) {
         self.mill.leaves_above(self.place.point(Point2::origin()), at);

@@ -258,6 +258,10 @@ impl Family for ThreadMilling {
         }
     }
 
+    fn moves(&self) -> f64 {
+        4.0 * self.rests.len() as f64 * self.helices().len() as f64
+    }
+
     /// Above where it goes up.
     fn leaves(&self, at: &mut Pos) {
         let home = if self.side == Side::Internal { Point2::origin() } else { self.entry() };
