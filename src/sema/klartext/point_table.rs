@@ -192,7 +192,7 @@ mod tests {
         let wrong = |text: &str| read(text, ['X', 'Y', 'Z'], Loc::default()).unwrap_err();
         assert_eq!(wrong(&TABLE.replace("[END]", "")).line, 6);
         assert_eq!(wrong(&TABLE.replace("BEGIN", "TABLE")).line, 1);
-        assert_eq!(wrong(&TABLE.replace("+20,5", "abc")).what, "`abc` under Y is no number");
+        assert_eq!(wrong(&TABLE.replace("+20,5", "abc  ")).what, "`abc` under Y is no number");
         assert_eq!(wrong(&TABLE.replace(" Y  ", " B  ")).what, "the column Y is missing");
     }
 }
