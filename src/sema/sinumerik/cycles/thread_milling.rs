@@ -165,7 +165,8 @@ impl CycleCall<'_, '_> {
                 format!("the infeed `_MID` (argument {}) is so small that its passes do not end", self.args.place(MID));
             return self.cycle_fault(self.args.span_of(MID), 61019, &message, "give a larger infeed");
         }
-        Ok((1..=count).map(|k| depth - way * k as f64 / count as f64).collect())
+        let rest = |k: usize| if k == count { allowance } else { depth - way * k as f64 / count as f64 };
+        Ok((1..=count).map(rest).collect())
     }
 
     fn mill_thread(&mut self, thread: ThreadMilling) -> Outcome {
