@@ -137,7 +137,8 @@ pub fn roomiest(low: Point2, high: Point2, room: impl Fn(Point2) -> f64) -> Opti
     squares.retain(|(_, room)| room + reach(half) >= highest.1);
     squares.sort_by(|a, b| before(&a.0, &b.0));
     let climbs = squares.iter().take(MOST_CLIMBS).map(|(p, _)| climbed(*p, half, &room));
-    Some(climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest))
+    let found = climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest);
+    Some(slid(found, half, &room))
 }
 
 /// Squares along a side at first.
@@ -150,6 +151,21 @@ const MOST_CLIMBS: usize = 100;
 
 fn before(a: &Point2, b: &Point2) -> core::cmp::Ordering {
     a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+}
+
+/// Along a ridge to its point with the smallest coordinates.
+fn slid((mut p, known): (Point2, f64), half: f64, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
+    for unit in [Vec2::x(), Vec2::y()] {
+        let mut step = half;
+        while step > 1e-9 {
+            if room(p - unit * step) >= known - EQUAL / 2.0 {
+                p -= unit * step;
+            } else {
+                step /= 2.0;
+            }
+        }
+    }
+    (p, room(p))
 }
 
 /// From `p` to where no step leads to more room, with steps from `step` down.
