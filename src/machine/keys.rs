@@ -1,6 +1,6 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, cycles, klartext, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{control, cycles, klartext, lint, machine, mtc200, output, sinumerik, turning, undercut};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -174,5 +174,6 @@ pub const SECTIONS: &[Section] = &[
     },
     Section { name: "variables", doc: "start values of parameters: Q50 = 3.0, R1 = 5.0", entry: &[], keys: &[] },
     Section { name: "output", doc: "what is printed", entry: &[], keys: &[output::KEYS] },
+    Section { name: "lint", doc: "which findings are reported, and how bad they are", entry: &[], keys: &[lint::KEYS] },
     Section { name: "limits", doc: "limits of a run", entry: &[], keys: &[output::LIMITS] },
 ];

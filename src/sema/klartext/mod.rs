@@ -40,6 +40,7 @@ mod probing;
 mod refused;
 mod rotary;
 mod state;
+mod survey;
 mod system;
 mod text_functions;
 mod tool;
@@ -60,6 +61,7 @@ use crate::text::{Loc, Span, SplitRules};
 use std::cell::RefCell;
 
 pub use cycles::signatures as cycle_signatures;
+pub use survey::survey;
 pub use unexecuted::check_unexecuted;
 
 use super::run::unexecuted::Blocks;

@@ -2,11 +2,15 @@
 
 mod corner;
 mod cut_off;
+mod faces;
 mod grooves;
 mod klartext_pockets;
 mod layers;
+mod milled_threads;
 pub mod milling;
+mod paths;
 mod pockets;
 mod regions;
 mod removal;
+mod spigots;
 mod turning;
