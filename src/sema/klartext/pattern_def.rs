@@ -322,7 +322,7 @@ impl Run<'_> {
             end.set_in_plane(self.st.plane(), *place);
             self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
-            self.run_cycle(&cycle, Call { shift: *surface, retract: Retract::To(height) })?;
+            self.run_cycle(&cycle, Call { shift: *surface, retract: Retract::To(height), placed: true })?;
         }
         self.m_at_end(w)
     }

@@ -2,6 +2,7 @@
 
 mod grooves;
 mod klartext_pockets;
+mod klartext_studs;
 mod layers;
 pub mod milling;
 mod pockets;

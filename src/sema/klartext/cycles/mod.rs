@@ -3,10 +3,12 @@
 pub(super) mod call;
 mod defined;
 pub(super) mod drilling;
+pub(super) mod faces;
 pub(super) mod milling;
 mod named;
 pub(super) mod patterns;
 pub(super) mod pockets;
+pub(super) mod studs;
 mod tapping_in_steps;
 pub(super) mod transformations;
 
@@ -156,8 +158,16 @@ impl Row {
     }
 }
 
-const FAMILIES: &[&[Row]] =
-    &[drilling::ROWS, tapping_in_steps::ROWS, pockets::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
+const FAMILIES: &[&[Row]] = &[
+    drilling::ROWS,
+    tapping_in_steps::ROWS,
+    pockets::ROWS,
+    studs::ROWS,
+    faces::ROWS,
+    patterns::ROWS,
+    transformations::ROWS,
+    named::ROWS,
+];
 
 /// All cycles that are known, family by family.
 pub(super) fn rows() -> impl Iterator<Item = &'static Row> {
