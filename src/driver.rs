@@ -1,14 +1,20 @@
 //! Wires the stages; the only file that knows them all.
 
 use std::io;
+use std::rc::Rc;
 
-use crate::diag::{Diags, Trail};
+use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::Plot;
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
-use crate::ir::motion;
 use crate::ir::verify;
+use crate::ir::{contour, motion};
+use crate::lint::Checks;
+use crate::lint::fix::Fix;
+use crate::lint::imprint::Imprint;
+use crate::lint::motion::{OnContour, OnMotion, Watching};
+use crate::lint::policy::Policy;
 use crate::lower::Lower;
 use crate::machine::Settings;
 use crate::sema::Job;
@@ -17,7 +23,7 @@ use crate::text::{FileId, Files, Opened, Sources};
 /// One run: its files, findings and call paths.
 #[derive(Debug, Default)]
 pub struct Session {
-    pub sources: Sources,
+    pub sources: Rc<Sources>,
     pub diags: Diags,
     pub trail: Trail,
 }
@@ -31,30 +37,54 @@ impl Session {
         session
     }
 
+    /// From here on findings are judged as the settings and the comments of the program say.
+    fn judge(&self, dialect: &Dialect, settings: &Settings) -> Rc<Policy> {
+        let policy = Rc::new(Policy::new(&settings.lint, &self.sources, dialect.survey));
+        self.diags.judge_by(Rc::clone(&policy) as Rc<dyn Judge>);
+        policy
+    }
+
     fn job<'a>(&'a self, settings: &'a Settings, files: &'a dyn Files) -> Job<'a> {
         Job { sources: &self.sources, diags: &self.diags, trail: &self.trail, files, settings, main: FileId(0) }
     }
 
     /// Runs the program and lowers it to `out`. Returns the hash of the source.
     fn run(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) -> u64 {
+        self.run_watched(dialect, settings, files, out, None)
+    }
+
+    /// The same, while rules look on.
+    fn run_watched(
+        &self,
+        dialect: &Dialect,
+        settings: &Settings,
+        files: &dyn Files,
+        out: &mut dyn motion::Sink,
+        watch: Option<&Watching<'_>>,
+    ) -> u64 {
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
         let job = self.job(settings, files);
+        let run = |sink: &mut dyn contour::Sink| match watch {
+            Some(watch) => (dialect.run)(&job, &mut OnContour { watch: Rc::clone(watch), next: sink }),
+            None => (dialect.run)(&job, sink),
+        };
         if cfg!(debug_assertions) {
             let mut motion = verify::Motion::new(out);
             let mut lower = Lower::new(&self.diags, &settings.machine, &mut motion);
-            let hash = (dialect.run)(&job, &mut verify::Contour::new(&mut lower));
+            let hash = run(&mut verify::Contour::new(&mut lower));
             lower.finish();
             return hash;
         }
         let mut lower = Lower::new(&self.diags, &settings.machine, out);
-        let hash = (dialect.run)(&job, &mut lower);
+        let hash = run(&mut lower);
         lower.finish();
         hash
     }
 
     /// Runs the program and gives its moves to `out`.
     pub fn lower(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) {
+        self.judge(dialect, settings);
         self.run(dialect, settings, files, out);
     }
 
@@ -70,6 +100,7 @@ impl Session {
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> io::Result<()> {
+        self.judge(dialect, settings);
         let name = self.sources.name(FileId(0));
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
@@ -80,20 +111,42 @@ impl Session {
         printer.finish(hash)
     }
 
-    /// Reads all blocks, also those that never run, runs the program, and prints nothing.
-    pub fn check(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) {
-        (dialect.check_form)(&self.job(settings, files));
-        self.diags.begin_run();
-        let mut nowhere = Nowhere;
+    /// Reads all blocks, also those that never run, runs the program while rules look on, and prints nothing. Gives what
+    /// would mend some of the findings.
+    pub fn check(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Vec<Fix> {
+        let policy = self.judge(dialect, settings);
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
+        (dialect.check_form)(&self.job(settings, files));
+        self.diags.begin_run();
+        let checks = Checks::new(settings, &self.sources, dialect.survey, &policy, &self.diags);
+        let mut nowhere = Nowhere;
         // An output of the target finds what only shows in printed numbers.
         let mut printer = Printer::new(settings, "", &self.diags, &mut nowhere, None);
-        let hash = self.run(dialect, settings, files, &mut printer);
+        let hash = match checks.watch() {
+            Some(watch) => {
+                let mut on_motion = OnMotion { watch: Rc::clone(&watch), next: &mut printer };
+                let hash = self.run_watched(dialect, settings, files, &mut on_motion, Some(&watch));
+                watch.borrow_mut().finish();
+                hash
+            }
+            None => self.run(dialect, settings, files, &mut printer),
+        };
         let _ = printer.finish(hash);
         if let Some(check_unexecuted) = dialect.check_unexecuted {
             check_unexecuted(&self.job(settings, files));
         }
+        let fixes = checks.read(&self.sources, dialect.survey);
+        policy.report(FileId(0), &self.diags);
+        fixes
+    }
+
+    /// What the program does, as one number.
+    pub fn imprint(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> u128 {
+        self.judge(dialect, settings);
+        let mut imprint = Imprint::default();
+        self.run(dialect, settings, files, &mut imprint);
+        imprint.number()
     }
 
     /// Draws the resolved path. With an error among the findings the picture must not be used.
@@ -107,6 +160,7 @@ impl Session {
         files: &dyn Files,
         out: &mut dyn Output,
     ) -> io::Result<()> {
+        self.judge(dialect, settings);
         let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), out);
         self.run(dialect, settings, files, &mut plot);
         plot.finish()
@@ -123,6 +177,7 @@ impl Session {
         files: &dyn Files,
         out: &mut dyn io::Write,
     ) -> io::Result<()> {
+        self.judge(dialect, settings);
         let mut trace = Trace::new(&self.sources, &self.trail, out);
         self.run(dialect, settings, files, &mut trace);
         trace.finish()

@@ -26,6 +26,7 @@ mod facade;
 mod geo;
 mod ir;
 mod lexer;
+mod lint;
 mod lower;
 mod machine;
 mod parser;

@@ -88,6 +88,9 @@ pub(super) struct Check {
     /// File for the report, instead of the terminal or standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Write comments into the programs that suppress the warnings found now; notes, too, with `--fail-on note`
+    #[arg(long)]
+    pub add_ignores: bool,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
@@ -209,6 +212,12 @@ pub(super) struct Report {
     /// How findings are written [default: human; github in a workflow of GitHub Actions]
     #[arg(long, value_enum)]
     pub format: Option<Format>,
+    /// Findings that are reported: codes, beginnings of codes, names, `default`, `all`; as `[lint] select`
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub select: Option<Vec<String>>,
+    /// Findings that are not reported; as `[lint] ignore`
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub ignore: Option<Vec<String>>,
     /// Show errors only
     #[arg(short, long)]
     pub quiet: bool,

@@ -32,16 +32,15 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
     // What cannot be used is not in force.
     settings(&input, &args.common)?;
     let mut tree = tree_for(&input, &args.common)?;
+    let text = |value: &String| Value::Text(value.clone());
     for (section, key, value) in [
-        ("tools", "table", args.common.tools.as_ref().map(|path| path.to_string_lossy().into_owned())),
-        ("output", "target", args.common.target.clone()),
-        ("output", "compensation", args.common.compensation.clone()),
+        ("tools", "table", args.common.tools.as_ref().map(|path| Value::Text(path.to_string_lossy().into_owned()))),
+        ("output", "target", args.common.target.as_ref().map(text)),
+        ("output", "compensation", args.common.compensation.as_ref().map(text)),
     ] {
-        let Some(value) = value else { continue };
-        let spot = Spot { file: "command line".to_owned(), ..Spot::default() };
-        let node = Node { value: Value::Text(value), spot: spot.clone() };
-        let table = Value::Table(Table::from([(key.to_owned(), node)]));
-        overlay(&mut tree, Table::from([(section.to_owned(), Node { value: table, spot })]));
+        if let Some(value) = value {
+            set(&mut tree, section, key, value);
+        }
     }
     let text = match args.common.report.format {
         Some(Format::Json) => format!("{}\n", show::json(&tree)),
@@ -52,8 +51,28 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
     print(escaped_json(&text).as_bytes())
 }
 
-/// The configuration file for `input`, with what it extends; empty where there is none.
+/// What an argument of the command line says in place of the configuration.
+fn set(tree: &mut Table, section: &str, key: &str, value: Value) {
+    let spot = Spot { file: "command line".to_owned(), ..Spot::default() };
+    let node = Node { value, spot: spot.clone() };
+    let table = Value::Table(Table::from([(key.to_owned(), node)]));
+    overlay(tree, Table::from([(section.to_owned(), Node { value: table, spot })]));
+}
+
+/// The configuration in force for `input`: its file and what that extends, and the findings that the command line chooses.
 fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
+    let mut tree = file_for(input, common)?;
+    for (key, words) in [("select", &common.report.select), ("ignore", &common.report.ignore)] {
+        let Some(words) = words else { continue };
+        let spot = Spot { file: "command line".to_owned(), ..Spot::default() };
+        let node = |word: &String| Node { value: Value::Text(word.trim().to_owned()), spot: spot.clone() };
+        set(&mut tree, "lint", key, Value::List(words.iter().map(node).collect()));
+    }
+    Ok(tree)
+}
+
+/// The configuration file for `input`, with what it extends; empty where there is none.
+fn file_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
     let file = match &common.config {
         Some(file) => Some(file.clone()),
         None if common.isolated => None,
@@ -186,6 +205,22 @@ fn make_absolute(tree: &mut Table, folder: &Path) {
     {
         roots.values_mut().for_each(anchor);
     }
+    if let Some(Value::Table(lint)) = tree.get_mut("lint").map(|node| &mut node.value)
+        && let Some(Value::Table(files)) = lint.get_mut("files").map(|node| &mut node.value)
+    {
+        // Files are compared by where they really lie.
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
+        let here = std::mem::take(files);
+        *files = here.into_iter().map(|(pattern, node)| (pattern_below(&folder, &pattern), node)).collect();
+    }
+}
+
+/// A pattern of paths that counts from a folder.
+fn pattern_below(folder: &Path, pattern: &str) -> String {
+    let folder = folder.to_string_lossy();
+    let folder = if cfg!(windows) { folder.replace('\\', "/") } else { folder.into_owned() };
+    format!("{}/{pattern}", folder.trim_end_matches('/'))
 }
 
 fn table_path(tree: &Table, common: &Common) -> Option<PathBuf> {

@@ -3,7 +3,9 @@
 mod args;
 mod config;
 mod disk;
+mod edit;
 mod golden;
+mod ignores;
 mod inputs;
 mod listing;
 mod output;

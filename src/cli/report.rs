@@ -63,7 +63,7 @@ impl Look {
             *codes.entry(found.code.id).or_default() += 1;
         }
         if self.quiet {
-            list.retain(|found| found.code.severity == Severity::Error);
+            list.retain(|found| found.severity == Severity::Error);
         }
         let mut text = String::new();
         if let Some(format) = self.text {

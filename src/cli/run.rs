@@ -20,8 +20,8 @@ use super::disk::{IncludeRoots, file_name, open_main};
 use super::inputs::{Input, inputs};
 use super::output::{Destination, MAP_MARK, Made, Progress, is_foreign, set_aside};
 use super::pool::in_order;
-use super::report::{Look, Presented, Reporter, Stdout};
-use super::{Exit, Trouble, config};
+use super::report::{Look, Presented, Reporter, Stdout, counted};
+use super::{Exit, Trouble, config, ignores};
 
 /// A program with everything that is needed to run it.
 pub(super) struct Loaded {
@@ -268,6 +268,19 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
         reporter.say("partc: no part program lies in the folders that are named");
     }
     let (look, inputs) = (reporter.look(), found.list);
+    if args.add_ignores {
+        for input in &inputs {
+            match ignores::add(&input.path, &args.common, &args.findings) {
+                Ok(0) => {}
+                Ok(added) => reporter.say(&format!(
+                    "{}: {} written",
+                    input.path.display(),
+                    counted(added as u32, "suppression", "suppressions")
+                )),
+                Err(trouble) => reporter.trouble(trouble),
+            }
+        }
+    }
     let work = |input: &Input| {
         let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
         session.check(dialect, &settings, &files);

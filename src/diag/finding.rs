@@ -76,7 +76,7 @@ impl Finding {
         Finding {
             code: found.code.id,
             name: found.code.name,
-            severity: found.code.severity,
+            severity: found.severity,
             message: found.text().into_owned(),
             help: found.help.clone(),
             file: sources.name(loc.file),

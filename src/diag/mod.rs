@@ -6,10 +6,12 @@ pub mod codes;
 pub mod finding;
 pub mod render;
 pub mod report;
+pub mod selection;
 pub mod trail;
 
 use std::borrow::Cow;
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
@@ -17,6 +19,7 @@ use crate::text::Loc;
 
 pub use codes::{Code, Raised};
 pub use finding::Finding;
+pub use selection::Selection;
 pub use trail::{CallPath, Trail};
 
 /// How bad it is.
@@ -48,6 +51,8 @@ pub struct Label {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     pub code: &'static Code,
+    /// That of the code, unless the user wants another one.
+    pub severity: Severity,
     /// The number that the control itself shows.
     pub alarm: Option<u32>,
     /// What is wrong, in the user's words, values quoted.
@@ -69,6 +74,7 @@ impl Diagnostic {
         let Raised { code, alarm } = code.into();
         Diagnostic {
             code,
+            severity: code.severity,
             alarm,
             message: message.into(),
             label: Label { loc, text: String::new() },
@@ -109,6 +115,12 @@ impl Diagnostic {
     }
 }
 
+/// What decides over a finding besides its code: the configuration, and the comments of the program.
+pub trait Judge: std::fmt::Debug {
+    /// How bad the finding is; `None` where it is not reported.
+    fn level(&self, found: &Diagnostic) -> Option<Severity>;
+}
+
 /// Findings kept of one run; more are only counted.
 const KEPT: usize = 500;
 /// Places remembered of findings, kept or not, so that none is counted twice.
@@ -118,6 +130,7 @@ const PLACES: usize = 1 << 17;
 #[derive(Debug, Default)]
 pub struct Diags {
     inner: RefCell<Inner>,
+    judge: RefCell<Option<Rc<dyn Judge>>>,
 }
 
 #[derive(Debug, Default)]
@@ -133,23 +146,27 @@ struct Inner {
 }
 
 impl Diags {
+    /// From here on `judge` decides over what is found.
+    pub fn judge_by(&self, judge: Rc<dyn Judge>) {
+        *self.judge.borrow_mut() = Some(judge);
+    }
+
     /// Takes a finding. The same code at the same place is counted, not repeated.
-    pub fn push(&self, found: Diagnostic) {
-        let inner = &mut *self.inner.borrow_mut();
+    pub fn push(&self, mut found: Diagnostic) {
         let key = (found.code.id, found.label.loc);
-        if let Some(&known) = inner.seen.get(&key) {
-            let Some(at) = known else { return };
-            match inner.form.get_mut(at) {
-                // The first run of a block whose form was looked at before; now the way to it is known.
-                Some(met) if !*met => {
-                    *met = true;
-                    inner.list[at].call = found.call;
-                }
-                _ => inner.list[at].times = inner.list[at].times.saturating_add(1),
-            }
+        if self.is_repeated(key, found.call) {
             return;
         }
-        let severity = found.code.severity;
+        let judge = self.judge.borrow().clone();
+        let level = judge.map_or(Some(found.severity), |judge| judge.level(&found));
+        let inner = &mut *self.inner.borrow_mut();
+        let Some(severity) = level else {
+            if inner.seen.len() < PLACES {
+                inner.seen.insert(key, None);
+            }
+            return;
+        };
+        found.severity = severity;
         // Notes and warnings leave room for what stops the output.
         let room = if severity == Severity::Error { KEPT } else { KEPT / 2 };
         inner.counts[severity as usize] += 1;
@@ -162,6 +179,22 @@ impl Diags {
         } else {
             inner.dropped += 1;
         }
+    }
+
+    /// Counts a finding that is known already.
+    fn is_repeated(&self, key: (&'static str, Loc), call: CallPath) -> bool {
+        let inner = &mut *self.inner.borrow_mut();
+        let Some(&known) = inner.seen.get(&key) else { return false };
+        let Some(at) = known else { return true };
+        match inner.form.get_mut(at) {
+            // The first run of a block whose form was looked at before; now the way to it is known.
+            Some(met) if !*met => {
+                *met = true;
+                inner.list[at].call = call;
+            }
+            _ => inner.list[at].times = inner.list[at].times.saturating_add(1),
+        }
+        true
     }
 
     /// Was the same found at the same place before?

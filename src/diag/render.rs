@@ -15,7 +15,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
         sources.shown(found.label.loc.file),
         line.number,
         line.column,
-        found.code.severity.word(),
+        found.severity.word(),
         found.code.id,
         found.text()
     );
@@ -126,8 +126,8 @@ pub mod terminal {
             );
             Shown {
                 title,
-                code: Some(format!("{}[{}]", found.code.severity.word(), found.code.id)),
-                severity: match found.code.severity {
+                code: Some(format!("{}[{}]", found.severity.word(), found.code.id)),
+                severity: match found.severity {
                     Severity::Error => miette::Severity::Error,
                     Severity::Warning => miette::Severity::Warning,
                     Severity::Note => miette::Severity::Advice,

@@ -13,6 +13,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: klartext::run,
     check_form: klartext::check_form,
     check_unexecuted: Some(klartext::check_unexecuted),
+    comment: ["; ", "[", "]", ""],
+    survey: klartext::survey,
     cycles: klartext::cycle_signatures,
 };
 

@@ -11,6 +11,7 @@ use crate::ir::contour::Sink;
 use crate::machine::{MachineKind, Settings};
 use crate::sema::Job;
 use crate::sema::cycle_table::Signature;
+use crate::sema::run::survey::Survey;
 
 /// What the rest of the compiler knows of a control's language.
 pub struct Dialect {
@@ -31,6 +32,10 @@ pub struct Dialect {
     /// running them: an error where the control itself refuses the program, a warning where only partc would refuse
     /// the block if it ran. `None` where a dialect knows no more than the form.
     pub check_unexecuted: Option<fn(&Job<'_>)>,
+    /// A comment at the end of a block with a list in brackets: what stands in front of it, around the list, and behind it.
+    pub comment: [&'static str; 4],
+    /// Leads rules on source text through a file.
+    pub survey: Survey,
     /// What each of its cycles takes, built or not.
     pub cycles: fn() -> Vec<&'static Signature>,
 }

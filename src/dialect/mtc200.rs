@@ -13,6 +13,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: mtc200::run,
     check_form: mtc200::check_form,
     check_unexecuted: None,
+    comment: ["; ", "[", "]", ""],
+    survey: mtc200::survey,
     cycles: Vec::new,
 };
 

@@ -13,6 +13,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: sinumerik::run,
     check_form: sinumerik::check_form,
     check_unexecuted: Some(sinumerik::check_unexecuted),
+    comment: ["; ", "[", "]", ""],
+    survey: sinumerik::survey,
     cycles: sinumerik::cycle_signatures,
 };
 

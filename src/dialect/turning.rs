@@ -13,6 +13,8 @@ pub(super) const DIALECT: Dialect = Dialect {
     run: turning::run,
     check_form: turning::check_form,
     check_unexecuted: None,
+    comment: ["[", "(", ")", "]"],
+    survey: turning::survey,
     cycles: turning::cycle_signatures,
 };
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use crate::diag::Selection;
 use crate::target::{self, Target};
 
 use super::axis::{Axis, AxisSet};
@@ -34,6 +35,8 @@ pub struct Settings {
     /// Start values of parameters, by upper-case name (`Q50`, `R1`, `@50`).
     pub variables: BTreeMap<String, f64>,
     pub output: OutputSettings,
+    /// Which findings are reported.
+    pub lint: Selection,
     pub limits: Limits,
 }
 

@@ -74,9 +74,23 @@ pub fn compile_bytes(name: &str, bytes: Vec<u8>, dialect: &str, settings: &Setti
     let session = Session::new(main);
     let dialect = dialect::find(dialect).expect("a dialect of this name");
     let mut output = Vec::new();
-    let mut lines = Lines { sources: &session.sources, list: Vec::new() };
+    let sources = session.sources.clone();
+    let mut lines = Lines { sources: &sources, list: Vec::new() };
     session.compile(dialect, settings, files, &mut output, Some(&mut lines)).expect("memory takes everything");
-    let lines = lines.list;
+    finished(session, output, lines.list)
+}
+
+/// Compiles `bytes`, and finds what `partc check` finds in them.
+pub fn compile_checked(name: &str, bytes: &[u8], dialect: &str, settings: &Settings, files: &dyn Files) -> Compiled {
+    let compiled = compile_bytes(name, bytes.to_vec(), dialect, settings, files);
+    let main = Opened { name: name.to_owned(), identity: name.to_owned(), text: Box::new(Memory::new(bytes.to_vec())) };
+    let session = Session::new(main);
+    session.check(dialect::find(dialect).expect("a dialect of this name"), settings, files);
+    let Compiled { findings, rendered, found_in, .. } = finished(session, Vec::new(), Vec::new());
+    Compiled { findings, rendered, found_in, ..compiled }
+}
+
+fn finished(session: Session, output: Vec<u8>, lines: Vec<Line>) -> Compiled {
     let Session { sources, diags, trail } = session;
     let findings = diags.into_sorted();
     let found_in = findings.iter().map(|found| block(&sources, found.label.loc)).collect();

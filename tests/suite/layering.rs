@@ -18,8 +18,9 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("sema", &["parser", "lexer", "machine", "ir", "geo", "diag", "text", "standard"]),
     ("lower", &["ir", "geo", "machine", "diag", "text"]),
     ("emit", &["ir", "machine", "target", "diag", "text", "geo"]),
+    ("lint", &["sema", "ir", "geo", "machine", "diag", "text"]),
     ("dialect", &["lexer", "parser", "sema", "ir", "machine"]),
-    ("cli", &["diag", "dialect", "driver", "emit", "ir", "machine", "target", "text"]),
+    ("cli", &["diag", "dialect", "driver", "emit", "ir", "lint", "machine", "target", "text"]),
 ];
 
 /// Names of dialects, which nothing behind the contour items may know.

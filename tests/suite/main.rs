@@ -9,6 +9,7 @@ mod cli;
 mod cli_config;
 mod cli_files;
 mod cli_findings;
+mod cli_lint;
 mod cli_output;
 mod cli_reports;
 mod cli_run;

@@ -79,4 +79,21 @@ P4003 Error "call-depth" "calls are nested too deep"
 "Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \
 Often a program calls itself by way of another one."
 
+P8001 Warning "suppression-unused" "suppression that suppresses nothing"
+"A comment `partc: ignore[CODE]` wants a finding not to be shown, and there is none in its block (or, for `ignore-file`, in the file). The block was \
+mended, or the comment stands at the wrong one, and would hide the next mistake there. Remove it. `partc check` says so for the program \
+that is checked, not for those that it calls, and only where no error ends the search."
+
+P8002 Warning "suppression-without-code" "suppression without a code, or with one that does not exist"
+"A suppression names what it suppresses: `partc: ignore[K8022]`, several by commas, each by its code or its name. Without a code it would \
+hide whatever comes, so nothing is suppressed. `partc rules` lists all codes and names."
+
+P8003 Warning "suppression-refused" "suppression of what cannot be suppressed"
+"An error is never hidden: the program is not compiled, whatever a comment says. The same holds for the few warnings and notes that say that the \
+tool goes another way than the blocks do, such as a rounding that was made smaller. Mend the program, and remove the comment."
+
+P8004 Warning "suppression-unreadable" "suppression that cannot be read"
+"A comment begins with `partc:` and goes on with something else than `ignore[CODE, …]` or `ignore-file[CODE, …]`, perhaps with `-- reason` \
+behind it; or a bracket is not closed. Nothing is suppressed by it."
+
 }

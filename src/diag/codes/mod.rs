@@ -1,7 +1,7 @@
 //! Every diagnostic code, with the text behind `partc explain`. Codes are never renumbered or reused.
 //!
 //! Letter: `P` general, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
-//! `O` output. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
+//! `O` output, `L` rules in every language. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
 
 mod compensation;
 mod general;
@@ -13,6 +13,8 @@ mod klartext_free_contours;
 mod klartext_machining;
 mod klartext_readings;
 mod layers;
+mod lint_motion;
+mod lint_source;
 mod milling;
 mod mtc200;
 mod output;
@@ -33,6 +35,8 @@ pub use klartext_free_contours::*;
 pub use klartext_machining::*;
 pub use klartext_readings::*;
 pub use layers::*;
+pub use lint_motion::*;
+pub use lint_source::*;
 pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
@@ -42,6 +46,10 @@ pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
 pub use transformation::*;
 pub use turning::*;
+
+use std::sync::OnceLock;
+
+use rustc_hash::FxHashMap;
 
 use super::Severity;
 
@@ -53,6 +61,8 @@ pub struct Code {
     /// The same in words, for lists and configuration.
     pub name: &'static str,
     pub severity: Severity,
+    /// Is it reported where nobody asks for it?
+    pub on: bool,
     /// One line: what it is about.
     pub title: &'static str,
     /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from.
@@ -62,7 +72,15 @@ pub struct Code {
 /// The first case of each code in the golden books, written by the test suite.
 const EXAMPLES: &str = include_str!("examples.txt");
 
+/// Warnings and notes that say that the path, or what the machine does, is not what the blocks say.
+const FIRM: &[&str] = &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "K2851", "P0006", "P0201", "S8130"];
+
 impl Code {
+    /// Can nobody ignore it: is it an error, or does it say that the tool goes another way than programmed?
+    pub fn is_firm(&self) -> bool {
+        self.severity == Severity::Error || FIRM.contains(&self.id)
+    }
+
     /// A program in which it is found: parts that begin with `-- ` and a name.
     pub fn example(&self) -> Option<&'static str> {
         let (_, found) = EXAMPLES.split_once(&format!("=== {}\n", self.id))?;
@@ -91,13 +109,17 @@ impl From<&'static Code> for Raised {
     }
 }
 
-/// Writes a table of codes as constants plus the list of them all.
+/// Writes a table of codes as constants plus the list of them all. Behind the severity `off` says that a code is found where
+/// somebody asks for it only.
 macro_rules! codes {
-    ($list:ident: $($id:ident $severity:ident $name:literal $title:literal $explain:literal)*) => {
+    (@on) => { true };
+    (@on off) => { false };
+    ($list:ident: $($id:ident $severity:ident $($off:ident)? $name:literal $title:literal $explain:literal)*) => {
         $(pub const $id: &$crate::diag::Code = &$crate::diag::Code {
             id: stringify!($id),
             name: $name,
             severity: $crate::diag::Severity::$severity,
+            on: $crate::diag::codes::codes!(@on $($off)?),
             title: $title,
             explain: $explain,
         };)*
@@ -125,6 +147,8 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,
         layers::LAYERS,
+        lint_motion::LINT_MOTION,
+        lint_source::LINT_SOURCE,
         turning::TURNING,
         milling::MILLING,
         mtc200::MTC200,
@@ -138,7 +162,11 @@ pub fn all() -> Vec<&'static Code> {
 
 /// Finds a code by its id or name, upper or lower case.
 pub fn find(id: &str) -> Option<&'static Code> {
-    all().into_iter().find(|code| code.id.eq_ignore_ascii_case(id) || code.name.eq_ignore_ascii_case(id))
+    static KNOWN: OnceLock<FxHashMap<String, &'static Code>> = OnceLock::new();
+    let known = KNOWN.get_or_init(|| {
+        all().into_iter().flat_map(|code| [code.id, code.name].map(|id| (id.to_ascii_lowercase(), code))).collect()
+    });
+    known.get(&id.to_ascii_lowercase()).copied()
 }
 
 #[cfg(test)]

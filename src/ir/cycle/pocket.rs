@@ -6,7 +6,7 @@ use crate::geo::{Deg, Point2};
 use crate::ir::{Feed, Pos};
 
 use super::Family;
-use super::milling::{Mill, MillFault, Place};
+use super::milling::{MOST_LEVELS, Mill, MillFault, Place, parts};
 
 /// Most rings of a level; more is a lost decimal point.
 pub const MOST_RINGS: f64 = 10_000.0;
@@ -156,6 +156,10 @@ pub enum PocketFault {
     Width,
     /// The pitch of the helix is not above 0, or the angle not below 90 degrees.
     Insertion,
+    /// The helix falls by so little that its turns do not end.
+    Pitch,
+    /// The infeed of the finishing cuts is so small that they do not end.
+    FinishingStep,
     /// The middle line is shorter than nothing, or turns about itself.
     Length,
     TooManyRings,
@@ -174,6 +178,8 @@ impl fmt::Display for PocketFault {
             }
             PocketFault::Width => "the infeed in the plane is above 0, and at most the diameter of the cutter",
             PocketFault::Insertion => "the pitch of the helix is above 0, and the angle below 90 degrees",
+            PocketFault::Pitch => "the pitch of the helix is so small that its turns do not end",
+            PocketFault::FinishingStep => "the infeed in depth of the finishing cuts is so small that they do not end",
             PocketFault::Length => "the slot is no longer than it is wide, or its arc is longer than a turn",
             PocketFault::TooManyRings => "the infeed in the plane is so small that the rings do not end",
             PocketFault::Nothing => "neither roughing nor finishing is asked for",
@@ -217,6 +223,20 @@ impl Shape {
     }
 }
 
+impl Insertion {
+    /// Do the turns of a helix end?
+    pub fn ends(&self, mill: &Mill) -> bool {
+        match self {
+            Insertion::Helix { pitch, .. } => {
+                let heights = &mill.heights;
+                let level = heights.way() / parts(heights.way(), heights.step) as f64;
+                parts(level, *pitch) <= MOST_LEVELS
+            }
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => true,
+        }
+    }
+}
+
 impl Room {
     /// The smaller half.
     pub fn least(self) -> f64 {
@@ -237,6 +257,16 @@ impl Pocket {
     pub fn helix_radius(&self, asked: f64) -> f64 {
         let radius = self.mill.radius;
         asked.min(radius).min(self.shape.helix_room(self.rough_distance())).max(0.0)
+    }
+
+    /// Half of the longest way to and fro.
+    pub fn sway_room(&self) -> f64 {
+        match (self.shape, self.shape.room(self.rough_distance())) {
+            (Shape::Slot { from, to, .. }, _) => (to - from) / 2.0,
+            (Shape::Bow { radius, sweep, .. }, _) => radius * sweep.radians() / 2.0,
+            (_, Room::Rectangle([x, y])) => x.max(y).max(0.0),
+            (_, Room::Around(half)) => half.max(0.0),
+        }
     }
 
     /// The radius of the arc on which the finishing cut comes to the wall.
@@ -302,11 +332,22 @@ impl Family for Pocket {
             (round, PocketFault::Corner),
             (self.width > 0.0 && self.width <= 2.0 * radius + SAME, PocketFault::Width),
             (rings <= MOST_RINGS, PocketFault::TooManyRings),
+            (self.insertion.ends(&self.mill), PocketFault::Pitch),
+            (parts(self.mill.heights.way(), finish[0]) <= MOST_LEVELS, PocketFault::FinishingStep),
             (insertion && (self.strategy == Strategy::Levels || circle), PocketFault::Insertion),
             (self.rough || self.finish.is_some_and(|finish| finish.wall || finish.floor), PocketFault::Nothing),
             (!self.places.is_empty(), PocketFault::Nothing),
         ];
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+
+    fn moves(&self) -> f64 {
+        let heights = &self.mill.heights;
+        let rings = parts(self.shape.room(self.mill.radius).least(), self.width) as f64;
+        let turns = |step: f64| parts(heights.way(), step) as f64;
+        let rough = if self.rough { 10.0 * rings * turns(heights.step) } else { 0.0 };
+        let finish = self.finish.map_or(0.0, |finish| 16.0 * turns(finish.step) + 10.0 * rings);
+        (rough + finish) * self.places.len() as f64
     }
 
     /// It ends above the entry of the last place, or at home.

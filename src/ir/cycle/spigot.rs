@@ -280,6 +280,19 @@ impl Family for Spigot {
         }
     }
 
+    fn moves(&self) -> f64 {
+        let elements = match self.shape {
+            Shape::Circle { .. } => 1.0,
+            Shape::Rectangle { .. } => 9.0,
+            Shape::Polygon { edges, .. } => 2.0 * f64::from(edges) + 1.0,
+        };
+        let circuits = self.distances().len() as f64;
+        let finishing = self.finish.map_or(0.0, |finish| {
+            circuits + self.mill.heights.levels_to(self.mill.heights.depth, finish.step).len() as f64
+        });
+        (elements + 2.0) * (circuits * self.levels().len() as f64 + finishing)
+    }
+
     /// Above where it went down.
     fn leaves(&self, at: &mut Pos) {
         self.mill.leaves_above(self.place.point(self.entry()), at);

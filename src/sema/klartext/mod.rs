@@ -42,6 +42,7 @@ mod refused;
 mod rotary;
 mod state;
 mod studs;
+mod survey;
 mod system;
 mod text_functions;
 mod tool;
@@ -62,6 +63,7 @@ use crate::text::{Loc, Span, SplitRules};
 use std::cell::RefCell;
 
 pub use cycles::signatures as cycle_signatures;
+pub use survey::survey;
 pub use unexecuted::check_unexecuted;
 
 use super::run::unexecuted::Blocks;

@@ -15,6 +15,7 @@ mod offsets;
 mod path;
 mod readings;
 mod state;
+mod survey;
 mod words;
 
 use crate::sema::common::feed::FeedKind;
@@ -46,6 +47,8 @@ use g_functions::{G, Group};
 use header::Header;
 use state::State;
 use words::Words;
+
+pub use survey::survey;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {

@@ -10,6 +10,7 @@ mod level;
 mod report;
 mod site;
 mod source;
+pub mod survey;
 pub mod unexecuted;
 
 use crate::diag::Code;

@@ -52,6 +52,7 @@ mod spindle;
 mod spindle_state;
 mod stand_in;
 mod state;
+mod survey;
 mod swivel;
 mod system;
 mod system_variables;
@@ -94,6 +95,7 @@ use words::Words;
 
 pub use cycles::signatures as cycle_signatures;
 pub use dictionary::all_words;
+pub use survey::survey;
 pub use unexecuted::check_unexecuted;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.

@@ -34,6 +34,7 @@ mod simple_recess;
 mod simple_thread;
 mod state;
 mod stock;
+mod survey;
 mod technology;
 mod thread_line;
 mod threads;
@@ -53,6 +54,7 @@ use crate::parser::turning::ast::{Block, Stmt};
 use crate::parser::turning::{SPLIT, parse_block};
 use crate::text::{Span, SplitRules};
 pub use cycle_table::signatures as cycle_signatures;
+pub use survey::survey;
 
 use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::value::Machine;

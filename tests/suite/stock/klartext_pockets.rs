@@ -70,7 +70,22 @@ fn case(
     let Common { radius, depth, step, wall, floor, .. } = *c;
     let slope = (c.plunging > 0).then(|| ANGLE.to_radians().tan());
     let language = "klartext";
-    Case { language, text, outline, places, radius, depth, step, wall, floor, rough: true, finish, slope, home }
+    Case {
+        language,
+        text,
+        outline,
+        places,
+        radius,
+        depth,
+        step,
+        wall,
+        floor,
+        rough: true,
+        finish,
+        slope,
+        home,
+        cleared: None,
+    }
 }
 
 fn turned([x, y]: [f64; 2], turn: f64) -> [f64; 2] {

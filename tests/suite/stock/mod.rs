@@ -1,10 +1,17 @@
 //! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
 
+mod corner;
+mod cut_off;
+mod faces;
 mod grooves;
 mod klartext_pockets;
 mod klartext_studs;
 mod layers;
+mod milled_threads;
 pub mod milling;
+mod paths;
 mod pockets;
 mod regions;
+mod removal;
+mod spigots;
 mod turning;

@@ -6,7 +6,7 @@ mod helical;
 mod tests;
 
 use crate::diag::codes;
-use crate::geo::{Element, Point2, left};
+use crate::geo::{Deg, Element, Point2, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
@@ -26,6 +26,12 @@ impl Expand for Pocket {
             Failure::new(codes::G3321, fault.to_string(), "check the sizes of the pocket and the data of the cutter")
         })?;
         let rough = self.rough.then(|| Area::new(self, self.rough_distance()));
+        if let Some(area) = &rough
+            && let Insertion::Sway { angle, .. } = self.insertion
+            && strokes(self.level_step(), area.sway.length(), angle) > MOST_LEVELS
+        {
+            return Err(endless_strokes());
+        }
         let Some(first) = self.places.first() else { return Ok(()) };
         let mut tool = Tool { pocket: self, cutter: Cutter::new(&self.mill, *first, start, out), is_over: false };
         for (at, place) in self.places.iter().enumerate() {
@@ -49,6 +55,26 @@ impl Expand for Pocket {
             tool.cutter.rapid(home);
         }
         Ok(())
+    }
+}
+
+/// Strokes of this length that fall by at most `angle`, from one level to the next; an angle of 0 asks for one.
+pub fn strokes(step: f64, length: f64, angle: Deg) -> usize {
+    parts(step, length * libm::tan(angle.radians()))
+}
+
+pub fn endless_strokes() -> Failure {
+    Failure::new(
+        codes::G3321,
+        "the angle of insertion is so small that the strokes to and fro do not end",
+        "give a larger angle",
+    )
+}
+
+impl Pocket {
+    fn level_step(&self) -> f64 {
+        let heights = &self.mill.heights;
+        (heights.reference - heights.rough_floor()).abs() / heights.levels().len() as f64
     }
 }
 
@@ -170,16 +196,15 @@ impl Tool<'_> {
             }
             Insertion::Sway { angle, .. } => {
                 self.cutter.plunge(from);
-                self.sway(&area.sway, from, to, angle.radians());
+                self.sway(&area.sway, from, to, angle);
             }
         }
     }
 
     /// To and fro along `line`, one stroke more on the level.
-    fn sway(&mut self, line: &Element, from: f64, to: f64, angle: f64) {
+    fn sway(&mut self, line: &Element, from: f64, to: f64, angle: Deg) {
         let feed = self.pocket.mill.feeds.depth;
-        let most = line.length() * libm::tan(angle);
-        let strokes = parts((from - to).abs(), most).min(MOST_LEVELS);
+        let strokes = strokes((from - to).abs(), line.length(), angle);
         let back = reversed(line);
         for stroke in 1..=strokes + 1 {
             let height = if stroke >= strokes { to } else { from + (to - from) * stroke as f64 / strokes as f64 };

@@ -1,0 +1,71 @@
+//! `partc check --add-ignores`: comments that suppress what is found now.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use crate::diag::Severity;
+use crate::lint::ends::Ends;
+use crate::text::{FileId, Span};
+
+use super::Trouble;
+use super::args::{Common, Findings};
+use super::edit::{Edit, Program, apply, ignorable, write};
+
+/// Most times that a program is checked again: one check keeps a few hundred findings only.
+const MOST_ROUNDS: usize = 100;
+
+/// Writes the comments, and says how many.
+///
+/// # Errors
+/// The program cannot be read or written.
+pub(super) fn add(path: &Path, common: &Common, findings: &Findings) -> Result<usize, Trouble> {
+    let program = Program::read(path, common)?;
+    let least = findings.fail_on.of_findings().min(Severity::Warning);
+    let before = program.does(&program.text);
+    let mut text = program.text.clone();
+    let mut added = 0;
+    for _ in 0..MOST_ROUNDS {
+        let edits = comments(&program, &text, least);
+        if edits.is_empty() {
+            break;
+        }
+        let made = apply(&text, &edits);
+        // Nothing but comments was added: it must do what it did.
+        if program.does(&made) != before {
+            return Err(format!("{}: its blocks take no comments at their ends; nothing was written", path.display()));
+        }
+        added += edits.len();
+        text = made;
+    }
+    if added > 0 {
+        write(path, &text)?;
+    }
+    Ok(added)
+}
+
+/// A comment for each block in which something is found that none of its comments names.
+fn comments(program: &Program, text: &[u8], least: Severity) -> Vec<Edit> {
+    let session = program.check(text);
+    let sources = std::rc::Rc::clone(&session.sources);
+    let mut codes: BTreeMap<u32, BTreeSet<&str>> = BTreeMap::new();
+    for found in ignorable(session.diags.into_sorted(), least) {
+        codes.entry(found.label.loc.line).or_default().insert(found.code.id);
+    }
+    if codes.is_empty() {
+        return Vec::new();
+    }
+    let ends = Ends::of(&sources, FileId(0), program.dialect.survey);
+    let mut by_end: BTreeMap<u32, BTreeSet<&str>> = BTreeMap::new();
+    for (line, found) in codes {
+        if let Some(end) = ends.at(line) {
+            by_end.entry(end).or_default().extend(found);
+        }
+    }
+    let edit = |(end, codes): (u32, BTreeSet<&str>)| {
+        let list = codes.into_iter().collect::<Vec<_>>().join(", ");
+        let [open, inner_open, inner_close, close] = program.dialect.comment;
+        let text = format!(" {open}partc: ignore{inner_open}{list}{inner_close}{close}").into_bytes();
+        Edit { span: Span::at(end, 0), text }
+    };
+    by_end.into_iter().map(edit).collect()
+}

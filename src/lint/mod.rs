@@ -1,0 +1,77 @@
+//! What is said of a program beside its compilation: rules, and what the program says about findings.
+
+pub mod ends;
+pub mod fix;
+pub mod imprint;
+pub mod motion;
+pub mod policy;
+pub mod rules;
+pub mod source;
+pub mod suppression;
+
+use crate::diag::Diags;
+use crate::machine::Settings;
+use crate::sema::run::survey::Survey;
+use crate::text::{FileId, Sources};
+
+use ends::lead;
+use fix::Fix;
+use motion::{Say, Setup, Watch, Watching};
+use policy::Policy;
+use rules::{Make, RULES};
+use source::{FindsBlank, Reader};
+
+/// The rules of a check that somebody wants to hear of.
+pub struct Checks<'a> {
+    setup: Setup<'a>,
+    policy: &'a Policy,
+    diags: &'a Diags,
+}
+
+impl std::fmt::Debug for Checks<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Checks").finish_non_exhaustive()
+    }
+}
+
+impl<'a> Checks<'a> {
+    /// Looks for what rules want to know before the program runs.
+    pub fn new(
+        settings: &'a Settings,
+        sources: &Sources,
+        survey: Survey,
+        policy: &'a Policy,
+        diags: &'a Diags,
+    ) -> Checks<'a> {
+        let mut blank = FindsBlank::default();
+        lead(sources, FileId(0), survey, &mut blank);
+        let setup = Setup { settings, blank: blank.blank(), size: sources.size(FileId(0)) };
+        Checks { setup, policy, diags }
+    }
+
+    /// Rules that look on while the program runs; `None` where nobody wants one.
+    pub fn watch(&self) -> Option<Watching<'a>> {
+        let wanted = RULES.iter().filter(|rule| self.policy.wants(rule.code));
+        let made = wanted.filter_map(|rule| match rule.make {
+            Make::Motion(make) => Some(make(&self.setup)),
+            Make::Source(_) => None,
+        });
+        let rules: Vec<_> = made.collect();
+        (!rules.is_empty()).then(|| Watch::new(rules, self.diags))
+    }
+
+    /// Reads the blocks of the main program, and gives what would mend them.
+    pub fn read(&self, sources: &Sources, survey: Survey) -> Vec<Fix> {
+        let wanted = RULES.iter().filter(|rule| self.policy.wants(rule.code));
+        let made = wanted.filter_map(|rule| match rule.make {
+            Make::Source(make) => Some(make(&self.setup)),
+            Make::Motion(_) => None,
+        });
+        let mut reader = Reader { rules: made.collect(), say: Say::to(self.diags), fixes: Vec::new() };
+        if !reader.rules.is_empty() {
+            lead(sources, FileId(0), survey, &mut reader);
+            reader.finish();
+        }
+        reader.fixes
+    }
+}

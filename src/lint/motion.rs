@@ -1,0 +1,333 @@
+//! The walk of rules over what a program does: they look on while it runs, and change nothing.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use crate::diag::{Code, Diagnostic, Diags};
+use crate::geo::Plane;
+use crate::ir::captured::{Captured, Unfit};
+use crate::ir::contour::{self, Corner, CtxRef, Load};
+use crate::ir::cycle::Cycle;
+use crate::ir::function::{Coolant, Spindle, Turn};
+use crate::ir::motion::{self, Move, Path};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::machine::{Axis, MachineKind, Settings};
+
+/// A cuboid in workpiece coordinates, mm: least and greatest corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blank {
+    pub min: [f64; 3],
+    pub max: [f64; 3],
+}
+
+/// What a rule is made with.
+#[derive(Debug, Clone, Copy)]
+pub struct Setup<'a> {
+    pub settings: &'a Settings,
+    /// The blank that the program describes, where it does.
+    pub blank: Option<Blank>,
+    /// Bytes of the main program.
+    pub size: u64,
+}
+
+impl Setup<'_> {
+    pub fn is_lathe(&self) -> bool {
+        self.settings.machine.kind == MachineKind::Lathe
+    }
+}
+
+/// Does a spindle turn?
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Turning {
+    #[default]
+    Unknown,
+    Off,
+    On(Turn),
+}
+
+/// What the last move did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Last {
+    #[default]
+    None,
+    Rapid,
+    Cut,
+}
+
+/// The machine before the item that a rule looks at.
+#[derive(Debug, Clone, Default)]
+pub struct Machine {
+    pub at: Pos,
+    /// The tool in the spindle; `None` before the first change.
+    pub tool: Option<u32>,
+    pub turning: Turning,
+    /// Is any speed known?
+    pub has_speed: bool,
+    pub coolant: bool,
+    pub last: Last,
+    /// Side of the compensation as programmed.
+    pub side: Side,
+    pub plane: Plane,
+}
+
+/// A move with where it comes from.
+#[derive(Debug)]
+pub struct Step<'s> {
+    pub mv: &'s Move,
+    pub from: &'s Pos,
+    /// All axes behind the move.
+    pub to: Pos,
+    pub origin: &'s Origin,
+    /// A cycle makes it, no block of its own.
+    pub of_cycle: bool,
+}
+
+impl Step<'_> {
+    /// Does it go at a feed, in coordinates of the workpiece?
+    pub fn cuts(&self) -> bool {
+        !self.mv.machine && !matches!(self.mv.path, Path::Rapid)
+    }
+
+    pub fn is_rapid(&self) -> bool {
+        !self.mv.machine && matches!(self.mv.path, Path::Rapid)
+    }
+
+    pub fn is_line(&self) -> bool {
+        matches!(self.mv.path, Path::Line(_))
+    }
+
+    pub fn feed(&self) -> Option<Feed> {
+        self.mv.path.feed()
+    }
+
+    /// Way along an axis, where both ends are known.
+    pub fn way(&self, axis: Axis) -> Option<f64> {
+        Some(self.to.get(axis)? - self.from.get(axis)?)
+    }
+
+    /// The tool axis of the working plane.
+    pub fn tool_axis(&self) -> Axis {
+        tool_axis(self.mv.plane)
+    }
+
+    /// Way along the tool axis, upwards positive.
+    pub fn rise(&self) -> Option<f64> {
+        self.way(self.tool_axis())
+    }
+
+    /// Does it move an axis of the working plane?
+    pub fn goes_sideways(&self) -> bool {
+        let (first, second, _) = self.mv.plane.axes();
+        let moves = |axis: usize| self.way(Axis::ALL[axis]).is_none_or(|way| way.abs() > TINY);
+        [first, second].into_iter().any(|axis| self.mv.axes.contains(Axis::ALL[axis]) && moves(axis))
+            || matches!(self.mv.path, Path::Arc(..))
+    }
+}
+
+/// Ways shorter than this are none, mm.
+pub const TINY: f64 = 1e-6;
+
+pub fn tool_axis(plane: Plane) -> Axis {
+    Axis::ALL[plane.axes().2]
+}
+
+/// Takes what rules find.
+#[derive(Debug, Clone, Copy)]
+pub struct Say<'d> {
+    diags: &'d Diags,
+}
+
+impl<'d> Say<'d> {
+    pub fn to(diags: &'d Diags) -> Say<'d> {
+        Say { diags }
+    }
+
+    pub fn about(&self, code: &'static Code, origin: &Origin, message: impl Into<String>, help: &str) {
+        self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+    }
+
+    pub fn found(&self, found: Diagnostic) {
+        self.diags.push(found);
+    }
+}
+
+/// A rule over what the program does. Each method sees the machine as it was before.
+pub trait MotionRule {
+    fn movement(&mut self, _: &Step<'_>, _: &Machine, _: Say<'_>) {}
+    fn function(&mut self, _: &Function, _: &Machine, _: &Origin, _: Say<'_>) {}
+    /// Nobody knows where the tool is.
+    fn lost(&mut self) {}
+    /// The program is over, and ran to its end.
+    fn finish(&mut self, _: &Machine, _: Say<'_>) {}
+}
+
+/// The rules and what they share.
+pub struct Watch<'a> {
+    rules: Vec<Box<dyn MotionRule + 'a>>,
+    machine: Machine,
+    diags: &'a Diags,
+    /// The block of the last cycle.
+    cycle: Option<Origin>,
+    /// Side of the last programmed move.
+    side: Side,
+}
+
+impl std::fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Watch").field("machine", &self.machine).finish_non_exhaustive()
+    }
+}
+
+pub type Watching<'a> = Rc<RefCell<Watch<'a>>>;
+
+impl<'a> Watch<'a> {
+    pub fn new(rules: Vec<Box<dyn MotionRule + 'a>>, diags: &'a Diags) -> Watching<'a> {
+        let watch = Watch { rules, machine: Machine::default(), diags, cycle: None, side: Side::None };
+        Rc::new(RefCell::new(watch))
+    }
+
+    /// The run is over.
+    pub fn finish(&mut self) {
+        if self.diags.has_errors() {
+            return;
+        }
+        let say = Say::to(self.diags);
+        self.rules.iter_mut().for_each(|rule| rule.finish(&self.machine, say));
+    }
+
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        let mut to = self.machine.at;
+        to.update(&mv.end);
+        let of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
+        let step = Step { mv, from: &self.machine.at, to, origin, of_cycle };
+        let say = Say::to(self.diags);
+        for rule in &mut self.rules {
+            rule.movement(&step, &self.machine, say);
+        }
+        let last = if step.is_rapid() || mv.machine { Last::Rapid } else { Last::Cut };
+        self.machine.last = last;
+        self.machine.plane = mv.plane;
+        self.machine.at = to;
+        if mv.machine {
+            mv.axes.iter().for_each(|axis| self.machine.at.forget(axis));
+        }
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        let say = Say::to(self.diags);
+        for rule in &mut self.rules {
+            rule.function(function, &self.machine, origin, say);
+        }
+        let machine = &mut self.machine;
+        match function {
+            Function::ToolChange { number } => {
+                // What a machine does with a spindle that turns is not known.
+                if machine.turning == Turning::Unknown {
+                    machine.turning = Turning::Off;
+                }
+                machine.tool = Some(*number);
+                machine.last = Last::None;
+            }
+            Function::Spindle(spindle) | Function::SpindleOf { spindle, .. } => match spindle {
+                Spindle::Start(turn) => machine.turning = Turning::On(*turn),
+                Spindle::Stop | Spindle::Orient(_) => machine.turning = Turning::Off,
+                Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => machine.has_speed = true,
+            },
+            Function::Coolant(coolant) => machine.coolant = *coolant != Coolant::Off,
+            Function::WorkOffset(_) => machine.at.clear(),
+            Function::Plane(plane) => machine.plane = *plane,
+            _ => {}
+        }
+    }
+
+    fn lost(&mut self) {
+        self.machine.at.clear();
+        self.rules.iter_mut().for_each(|rule| rule.lost());
+    }
+}
+
+/// Looks on in front of the sink that takes the motion.
+pub struct OnMotion<'w, 'a> {
+    pub watch: Watching<'a>,
+    pub next: &'w mut dyn motion::Sink,
+}
+
+impl motion::Sink for OnMotion<'_, '_> {
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        self.watch.borrow_mut().movement(mv, origin);
+        self.next.movement(mv, origin);
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        self.watch.borrow_mut().function(function, origin);
+        self.next.function(function, origin);
+    }
+
+    fn lost(&mut self, origin: &Origin) {
+        self.watch.borrow_mut().lost();
+        self.next.lost(origin);
+    }
+
+    fn programmed(&mut self, mv: &Move, start: &Pos) {
+        self.next.programmed(mv, start);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.watch.borrow_mut().machine.at = *at;
+        self.next.begins_at(at);
+    }
+
+    fn full(&self) -> bool {
+        self.next.full()
+    }
+}
+
+/// Looks on in front of the sink that takes the contour: what the motion does not say any more.
+pub struct OnContour<'w, 'a> {
+    pub watch: Watching<'a>,
+    pub next: &'w mut dyn contour::Sink,
+}
+
+impl contour::Sink for OnContour<'_, '_> {
+    fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
+        self.watch.borrow_mut().side = mv.side;
+        self.next.movement(mv, ctx, origin);
+    }
+
+    fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin) {
+        self.next.corner(corner, ctx, origin);
+    }
+
+    fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin) {
+        {
+            let watch = &mut *self.watch.borrow_mut();
+            watch.machine.side = watch.side;
+        }
+        self.next.function(function, ctx, origin);
+    }
+
+    fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
+        self.watch.borrow_mut().cycle = Some(*origin);
+        self.next.cycle(cycle, ctx, origin);
+    }
+
+    fn lost(&mut self, ctx: &CtxRef, origin: &Origin) {
+        self.next.lost(ctx, origin);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.next.begins_at(at);
+    }
+
+    fn load(&self) -> Load {
+        self.next.load()
+    }
+
+    fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, origin: &Origin) {
+        self.next.contour_begins(limit, ctx, origin);
+    }
+
+    fn contour_ends(&mut self, origin: &Origin) -> Result<Captured, Unfit> {
+        self.next.contour_ends(origin)
+    }
+}

@@ -1,0 +1,31 @@
+//! The program cuts before it calls its first tool.
+
+use crate::diag::codes;
+use crate::ir::Origin;
+use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
+
+#[derive(Debug, Default)]
+pub(super) struct CutBeforeTool {
+    first: Option<Origin>,
+}
+
+impl CutBeforeTool {
+    pub(super) fn new(_: &Setup<'_>) -> CutBeforeTool {
+        CutBeforeTool::default()
+    }
+}
+
+impl MotionRule for CutBeforeTool {
+    fn movement(&mut self, step: &Step<'_>, machine: &Machine, _: Say<'_>) {
+        if machine.tool.is_none() && step.cuts() {
+            self.first.get_or_insert(*step.origin);
+        }
+    }
+
+    fn finish(&mut self, machine: &Machine, say: Say<'_>) {
+        if let (Some(first), Some(_)) = (self.first, machine.tool) {
+            let message = "this move cuts before the program has called a tool";
+            say.about(codes::L1022, &first, message, "call the tool first");
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! A variable gets a value that nothing reads.
+
+use crate::diag::{Diagnostic, codes};
+use crate::lint::motion::Setup;
+use crate::lint::source::{Read, SourceRule, Told};
+use crate::sema::run::survey::What;
+use crate::text::Loc;
+use rustc_hash::FxHashSet;
+
+/// Most variables that are remembered.
+const MOST: usize = 1000;
+
+#[derive(Debug, Default)]
+pub(super) struct VariableUnread {
+    written: Vec<(String, Loc)>,
+    read: FxHashSet<String>,
+    opaque: bool,
+}
+
+impl VariableUnread {
+    pub(super) fn new(_: &Setup<'_>) -> VariableUnread {
+        VariableUnread::default()
+    }
+}
+
+impl SourceRule for VariableUnread {
+    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+        for item in read.block.items {
+            match &item.what {
+                What::Writes(name)
+                    if self.written.iter().all(|(known, _)| known != name) && self.written.len() < MOST =>
+                {
+                    self.written.push((name.clone(), read.loc(item.span)));
+                }
+                What::Reads(name) => {
+                    self.read.insert(name.clone());
+                }
+                What::Opaque => self.opaque = true,
+                _ => {}
+            }
+        }
+    }
+
+    fn finish(&mut self, told: &mut Told<'_>) {
+        for (name, loc) in
+            self.written.iter().filter(|(name, _)| !self.opaque && !self.read.contains(name) && !of_control(name))
+        {
+            let found = Diagnostic::new(codes::L2004, *loc, format!("`{name}` gets a value that no block reads"));
+            told.say.found(found.help("remove it, or mend the block that should read it"));
+        }
+    }
+}
+
+/// Parameters that cycles and the control itself read.
+fn of_control(name: &str) -> bool {
+    let number = name.strip_prefix('Q').and_then(|digits| digits.parse::<u32>().ok());
+    number.is_some_and(|number| number >= 100)
+}

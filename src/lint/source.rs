@@ -1,0 +1,126 @@
+//! The walk of rules over the blocks of a program, whether they run or not.
+
+use crate::sema::Job;
+use crate::sema::run::survey::{Surveyed, Visitor, Wanted, What};
+use crate::text::{Loc, Span};
+
+use super::fix::Fix;
+use super::motion::{Blank, Say};
+
+/// A rule over the blocks of the main program.
+pub trait SourceRule {
+    fn block(&mut self, block: &Read<'_>, say: &mut Told<'_>);
+    /// The file has no further block.
+    fn finish(&mut self, _: &mut Told<'_>) {}
+}
+
+/// A block with a way to its places.
+pub struct Read<'b> {
+    pub block: &'b Surveyed<'b>,
+    job: &'b Job<'b>,
+}
+
+impl std::fmt::Debug for Read<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.block.fmt(f)
+    }
+}
+
+impl Read<'_> {
+    /// A place in the block.
+    pub fn loc(&self, span: Span) -> Loc {
+        self.block.site.loc(self.job, span)
+    }
+
+    /// The words of the block.
+    pub fn words(&self) -> Loc {
+        self.loc(self.block.words)
+    }
+
+    /// Is there such an item?
+    pub fn has(&self, what: &What) -> bool {
+        self.block.items.iter().any(|item| item.what == *what)
+    }
+}
+
+/// Takes what rules find, and how it is mended.
+pub struct Told<'t> {
+    pub say: Say<'t>,
+    pub fixes: &'t mut Vec<Fix>,
+}
+
+impl std::fmt::Debug for Told<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Told").finish_non_exhaustive()
+    }
+}
+
+/// Leads the rules through the blocks.
+pub struct Reader<'a> {
+    pub rules: Vec<Box<dyn SourceRule + 'a>>,
+    pub say: Say<'a>,
+    pub fixes: Vec<Fix>,
+}
+
+impl std::fmt::Debug for Reader<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Reader").finish_non_exhaustive()
+    }
+}
+
+impl Reader<'_> {
+    pub fn finish(&mut self) {
+        let Reader { rules, say, fixes } = self;
+        let mut told = Told { say: *say, fixes };
+        rules.iter_mut().for_each(|rule| rule.finish(&mut told));
+    }
+}
+
+impl Visitor for Reader<'_> {
+    fn wanted(&self) -> Wanted<'_> {
+        Wanted::ALL
+    }
+
+    fn items(&self) -> bool {
+        true
+    }
+
+    fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>) {
+        let Reader { rules, say, fixes } = self;
+        let mut told = Told { say: *say, fixes };
+        let read = Read { block, job };
+        rules.iter_mut().for_each(|rule| rule.block(&read, &mut told));
+    }
+}
+
+/// Finds the blank that a program describes.
+#[derive(Debug, Default)]
+pub struct FindsBlank {
+    corners: [Option<[f64; 3]>; 2],
+}
+
+impl FindsBlank {
+    pub fn blank(&self) -> Option<Blank> {
+        let [Some(min), Some(max)] = self.corners else { return None };
+        min.iter().zip(&max).all(|(min, max)| min < max).then_some(Blank { min, max })
+    }
+}
+
+impl Visitor for FindsBlank {
+    fn wanted(&self) -> Wanted<'_> {
+        // `BLK FORM`, and the unit in `BEGIN PGM`.
+        Wanted { letter: Some(b'K'), is: &|text| text.len() < 200 }
+    }
+
+    fn items(&self) -> bool {
+        true
+    }
+
+    fn block(&mut self, block: &Surveyed<'_>, _: &Job<'_>) {
+        for item in block.items {
+            if let What::BlankCorner { high, at } = item.what {
+                self.corners[usize::from(high)] = Some(at);
+            }
+        }
+    }
+}

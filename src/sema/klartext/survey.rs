@@ -1,0 +1,166 @@
+//! Klartext blocks for rules on source text.
+
+use crate::lexer::klartext::Value;
+use crate::machine::Unit;
+use crate::parser::klartext::ast::{Addr, Block, LabelRef, Stmt, Test};
+use crate::parser::symbols::Symbols;
+use crate::sema::Job;
+use crate::sema::run::survey::{Item, Notes, Surveyed, Visitor, What};
+use crate::sema::run::unexecuted::Blocks;
+use crate::text::{FileId, Loc, Span};
+
+use super::Klartext;
+use super::labels::Label;
+
+/// Leads `visitor` through a file.
+pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
+    let start = Loc { file, line: 1, span: Span::default() };
+    let Some(mut blocks) = Blocks::<Klartext>::open(job, file, start) else { return };
+    let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
+    let mut unit = Unit::Mm;
+    loop {
+        let wanted = visitor.wanted();
+        let Some(passed) = blocks.next_that(job, &mut symbols, wanted.letter, wanted.is) else { return };
+        let (block, text) = (passed.block, passed.text);
+        notes.clear();
+        if let Some(comment) = block.comment {
+            if passed.site.lines == 1 || comment.start <= block.span.start {
+                notes.comments.push(comment);
+            } else {
+                notes.comments_of_lines(text);
+            }
+        }
+        if visitor.items() {
+            if let Stmt::Begin { unit: Some(written), .. } = block.stmt {
+                unit = written;
+            }
+            note(block, text, &mut notes);
+            if block.stmt == Stmt::BlkForm {
+                notes.items.extend(corner_of_blank(block, text, unit.mm()));
+            }
+        }
+        let surveyed = Surveyed {
+            text,
+            site: passed.site,
+            number: block.number,
+            skip: block.skip,
+            words: block.span,
+            is_empty: block.stmt == Stmt::Empty,
+            is_bad: block.stmt == Stmt::Bad || !passed.problems.is_empty(),
+            comments: &notes.comments,
+            items: &notes.items,
+        };
+        visitor.block(&surveyed, job);
+    }
+}
+
+fn note(block: &Block, text: &[u8], notes: &mut Notes) {
+    let used = |label: LabelRef| Label::written(label, text).map_or(What::UsesUnknown, |l| What::Uses(l.to_string()));
+    match block.stmt {
+        // The end of a called section; what runs through it goes on behind it.
+        Stmt::Label(LabelRef::Number(0)) => {}
+        Stmt::Label(label) => {
+            if let Some(label) = Label::written(label, text) {
+                notes.add(What::Label(label.to_string()), block.span);
+            }
+        }
+        Stmt::CallLabel { label, .. } => notes.add(used(label), block.span),
+        Stmt::If { test, target, .. } => {
+            notes.add(used(target), block.span);
+            if always(test) {
+                notes.add(What::Leaves, block.span);
+            }
+        }
+        Stmt::CallProgram(_) | Stmt::SelectProgram(_) | Stmt::CallSelected => notes.add(What::Opaque, block.span),
+        // A contour is called by its label; what other functions read is not known.
+        Stmt::Cycle { number: 14, .. } | Stmt::FnOther { .. } | Stmt::Refused(..) | Stmt::Surface | Stmt::Iso => {
+            notes.add(What::Opaque, block.span);
+            notes.add(What::UsesUnknown, block.span);
+        }
+        Stmt::Begin { .. } => notes.add(What::Begins, block.span),
+        Stmt::End { .. } => notes.add(What::Ends, block.span),
+        _ => {}
+    }
+    for word in &block.words {
+        let letter = match word.addr {
+            Addr::Feed => b'F',
+            Addr::Speed => b'S',
+            Addr::M(number) => {
+                notes.word(b'M', f64::from(number), word.span);
+                if matches!(number, 2 | 30) {
+                    notes.add(What::Ends, word.span);
+                }
+                continue;
+            }
+            _ => continue,
+        };
+        if let Value::Number(value) = word.value {
+            notes.word(letter, value, word.span);
+        }
+    }
+    parameters(block, text, notes);
+}
+
+/// `BLK FORM 0.1 Z X+0 Y+0 Z-20`, where all coordinates are numbers.
+fn corner_of_blank(block: &Block, text: &[u8], mm: f64) -> Option<Item> {
+    let high = match block.words.first()?.span.of(text) {
+        b"0.1" | b"0,1" => false,
+        b"0.2" | b"0,2" => true,
+        _ => return None,
+    };
+    let mut at = [None; 3];
+    for word in &block.words {
+        if let (Addr::Axis { axis, incremental: false }, Value::Number(value)) = (word.addr, word.value)
+            && axis.is_main()
+        {
+            at[axis.index()] = Some(value * mm);
+        }
+    }
+    let [Some(x), Some(y), Some(z)] = at else { return None };
+    Some(Item { what: What::BlankCorner { high, at: [x, y, z] }, span: block.span })
+}
+
+/// A condition of numbers that holds in every run.
+fn always(test: Test) -> bool {
+    use crate::parser::klartext::ast::{Operand, Relation};
+    let Test::Compare { relation, left: Operand::Number(left), right: Operand::Number(right) } = test else {
+        return false;
+    };
+    match relation {
+        Relation::Equal => left == right,
+        Relation::NotEqual => left != right,
+        Relation::Greater => left > right,
+        Relation::Less => left < right,
+    }
+}
+
+/// The parameters of a block as they are written: the target of an assignment is the first of them.
+fn parameters(block: &Block, text: &[u8], notes: &mut Notes) {
+    let writes = matches!(block.stmt, Stmt::Assign(_) | Stmt::AssignText(_) | Stmt::Fn { .. } | Stmt::SystemRead(_));
+    let end = block.comment.map_or(text.len(), |comment| comment.start as usize).min(text.len());
+    let code = if notes.comments.len() > 1 { text } else { &text[..end] };
+    let mut first = true;
+    let mut at = 0;
+    while let Some(found) = memchr::memchr2(b'Q', b'q', &code[at..]) {
+        let start = at + found;
+        let mut to = start + 1;
+        if code.get(to).is_some_and(|b| matches!(b.to_ascii_uppercase(), b'L' | b'R' | b'S')) {
+            to += 1;
+        }
+        let digits = code[to..].iter().take_while(|b| b.is_ascii_digit()).count();
+        at = to + digits;
+        // `SEQ+` and the like are no parameters; behind the letter of a word one may stand.
+        if digits == 0 {
+            continue;
+        }
+        let name = String::from_utf8_lossy(&code[start..at]).to_ascii_uppercase();
+        let given = code[at..].trim_ascii_start().first() == Some(&b'=');
+        let span = Span { start: start as u32, end: at as u32 };
+        if writes && first {
+            notes.add(What::Writes(name), span);
+        } else if !given {
+            notes.add(What::Reads(name), span);
+        }
+        first = false;
+    }
+}

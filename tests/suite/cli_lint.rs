@@ -1,0 +1,224 @@
+//! Which findings are reported: `[lint]`, `--select`, suppressions in programs, `--add-ignores`.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use partc::internals::diag::codes;
+
+use super::cli_run::{Folder, WARNED, WRONG};
+
+const SINUMERIK: &str = "G0 X0 Y0 Z5\nG1 X5 F100\nR1=0.5\nIF R1==1 AND R1==2 GOTOF ENDE\nENDE: M30\n";
+
+/// The codes that a check reports, each with its severity.
+fn found(folder: &Folder, args: &[&str]) -> Vec<String> {
+    let all = [&["check", "--format", "json"], args].concat();
+    let report = folder.run(&all).json();
+    let list = report["diagnostics"].as_array().expect("a list");
+    let text = |value: &serde_json::Value, key: &str| value[key].as_str().expect("a text").to_owned();
+    list.iter().map(|found| format!("{} {}", text(found, "code"), text(found, "severity"))).collect()
+}
+
+#[test]
+fn a_configuration_chooses_findings_and_their_severity() {
+    let folder = Folder::new("lint_config").with(&[("W.H", WARNED), ("legacy/W.H", WARNED)]);
+    let with = |text: &str| folder.write("partc.toml", text);
+    assert_eq!(found(&folder, &["W.H"]), ["K2102 warning"]);
+    for text in ["ignore = [\"K2102\"]", "ignore = [\"K21\"]", "ignore = [\"pole-incomplete\"]", "select = [\"S\"]"] {
+        with(&format!("[lint]\n{text}\n"));
+        assert_eq!(found(&folder, &["W.H"]), [""; 0], "{text}");
+    }
+    with("[lint]\nseverity = { K2102 = \"note\" }\n");
+    assert_eq!(found(&folder, &["W.H"]), ["K2102 note"]);
+    folder.run(&["check", "W.H", "--fail-on", "warning"]).exits(0);
+    with("[lint]\nseverity = { K21 = \"error\" }\n");
+    assert_eq!(found(&folder, &["W.H"]), ["K2102 error"]);
+    // The same holds for compile: an error leaves no output.
+    folder.run(&["compile", "W.H"]).exits(1);
+    assert!(!folder.has("W.ngc"));
+    with("[lint]\nselect = [\"all\"]\n[lint.files.\"legacy/**\"]\nignore = [\"K2102\"]\n");
+    assert_eq!(found(&folder, &["W.H"]), ["K2102 warning"]);
+    assert_eq!(found(&folder, &["legacy/W.H"]), [""; 0]);
+    // What the command line says wins.
+    assert_eq!(found(&folder, &["W.H", "--ignore", "K2102,K8001"]), [""; 0]);
+    assert_eq!(found(&folder, &["W.H", "--select", "S"]), [""; 0]);
+}
+
+#[test]
+fn a_configuration_that_extends_another_counts_each_pattern_from_its_own_folder() {
+    let folder = Folder::new("lint_extends").with(&[
+        ("partc.toml", "[lint.files.\"parts/old/*.H\"]\nignore = [\"K2102\"]\n"),
+        ("parts/partc.toml", "extend = \"../partc.toml\"\n[lint.files.\"new/*.H\"]\nignore = [\"K2102\"]\n"),
+        ("parts/old/W.H", WARNED),
+        ("parts/new/W.H", WARNED),
+        ("parts/W.H", WARNED),
+    ]);
+    for (name, count) in [("parts/old/W.H", 0), ("parts/new/W.H", 0), ("parts/W.H", 1)] {
+        assert_eq!(found(&folder, &[name]).len(), count, "{name}");
+    }
+    let shown = folder.run(&["config", "--show", "parts/W.H"]).exits(0).out;
+    assert!(shown.contains("[lint]\nselect = [\"default\"]"), "{shown}");
+}
+
+#[test]
+fn what_is_refused_cannot_be_ignored() {
+    let folder = Folder::new("lint_errors").with(&[("W.H", WRONG)]);
+    folder.write("partc.toml", "[lint]\nselect = []\nignore = [\"all\"]\nseverity = { K = \"note\" }\n");
+    assert_eq!(found(&folder, &["W.H"]), ["K1005 error"]);
+    for (text, wanted) in [
+        ("ignore = [\"K1005\"]", "partc.toml:2:11: K1005 (word-not-allowed)"),
+        ("severity = { K1005 = \"note\" }", "cannot be lowered"),
+        ("select = [\"K8O01\"]", "no finding has the code or name `K8O01`"),
+    ] {
+        folder.write("partc.toml", &format!("[lint]\n{text}\n"));
+        let ran = folder.run(&["check", "W.H"]).exits(2);
+        assert!(ran.err.contains(wanted) || ran.err.contains("cannot be ignored"), "{}", ran.err);
+    }
+}
+
+fn warned_with(comment: &str) -> String {
+    WARNED.replace("2 CC X+0\n", &format!("2 CC X+0 {comment}\n"))
+}
+
+#[test]
+fn a_comment_suppresses_a_finding_of_its_block_or_of_the_next() {
+    let folder = Folder::new("lint_comments");
+    let check = |text: &str| {
+        folder.write("W.H", text);
+        found(&folder, &["W.H"])
+    };
+    for comment in [
+        "; partc: ignore[K2102] -- the pole stays in Y",
+        "; partc: ignore[pole-incomplete]",
+        ";PARTC:ignore [ k2102 ]",
+        "; the pole ; partc: ignore[K2102]",
+    ] {
+        assert_eq!(check(&warned_with(comment)), [""; 0], "{comment}");
+    }
+    let alone = |comment: &str| WARNED.replace("2 CC", &format!("{comment}\n; of the pole\n2 CC"));
+    assert_eq!(check(&alone("; partc: ignore[K2102]")), [""; 0]);
+    assert_eq!(check(&alone("5 ; partc: ignore[K2102]")), [""; 0]);
+    assert_eq!(check(&(WARNED.to_owned() + "; partc: ignore-file[K2102]\n")), [""; 0]);
+    // It holds for compile, too, and for what makes a run fail.
+    folder.write("W.H", &warned_with("; partc: ignore[K2102]"));
+    folder.run(&["compile", "W.H", "--fail-on", "warning"]).exits(0).quietly();
+    // The wrong block, no code, another code, no comment.
+    let elsewhere = WARNED.replace("1 L X+10 Y+0 R0 F300", "1 L X+10 Y+0 R0 F300 ; partc: ignore[K2102]");
+    assert_eq!(check(&elsewhere), ["P8001 warning", "K2102 warning"]);
+    assert_eq!(
+        check(&warned_with("; partc: ignore")),
+        ["P8002 warning", "K2102 warning"].into_iter().rev().collect::<Vec<_>>()
+    );
+    assert_eq!(check(&warned_with("; partc: ignore[K9999]")), ["K2102 warning", "P8002 warning"]);
+    assert_eq!(check(&warned_with("; partc: ignore[K2102")), ["K2102 warning", "P8004 warning"]);
+    assert_eq!(check(&warned_with("; see partc: ignore[K2102]")), ["K2102 warning"]);
+    let text = "0 BEGIN PGM T MM\n1 QS1 = \"; partc: ignore[K2102]\"\n2 L X+10 Y+0 Z+0 R0 F300\n3 END PGM T MM\n";
+    assert_eq!(check(text), [""; 0]);
+    // What is refused stays, and the comment is refused, too.
+    folder.write("W.H", &WRONG.replace("F300", "F300 ; partc: ignore[K1005]"));
+    assert_eq!(found(&folder, &["W.H"]), ["K1005 error", "P8003 warning"]);
+}
+
+#[test]
+fn every_language_has_its_comment() {
+    let folder = Folder::new("lint_languages");
+    for (name, text, code, comment) in [
+        ("A.MPF", SINUMERIK, "S8001", " ; partc: ignore[S8001]"),
+        ("A.npg", "%NPG\nN10 G00 X0 Y0 Z5\nN20 G01 X10 F100 S100 M3\n", "M1009", " (partc: ignore[M1009])"),
+        (
+            "A.nc",
+            "%A.nc\n[test]\nN1 G26 S500\nN2 G97 S1000 M3\nN3 G0 X50 Z2\nN4 M30\n",
+            "T2005",
+            " [partc: ignore(T2005)]",
+        ),
+    ] {
+        folder.write(name, text);
+        let before = found(&folder, &[name]);
+        assert!(before.iter().any(|found| found.starts_with(code)), "{name}: {before:?}");
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let report = folder.run(&["check", "--format", "json", name]).json();
+        let list = report["diagnostics"].as_array().expect("a list").clone();
+        let line = list.iter().find(|found| found["code"] == code).and_then(|found| found["line"].as_u64());
+        lines[line.expect("a line") as usize - 1] += comment;
+        folder.write(name, &(lines.join("\n") + "\n"));
+        let after = found(&folder, &[name]);
+        assert!(!after.iter().any(|found| found.starts_with(code) || found.starts_with("P8")), "{name}: {after:?}");
+        // The command writes a comment that it reads itself.
+        folder.write(name, text);
+        folder.run(&["check", name, "--add-ignores", "--fail-on", "note"]);
+        assert_eq!(found(&folder, &[name]), [""; 0], "{}", folder.read(name));
+    }
+}
+
+#[test]
+fn comments_for_all_that_is_found_now() {
+    let folder = Folder::new("lint_add").with(&[("W.H", WARNED), ("E.H", WRONG)]);
+    let ran = folder.run(&["check", "W.H", "--add-ignores", "--fail-on", "warning"]).exits(0);
+    assert!(ran.err.contains("W.H: 1 suppression written"), "{}", ran.err);
+    assert!(folder.read("W.H").contains("\n2 CC X+0 ; partc: ignore[K2102]\n"));
+    // Once is enough, and an error is not hidden.
+    folder.run(&["check", "W.H", "--add-ignores"]).exits(0).quietly();
+    folder.run(&["check", "E.H", "--add-ignores"]).exits(1);
+    assert_eq!(folder.read("E.H"), WRONG);
+    // Lines end as they did, blocks of several lines at their last one.
+    folder.write(
+        "C.H",
+        "0 BEGIN PGM C MM\r\n1 L X+1 Y+1 Z+1 R0 F100\r\n2 CC ~\r\n  X+0\r\n3 C X+2 ~\r\n Y+0 DR+\r\n4 END PGM C MM\r\n",
+    );
+    folder.run(&["check", "C.H", "--add-ignores", "--fail-on", "warning"]);
+    assert!(folder.read("C.H").contains("  X+0 ; partc: ignore[K2102]\r\n3 C"), "{}", folder.read("C.H"));
+}
+
+#[test]
+fn a_million_suppressions_and_hostile_ones() {
+    let folder = Folder::new("lint_hostile");
+    let many = "; partc: ignore[K2102]\n".repeat(200_000);
+    folder.write("W.H", &WARNED.replace("2 CC", &(many + "2 CC")));
+    assert_eq!(found(&folder, &["W.H"]), [""; 0]);
+    // In a loop, with as many in one block.
+    let one = ";partc:ignore[K2102]".repeat(20_000);
+    let text = format!(
+        "0 BEGIN PGM W MM\n1 L X+10 Y+0 Z+0 R0 F300\n2 LBL 1\n3 CC X+0 {one}\n4 C X+10 Y+0 DR+\n5 CALL LBL 1 REP 9999\n6 END PGM W MM\n"
+    );
+    folder.write("W.H", &text);
+    folder.run(&["check", "W.H"]).exits(0);
+    for hostile in
+        ["partc:", "partc:partc:partc:", "partc: ignore[[[[", "partc: ignore[,,,]", "\u{202e}partc: ignore[K]"]
+    {
+        folder.write("W.H", &warned_with(&format!("; {hostile}")));
+        assert!(found(&folder, &["W.H"]).contains(&"K2102 warning".to_owned()), "{hostile}");
+    }
+    let unterminated =
+        format!("{};partc: ignore[{}", "0 BEGIN PGM W MM\n1 L X+10 Y+0 Z+0 R0 F300 ", "K2102,".repeat(50_000));
+    folder.write("W.H", &unterminated);
+    folder.run(&["check", "W.H"]);
+}
+
+#[test]
+fn firm_codes_exist() {
+    let firm = codes::all()
+        .into_iter()
+        .filter(|code| code.is_firm() && code.severity != partc::internals::diag::Severity::Error);
+    assert_eq!(firm.count(), 10);
+}
+
+/// Set, writes docs/lint.md anew.
+const UPDATE: &str = "PARTC_UPDATE_DOCS";
+const BEHIND: &str = "<!-- written by a test: cli_lint -->\n";
+
+#[test]
+fn the_documentation_lists_every_rule() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/lint.md");
+    let found = fs::read_to_string(&path).expect("the documentation").replace("\r\n", "\n");
+    let (text, _) = found.split_once(BEHIND).expect("the mark in front of the table");
+    let mut made =
+        format!("{text}{BEHIND}\n| code | name | finds | severity | by default |\n| --- | --- | --- | --- | --- |\n");
+    for code in codes::all().into_iter().filter(|code| code.id.starts_with('L')) {
+        let on = if code.on { "on" } else { "off" };
+        let _ = writeln!(made, "| {} | {} | {} | {} | {on} |", code.id, code.name, code.title, code.severity.word());
+    }
+    if std::env::var_os(UPDATE).is_some() {
+        fs::write(&path, &made).expect("the documentation");
+    }
+    assert!(found == made, "{} is not up to date: {UPDATE}=1 writes it", path.display());
+}
