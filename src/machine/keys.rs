@@ -1,6 +1,8 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, cycles, klartext, lint, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{
+    control, cycles, klartext, klartext_cycles, lint, machine, mtc200, output, sinumerik, turning, undercut,
+};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -164,7 +166,7 @@ pub const SECTIONS: &[Section] = &[
         name: "cycles",
         doc: "what a control decides inside its machining cycles",
         entry: &[],
-        keys: &[cycles::KEYS],
+        keys: &[cycles::KEYS, klartext_cycles::KEYS],
     },
     Section {
         name: "start",
@@ -172,7 +174,12 @@ pub const SECTIONS: &[Section] = &[
         entry: &[],
         keys: &[],
     },
-    Section { name: "variables", doc: "start values of parameters: Q50 = 3.0, R1 = 5.0", entry: &[], keys: &[] },
+    Section {
+        name: "variables",
+        doc: "start values of parameters: Q50 = 3.0, R1 = 5.0; Klartext: system data, \"ID240 NR1 IDX3\" = 100.0",
+        entry: &[],
+        keys: &[],
+    },
     Section { name: "output", doc: "what is printed", entry: &[], keys: &[output::KEYS] },
     Section { name: "lint", doc: "which findings are reported, and how bad they are", entry: &[], keys: &[lint::KEYS] },
     Section { name: "limits", doc: "limits of a run", entry: &[], keys: &[output::LIMITS] },

@@ -4,6 +4,7 @@ mod corner;
 mod cut_off;
 mod faces;
 mod grooves;
+mod klartext_bores;
 mod klartext_pockets;
 mod klartext_studs;
 mod layers;

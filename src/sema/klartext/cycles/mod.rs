@@ -1,5 +1,6 @@
 //! The cycles of CYCL DEF: one row each, one file a family.
 
+pub(super) mod bores;
 pub(super) mod call;
 mod defined;
 pub(super) mod drilling;
@@ -10,6 +11,7 @@ pub(super) mod patterns;
 pub(super) mod pockets;
 pub(super) mod studs;
 mod tapping_in_steps;
+pub(super) mod threads;
 pub(super) mod transformations;
 
 use core::fmt;
@@ -164,6 +166,8 @@ const FAMILIES: &[&[Row]] = &[
     pockets::ROWS,
     studs::ROWS,
     faces::ROWS,
+    bores::ROWS,
+    threads::ROWS,
     patterns::ROWS,
     transformations::ROWS,
     named::ROWS,

@@ -5,7 +5,7 @@
 use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault};
+use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault, Turns, Ways};
 use crate::ir::cycle::{Cycle, Family, ThreadMilling};
 
 use super::super::Outcome;
@@ -51,8 +51,11 @@ impl CycleCall<'_, '_> {
             pitch,
             left_hand,
             counter_clockwise,
-            teeth,
+            turns: if teeth == 1 { Turns::Continuous } else { Turns::Strips(teeth) },
             rests,
+            ways: Ways::of_half_a_pitch(pitch, mill.feeds.plane),
+            before: Vec::new(),
+            after: Vec::new(),
         })
     }
 
@@ -78,8 +81,11 @@ impl CycleCall<'_, '_> {
             pitch,
             left_hand,
             counter_clockwise,
-            teeth: 1,
+            turns: Turns::Continuous,
             rests: vec![0.0],
+            ways: Ways::of_half_a_pitch(pitch, mill.feeds.plane),
+            before: Vec::new(),
+            after: Vec::new(),
         })
     }
 
@@ -177,7 +183,9 @@ impl CycleCall<'_, '_> {
     fn thread_milling_fault(&self, fault: ThreadMillingFault) -> Outcome {
         let (key, alarm, help): (Key, _, _) = match fault {
             ThreadMillingFault::Mill(fault) => return self.mill_fault(&NAMES, fault),
-            ThreadMillingFault::Cutter => (DIATH, 61105, "take a smaller cutter"),
+            ThreadMillingFault::Cutter | ThreadMillingFault::Way | ThreadMillingFault::Hole(_) => {
+                (DIATH, 61105, "take a smaller cutter")
+            }
             ThreadMillingFault::Pitch | ThreadMillingFault::TooMany => {
                 (super::arguments::PIT, 61001, "check the pitch and the infeed")
             }
