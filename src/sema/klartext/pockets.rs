@@ -30,7 +30,7 @@ impl Run<'_> {
         let corner = self.corner_of(cycle, mill.radius)?;
         let turn = Deg(self.cycle_option(cycle, TURN)?);
         let start = self.call_point(cycle)?;
-        let to_middle = self.from_position(cycle, half)?;
+        let to_middle = self.way_to_middle(cycle, half)?;
         let place = Place { at: Place { at: start, turn }.point(to_middle), turn };
         let width = self.overlap(cycle, mill.radius)?;
         let pocket = self.pocket(cycle, mill, asked, Shape::Rectangle { half, corner }, (place, width))?;
@@ -117,7 +117,7 @@ impl Run<'_> {
     }
 
     /// From the place of the call to the middle, by Q367.
-    pub(super) fn from_position(&mut self, cycle: &DefinedCycle, half: [f64; 2]) -> Outcome<Point2> {
+    pub(super) fn way_to_middle(&mut self, cycle: &DefinedCycle, half: [f64; 2]) -> Outcome<Point2> {
         let [x, y] = half;
         let (x, y) = match self.choice(cycle, POSITION, 4)? {
             0 => (0.0, 0.0),

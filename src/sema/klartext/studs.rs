@@ -37,7 +37,7 @@ impl Run<'_> {
             return self.cycle_unbuilt(cycle, &format!("an approach at a corner (Q437={approach})"));
         }
         let turn = Deg(self.cycle_option(cycle, TURN)?);
-        let to_middle = self.from_position(cycle, half)?;
+        let to_middle = self.way_to_middle(cycle, half)?;
         let place = Place { at: Place { at: self.call_point(cycle)?, turn }.point(to_middle), turn };
         // The corner of the blank is the farthest from the round one of the stud.
         let stock = libm::hypot(over[0].max(0.0) + corner, over[1].max(0.0) + corner) - corner;
