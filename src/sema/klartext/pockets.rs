@@ -85,6 +85,9 @@ impl Run<'_> {
         let angle = self.cycle_number(cycle, START_ANGLE)?;
         let start = self.call_point(cycle)?;
         let (center, first) = match self.choice(cycle, POSITION, 3)? {
+            0 if call.placed => {
+                return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a centre of its own (Q367=0)");
+            }
             0 => (Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?), angle),
             2 => (start - Deg(angle).unit() * radius, angle - sweep / 2.0),
             other => {
