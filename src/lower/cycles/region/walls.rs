@@ -1,6 +1,6 @@
 //! How far the walls are, and where there is most room between them.
 
-use crate::geo::{Element, Point2, Vec2, arc, distance};
+use crate::geo::{Element, Point2, Vec2, arc, distance, left};
 
 /// Distance of `p` from an element.
 pub fn to_element(p: Point2, element: &Element) -> f64 {
@@ -168,17 +168,17 @@ fn slid((mut p, known): (Point2, f64), half: f64, room: &impl Fn(Point2) -> f64)
     (p, room(p))
 }
 
-/// From `p` to where no step leads to more room, with steps from `step` down.
+/// From `p` to where no step leads to more room, with steps from `step` down. A step goes along an axis, and then across it to where there is
+/// most: so it follows a ridge, however flat it is.
 fn climbed(mut p: Point2, mut step: f64, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
-    const DIRECTIONS: usize = 24;
     let mut best = room(p);
-    while step > 1e-9 {
-        let around = (0..DIRECTIONS).map(|i| {
-            let angle = core::f64::consts::TAU * i as f64 / DIRECTIONS as f64;
-            p + crate::geo::turned(Vec2::new(step, 0.0), angle)
+    while step > FINEST_STEP {
+        let around = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)].map(|(x, y)| {
+            let along = Vec2::new(x, y) * step;
+            most_across(p + along, left(along), room)
         });
-        let found = around.map(|q| (q, room(q))).fold((p, best), |a, b| if b.1 > a.1 { b } else { a });
-        if found.1 > best {
+        let found = around.into_iter().fold((p, best), |a, b| if b.1 > a.1 { b } else { a });
+        if found.1 > best + LEAST_GAIN * step {
             (p, best) = found;
         } else {
             step /= 2.0;
@@ -186,3 +186,25 @@ fn climbed(mut p: Point2, mut step: f64, room: &impl Fn(Point2) -> f64) -> (Poin
     }
     (p, best)
 }
+
+/// The point with most room from `q - reach` to `q + reach`.
+fn most_across(q: Point2, reach: Vec2, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
+    let (mut low, mut high) = (-1.0, 1.0);
+    for _ in 0..THIRDS {
+        let third = (high - low) / 3.0;
+        if room(q + reach * (low + third)) < room(q + reach * (high - third)) {
+            low += third;
+        } else {
+            high -= third;
+        }
+    }
+    let found = q + reach * f64::midpoint(low, high);
+    (found, room(found))
+}
+
+/// Shortest step of a climb, mm.
+const FINEST_STEP: f64 = 1e-8;
+/// Gains below this part of a step are none.
+const LEAST_GAIN: f64 = 1e-6;
+/// How often a way across is cut by a third.
+const THIRDS: usize = 24;
