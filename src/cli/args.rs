@@ -89,8 +89,17 @@ pub(super) struct Check {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Write comments into the programs that suppress the warnings found now; notes, too, with `--fail-on note`
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["fix", "diff"])]
     pub add_ignores: bool,
+    /// Mend what rules can mend, where what the program does stays the same
+    #[arg(long)]
+    pub fix: bool,
+    /// Show what `--fix` would change, and write nothing; exit code 1 if there is something
+    #[arg(long)]
+    pub diff: bool,
+    /// With `--fix` or `--diff`: number blocks anew, too
+    #[arg(long)]
+    pub unsafe_fixes: bool,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
@@ -212,6 +221,12 @@ pub(super) struct Report {
     /// How findings are written [default: human; github in a workflow of GitHub Actions]
     #[arg(long, value_enum)]
     pub format: Option<Format>,
+    /// Findings that are reported: codes, beginnings of codes, names, `default`, `all`; as `[lint] select`
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub select: Option<Vec<String>>,
+    /// Findings that are not reported; as `[lint] ignore`
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub ignore: Option<Vec<String>>,
     /// Show errors only
     #[arg(short, long)]
     pub quiet: bool,
@@ -228,12 +243,6 @@ pub(super) struct Findings {
     /// The least severity of a finding that makes the run fail: exit code 1, and no output
     #[arg(long, value_enum, default_value = "error")]
     pub fail_on: Severity,
-    /// Findings that are reported: codes, beginnings of codes, names, `default`, `all`; as `[lint] select`
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
-    pub select: Option<Vec<String>>,
-    /// Findings that are not reported; as `[lint] ignore`
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
-    pub ignore: Option<Vec<String>>,
     /// Exit code 0 whatever is found in programs
     #[arg(long)]
     pub exit_zero: bool,

@@ -1,5 +1,6 @@
 //! The walk of rules over the blocks of a program, whether they run or not.
 
+use crate::diag::Diagnostic;
 use crate::sema::Job;
 use crate::sema::run::survey::{Surveyed, Visitor, Wanted, What};
 use crate::text::{Loc, Span};
@@ -52,6 +53,19 @@ pub struct Told<'t> {
 impl std::fmt::Debug for Told<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Told").finish_non_exhaustive()
+    }
+}
+
+/// Most changes that are proposed at once.
+const MOST_FIXES: usize = 10_000;
+
+impl Told<'_> {
+    /// Takes a finding with what mends it.
+    pub fn found_with(&mut self, found: Diagnostic, fix: Fix) {
+        self.say.found(found);
+        if self.fixes.len() < MOST_FIXES {
+            self.fixes.push(fix);
+        }
     }
 }
 
