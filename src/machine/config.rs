@@ -156,6 +156,10 @@ impl Reader {
                     tool.tip_angle =
                         Some(angle.ok_or_else(|| node.fail("an angle at a tip is above 0 and below 180"))?);
                 }
+                "plunge_angle" => {
+                    let angle = number(node).filter(|angle| (0.0..=90.0).contains(angle));
+                    tool.plunge_angle = Some(angle.ok_or_else(|| node.fail("an angle of plunging is 0 to 90"))?);
+                }
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
                 "reference" => {
                     tool.reference = match text(node) {

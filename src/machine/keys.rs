@@ -99,6 +99,11 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     part("length", Kind::Number, "length in mm"),
     part("corner_radius", Kind::Number, "corner radius in mm"),
     part("tip_angle", Kind::Number, "angle at the tip of a drill or centre drill in degrees"),
+    part(
+        "plunge_angle",
+        Kind::Number,
+        "greatest angle in degrees at which a cutter goes down into material (ANGLE of the tool table); 0 straight down only",
+    ),
     part("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
     part("width", Kind::Number, "cutting width of recessing tools in mm"),
     part(

@@ -46,6 +46,8 @@ pub struct Tool {
     pub corner_radius: Option<f64>,
     /// Angle at the tip of a drill, degrees.
     pub tip_angle: Option<f64>,
+    /// Greatest angle at which a cutter goes down into material, degrees.
+    pub plunge_angle: Option<f64>,
     /// Wear or oversize of length, radius and corner radius in the table.
     pub deltas: [f64; 3],
     /// Cutting-edge position 1 to 9.
@@ -231,6 +233,7 @@ fn read_tool_t(text: &str) -> Result<BTreeMap<ToolKey, Tool>, TableError> {
             radius: length("R")?,
             length: length("L")?,
             corner_radius: length("R2")?,
+            plunge_angle: field("ANGLE").map(|text| signed(text).ok_or_else(|| fail("ANGLE"))).transpose()?,
             tip_angle: number_of("T-ANGLE")?.filter(|angle| *angle != 0.0),
             deltas: [length("DL")?.unwrap_or(0.0), length("DR")?.unwrap_or(0.0), length("DR2")?.unwrap_or(0.0)],
             ..Tool::default()

@@ -16,14 +16,20 @@ const VALUES: &[(u32, f64, f64)] = &[
     (204, 50.0, 60.0),
     (205, 2.0, 3.5),
     (206, 150.0, 160.0),
+    (207, 500.0, 510.0),
     (208, 300.0, 310.0),
     (210, 0.0, 1.0),
     (211, 0.0, 1.0),
     (212, 1.0, 2.0),
     (213, 1.0, 0.0),
     (214, 1.0, 2.0),
+    (215, 0.0, 1.0),
     (216, 50.0, 51.0),
     (217, 40.0, 41.0),
+    (218, 80.0, 81.0),
+    (219, 30.0, 31.0),
+    (220, 10.0, 11.0),
+    (223, 60.0, 61.0),
     (224, 15.0, 16.0),
     (225, 10.0, 11.0),
     (226, 20.0, 21.0),
@@ -37,6 +43,7 @@ const VALUES: &[(u32, f64, f64)] = &[
     (245, 0.0, 10.0),
     (246, 270.0, 180.0),
     (247, 0.0, 30.0),
+    (248, 60.0, 61.0),
     (253, 700.0, 710.0),
     (256, 0.5, 0.6),
     (257, 3.0, 2.0),
@@ -44,11 +51,24 @@ const VALUES: &[(u32, f64, f64)] = &[
     (259, 1.0, 1.2),
     (301, 1.0, 0.0),
     (336, 0.0, 45.0),
+    (338, 0.0, 4.0),
     (342, 4.0, 5.0),
     (343, 1.0, 0.0),
     (344, -8.0, -9.0),
+    (351, 1.0, -1.0),
     (365, 0.0, 1.0),
+    (366, 0.0, 1.0),
+    (367, 0.0, 2.0),
+    (368, 0.5, 0.6),
+    (369, 0.3, 0.4),
+    (370, 1.0, 0.5),
+    (374, 15.0, 16.0),
+    (375, 80.0, 81.0),
+    (376, 20.0, 25.0),
+    (377, 2.0, 3.0),
+    (378, 90.0, 100.0),
     (379, 1.0, 2.0),
+    (385, 400.0, 410.0),
     (395, 0.0, 1.0),
     (401, 100.0, 50.0),
     (403, 1.0, 2.0),
@@ -58,6 +78,7 @@ const VALUES: &[(u32, f64, f64)] = &[
     (429, 8.0, 7.0),
     (430, 9.0, 0.0),
     (435, 0.0, 1.0),
+    (439, 0.0, 1.0),
 ];
 
 /// A cycle, a Q parameter, and the values that it has there.
@@ -82,14 +103,14 @@ const PARTS: &[(u32, u32, f64, f64)] = &[
     (17, 3, 1.5, -1.5),
 ];
 
-/// Drilling cycles and patterns that are compiled, by number.
+/// Machining cycles and patterns that are compiled, by number.
 fn cycles() -> Vec<(u32, &'static Signature)> {
     let all = dialect::find("klartext").map(|dialect| (dialect.cycles)()).unwrap_or_default();
     let numbered = all.into_iter().filter(|cycle| cycle.status == Status::Built).filter_map(|cycle| {
         let number = cycle.name.strip_prefix("CYCL DEF ")?.parse().ok()?;
         Some((number, cycle))
     });
-    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 200..=209 | 220..=246)).collect()
+    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 200..=246 | 248..=269)).collect()
 }
 
 /// The value of a parameter: `Other` for the one under test.
@@ -144,7 +165,7 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
 }
 
 /// A drill of 12 mm, or a cutter.
-const TOOL: &str = "[tools.1]\nradius = 6.0\ntip_angle = 118.0\n";
+const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n";
 
 /// What is printed and what is said.
 fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {

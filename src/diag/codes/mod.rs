@@ -10,6 +10,7 @@ mod grooves;
 mod klartext;
 mod klartext_cycles;
 mod klartext_free_contours;
+mod klartext_machining;
 mod klartext_readings;
 mod layers;
 mod lint_motion;
@@ -31,6 +32,7 @@ pub use grooves::*;
 pub use klartext::*;
 pub use klartext_cycles::*;
 pub use klartext_free_contours::*;
+pub use klartext_machining::*;
 pub use klartext_readings::*;
 pub use layers::*;
 pub use lint_motion::*;
@@ -133,6 +135,7 @@ pub fn all() -> Vec<&'static Code> {
         klartext::KLARTEXT,
         klartext_cycles::KLARTEXT_CYCLES,
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,
+        klartext_machining::KLARTEXT_MACHINING,
         klartext_readings::KLARTEXT_READINGS,
         geometry::GEOMETRY,
         grooves::GROOVES,

@@ -80,6 +80,14 @@ impl fmt::Display for FacingFault {
     }
 }
 
+/// The cut along the wall at which the paths end: between them cusps stand there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AlongWall {
+    pub path: [Point2; 2],
+    /// It begins outside of the face; else where the last path lies.
+    pub from_outside: bool,
+}
+
 /// The walls and sizes of one axis, seen from the side where the work begins.
 #[derive(Debug, Clone, Copy)]
 struct Way {
@@ -132,22 +140,39 @@ impl Facing {
 
     /// The paths of a level, each from where the tool begins it, in the axes of the face.
     pub fn paths(&self) -> Vec<[Point2; 2]> {
-        let [cut, side] = self.ways();
+        let [cut, _] = self.ways();
         let clear = self.mill.radius + self.overrun.ends;
         let end = if cut.walls[1] { cut.length() - self.mill.radius } else { cut.length() + clear };
-        let point = |s: f64, t: f64| {
-            let (s, t) = (cut.coordinate(s), side.coordinate(t));
-            if self.along == 0 { Point2::new(s, t) } else { Point2::new(t, s) }
-        };
         let backwards = |at: usize| self.goes_back() && at % 2 == 1;
         self.tracks()
             .into_iter()
             .enumerate()
             .map(|(at, t)| {
-                let path = [point(-clear, t), point(end, t)];
+                let path = [self.point(-clear, t), self.point(end, t)];
                 if backwards(at) { [path[1], path[0]] } else { path }
             })
             .collect()
+    }
+
+    /// The cut along the wall, in the axes of the face; none where the paths end outside.
+    pub fn along_wall(&self) -> Option<AlongWall> {
+        let [cut, side] = self.ways();
+        if !cut.walls[1] {
+            return None;
+        }
+        let radius = self.mill.radius;
+        let clear = radius + self.overrun.side;
+        let from = if side.walls[1] { side.length() - radius } else { side.length() + clear };
+        let to = if side.walls[0] { radius } else { -clear };
+        let path = [from, to].map(|t| self.point(cut.length() - radius, t));
+        Some(AlongWall { path, from_outside: !side.walls[1] })
+    }
+
+    /// A point by its ways along the paths and across them, from where the work begins.
+    fn point(&self, s: f64, t: f64) -> Point2 {
+        let [cut, side] = self.ways();
+        let (s, t) = (cut.coordinate(s), side.coordinate(t));
+        if self.along == 0 { Point2::new(s, t) } else { Point2::new(t, s) }
     }
 
     /// Does every other path lead back? Where the tool is lifted between the paths it needs both ends open for it.
@@ -193,10 +218,15 @@ impl Family for Facing {
         }
     }
 
-    /// Above the end of the last path.
+    /// Above the end of the last cut.
     fn leaves(&self, at: &mut Pos) {
-        if let Some([_, end]) = self.paths().last() {
-            self.mill.leaves_above(self.corner.point(*end), at);
+        let last = self.along_wall().map(|wall| wall.path).or_else(|| self.paths().last().copied());
+        if let Some([_, end]) = last {
+            self.mill.leaves_above(self.corner.point(end), at);
         }
+    }
+
+    fn moves(&self) -> f64 {
+        4.0 * (self.paths().len() + 1) as f64 * self.levels().len() as f64
     }
 }

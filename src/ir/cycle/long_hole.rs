@@ -58,6 +58,10 @@ impl Family for LongHole {
         if self.holes.is_empty() || !finite { Err(LongHoleFault::Number) } else { Ok(()) }
     }
 
+    fn moves(&self) -> f64 {
+        (self.holes.len() * (2 * self.mill.heights.levels().len() + 4)) as f64
+    }
+
     /// Above the end of the last way.
     fn leaves(&self, at: &mut Pos) {
         let back = self.mill.heights.levels().len().is_multiple_of(2);

@@ -48,8 +48,19 @@ pub struct Heights {
     pub depth: f64,
     /// Greatest infeed in depth; 0 for one level.
     pub step: f64,
+    pub division: Division,
     /// What roughing leaves on the floor.
     pub allowance: f64,
+}
+
+/// How a depth is divided into levels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Division {
+    /// Equal infeeds of at most the greatest one.
+    #[default]
+    Even,
+    /// Whole infeeds, and the rest at last.
+    Whole,
 }
 
 /// Where a shape lies: its own origin, and its own first axis.
@@ -169,16 +180,20 @@ impl Heights {
         self.depth + self.allowance * self.outward()
     }
 
-    /// Levels of equal steps from the surface down to what roughing leaves on the floor.
+    /// Levels from the surface down to what roughing leaves on the floor.
     pub fn levels(&self) -> Vec<f64> {
         self.levels_to(self.rough_floor(), self.step)
     }
 
-    /// Levels of equal steps of at most `step` from the surface down to `floor`, which is the last one.
+    /// Levels with infeeds of at most `step` from the surface down to `floor`, which is the last one.
     pub fn levels_to(&self, floor: f64, step: f64) -> Vec<f64> {
         let way = self.reference - floor;
         let count = parts(way.abs(), step).min(MOST_LEVELS);
-        (1..=count).map(|k| if k == count { floor } else { self.reference - way * k as f64 / count as f64 }).collect()
+        let infeed = match self.division {
+            Division::Even => way / count as f64,
+            Division::Whole => step * way.signum(),
+        };
+        (1..=count).map(|k| if k == count { floor } else { self.reference - infeed * k as f64 }).collect()
     }
 }
 
@@ -197,7 +212,8 @@ mod tests {
     use super::*;
 
     fn heights(depth: f64, step: f64, allowance: f64) -> Heights {
-        Heights { retract: 10.0, reference: 0.0, clearance: 2.0, depth, step, allowance }
+        let division = Division::Even;
+        Heights { retract: 10.0, reference: 0.0, clearance: 2.0, depth, step, division, allowance }
     }
 
     #[test]
@@ -205,13 +221,15 @@ mod tests {
         let made = heights(-17.5, 4.0, 0.2).levels();
         let wanted = [-3.46, -6.92, -10.38, -13.84, -17.3];
         assert!(made.len() == 5 && made.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9), "{made:?}");
+        let whole = Heights { division: Division::Whole, ..heights(-17.5, 4.0, 0.2) };
+        assert_eq!(whole.levels(), [-4.0, -8.0, -12.0, -16.0, -17.3]);
         assert_eq!(heights(-12.0, 4.0, 0.0).levels(), [-4.0, -8.0, -12.0]);
         assert_eq!(heights(-12.0, 0.0, 0.0).levels(), [-12.0]);
     }
 
     #[test]
     fn a_depth_may_lie_above_the_surface_where_the_tool_works_upwards() {
-        let up = Heights { retract: -10.0, reference: 0.0, clearance: 2.0, depth: 9.0, step: 3.0, allowance: 0.0 };
+        let up = Heights { retract: -10.0, ..heights(9.0, 3.0, 0.0) };
         assert_eq!((up.check(), up.safe(), up.levels()), (Ok(()), -2.0, vec![3.0, 6.0, 9.0]));
     }
 

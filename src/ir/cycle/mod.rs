@@ -62,6 +62,11 @@ pub trait Family {
         None
     }
 
+    /// About how many moves it makes, where one call can ask for very many.
+    fn moves(&self) -> f64 {
+        0.0
+    }
+
     /// Is it run again and again, at many places, so that one refusal stands for all?
     fn repeats(&self) -> bool {
         false
@@ -115,6 +120,13 @@ macro_rules! cycle {
             pub fn spindle_after(&self) -> Option<Spindle> {
                 match self {
                     $(Cycle::$family(cycle) => cycle.spindle_after(),)*
+                }
+            }
+
+            /// See [`Family::moves`].
+            pub fn moves(&self) -> f64 {
+                match self {
+                    $(Cycle::$family(cycle) => cycle.moves(),)*
                 }
             }
 

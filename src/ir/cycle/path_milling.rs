@@ -147,6 +147,10 @@ impl Family for PathMilling {
         }
     }
 
+    fn moves(&self) -> f64 {
+        (self.contour.len() + 7) as f64 * self.levels().len() as f64
+    }
+
     /// Above the end of the way from the contour.
     fn leaves(&self, at: &mut Pos) {
         if let Some(touch) = self.goes() {

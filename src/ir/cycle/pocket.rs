@@ -6,7 +6,7 @@ use crate::geo::{Deg, Point2};
 use crate::ir::{Feed, Pos};
 
 use super::Family;
-use super::milling::{Mill, MillFault, Place};
+use super::milling::{MOST_LEVELS, Mill, MillFault, Place, parts};
 
 /// Most rings of a level; more is a lost decimal point.
 pub const MOST_RINGS: f64 = 10_000.0;
@@ -36,6 +36,18 @@ pub struct Pocket {
     pub cleared: Option<Cleared>,
     /// Feed on the arc from place to place at the retract height; straight at rapid traverse without one.
     pub transfer: Option<Feed>,
+    pub between: Between,
+    /// Over this point of the plane the tool stands in the end; none: over the entry.
+    pub home: Option<Point2>,
+}
+
+/// From the end of one level to the insertion of the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Between {
+    /// On the level, at the feed.
+    Straight,
+    /// Off the wall on an arc, up by the safety distance, and over cleared ground at rapid traverse.
+    Lifted,
 }
 
 /// The finished outline, about its own origin.
@@ -74,9 +86,11 @@ pub enum Insertion {
         radius: f64,
         pitch: f64,
     },
-    /// To and fro, falling by at most this angle; 0 for one stroke.
+    /// To and fro, falling by at most this angle; 0 for one stroke. Along slots, else on the long axis as far as there is room.
     Sway {
         angle: Deg,
+        /// Length of a stroke; that of the long axis without one.
+        stroke: Option<f64>,
     },
 }
 
@@ -99,6 +113,10 @@ pub struct Finish {
     /// Greatest infeed in depth along the wall; 0 for one cut.
     pub step: f64,
     pub speed: Option<Speed>,
+    /// Radius of the arcs on which the wall is approached and left; the usual one without it.
+    pub arc: Option<f64>,
+    /// The floor is entered as roughing enters a level; else straight down.
+    pub inserts: bool,
 }
 
 /// Speeds of the spindle in rev/min: while it finishes, and afterwards where that is known.
@@ -138,6 +156,10 @@ pub enum PocketFault {
     Width,
     /// The pitch of the helix is not above 0, or the angle not below 90 degrees.
     Insertion,
+    /// The helix falls by so little that its turns do not end.
+    Pitch,
+    /// The infeed of the finishing cuts is so small that they do not end.
+    FinishingStep,
     /// The middle line is shorter than nothing, or turns about itself.
     Length,
     TooManyRings,
@@ -156,6 +178,8 @@ impl fmt::Display for PocketFault {
             }
             PocketFault::Width => "the infeed in the plane is above 0, and at most the diameter of the cutter",
             PocketFault::Insertion => "the pitch of the helix is above 0, and the angle below 90 degrees",
+            PocketFault::Pitch => "the pitch of the helix is so small that its turns do not end",
+            PocketFault::FinishingStep => "the infeed in depth of the finishing cuts is so small that they do not end",
             PocketFault::Length => "the slot is no longer than it is wide, or its arc is longer than a turn",
             PocketFault::TooManyRings => "the infeed in the plane is so small that the rings do not end",
             PocketFault::Nothing => "neither roughing nor finishing is asked for",
@@ -199,6 +223,20 @@ impl Shape {
     }
 }
 
+impl Insertion {
+    /// Do the turns of a helix end?
+    pub fn ends(&self, mill: &Mill) -> bool {
+        match self {
+            Insertion::Helix { pitch, .. } => {
+                let heights = &mill.heights;
+                let level = heights.way() / parts(heights.way(), heights.step) as f64;
+                parts(level, *pitch) <= MOST_LEVELS
+            }
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => true,
+        }
+    }
+}
+
 impl Room {
     /// The smaller half.
     pub fn least(self) -> f64 {
@@ -221,9 +259,20 @@ impl Pocket {
         asked.min(radius).min(self.shape.helix_room(self.rough_distance())).max(0.0)
     }
 
+    /// Half of the longest way to and fro.
+    pub fn sway_room(&self) -> f64 {
+        match (self.shape, self.shape.room(self.rough_distance())) {
+            (Shape::Slot { from, to, .. }, _) => (to - from) / 2.0,
+            (Shape::Bow { radius, sweep, .. }, _) => radius * sweep.radians() / 2.0,
+            (_, Room::Rectangle([x, y])) => x.max(y).max(0.0),
+            (_, Room::Around(half)) => half.max(0.0),
+        }
+    }
+
     /// The radius of the arc on which the finishing cut comes to the wall.
     pub fn approach_radius(&self) -> f64 {
-        APPROACH.max(self.allowance).min(self.shape.room(self.mill.radius).least())
+        let asked = self.finish.and_then(|finish| finish.arc).unwrap_or(APPROACH);
+        asked.max(self.allowance).min(self.shape.room(self.mill.radius).least())
     }
 
     /// Was all cleared before at `height` that the cutter reaches from a ring with these half sizes and corners?
@@ -271,7 +320,7 @@ impl Family for Pocket {
         let insertion = match self.insertion {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
-            Insertion::Sway { angle } => (0.0..90.0).contains(&angle.0),
+            Insertion::Sway { angle, stroke } => (0.0..90.0).contains(&angle.0) && stroke.is_none_or(usable),
         };
         let circle = matches!(self.shape, Shape::Circle { .. });
         let rings = self.shape.room(radius).least() / self.width;
@@ -283,6 +332,8 @@ impl Family for Pocket {
             (round, PocketFault::Corner),
             (self.width > 0.0 && self.width <= 2.0 * radius + SAME, PocketFault::Width),
             (rings <= MOST_RINGS, PocketFault::TooManyRings),
+            (self.insertion.ends(&self.mill), PocketFault::Pitch),
+            (parts(self.mill.heights.way(), finish[0]) <= MOST_LEVELS, PocketFault::FinishingStep),
             (insertion && (self.strategy == Strategy::Levels || circle), PocketFault::Insertion),
             (self.rough || self.finish.is_some_and(|finish| finish.wall || finish.floor), PocketFault::Nothing),
             (!self.places.is_empty(), PocketFault::Nothing),
@@ -290,10 +341,20 @@ impl Family for Pocket {
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }
 
-    /// It ends above the entry of the last place.
+    fn moves(&self) -> f64 {
+        let heights = &self.mill.heights;
+        let rings = parts(self.shape.room(self.mill.radius).least(), self.width) as f64;
+        let turns = |step: f64| parts(heights.way(), step) as f64;
+        let rough = if self.rough { 10.0 * rings * turns(heights.step) } else { 0.0 };
+        let finish = self.finish.map_or(0.0, |finish| 16.0 * turns(finish.step) + 10.0 * rings);
+        (rough + finish) * self.places.len() as f64
+    }
+
+    /// It ends above the entry of the last place, or at home.
     fn leaves(&self, at: &mut Pos) {
         if let Some(place) = self.places.last() {
-            self.mill.leaves_above(place.point(self.shape.entry()), at);
+            let end = self.home.unwrap_or_else(|| place.point(self.shape.entry()));
+            self.mill.leaves_above(end, at);
         }
     }
 }

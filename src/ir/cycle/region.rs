@@ -6,8 +6,11 @@ use crate::geo::{Element, Point2};
 use crate::ir::Pos;
 
 use super::Family;
-use super::milling::{Mill, MillFault};
+use super::milling::{Mill, MillFault, parts};
 use super::pocket::{Finish, Insertion, MOST_RINGS};
+
+/// Largest radius of an arc of a contour, mm; more is a line, or a lost decimal point.
+const LARGEST_ARC: f64 = 10_000.0;
 
 /// A pocket along a contour.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +42,10 @@ pub enum RegionFault {
     Number,
     Width,
     Insertion,
+    /// The helix falls by so little that its turns do not end.
+    Pitch,
     TooManyRings,
+    LargeArc,
     Nothing,
 }
 
@@ -50,9 +56,19 @@ impl fmt::Display for RegionFault {
             RegionFault::Number => "a number of the pocket or its contour cannot be used",
             RegionFault::Width => "the infeed in the plane is above 0, and at most the diameter of the cutter",
             RegionFault::Insertion => "the pitch of the helix is above 0, and the angle below 90 degrees",
+            RegionFault::Pitch => "the pitch of the helix is so small that its turns do not end",
             RegionFault::TooManyRings => "the infeed in the plane is so small that the rings do not end",
+            RegionFault::LargeArc => "an arc of the contour has a radius of more than 10 m",
             RegionFault::Nothing => "neither roughing nor finishing is asked for, or there is no outline",
         })
+    }
+}
+
+/// 0 for a line.
+fn radius_of(element: &Element) -> f64 {
+    match *element {
+        Element::Line { .. } => 0.0,
+        Element::Arc { from, center, .. } => crate::geo::distance(from, center),
     }
 }
 
@@ -62,9 +78,15 @@ impl Region {
         self.outline.iter().chain(self.islands.iter().flatten())
     }
 
-    fn largest(&self) -> f64 {
-        let size = |element: &Element| [element.from(), element.to()].map(|p| p.x.abs().max(p.y.abs()));
-        self.outline.iter().flat_map(size).fold(0.0, f64::max)
+    /// The larger side of what the outline takes up.
+    fn size(&self) -> f64 {
+        let points = self.outline.iter().flat_map(|element| [element.from(), element.middle()]);
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for p in points {
+            low = [low[0].min(p.x), low[1].min(p.y)];
+            high = [high[0].max(p.x), high[1].max(p.y)];
+        }
+        (high[0] - low[0]).max(high[1] - low[1]).max(0.0)
     }
 }
 
@@ -77,7 +99,7 @@ impl Family for Region {
         let insertion = match self.insertion {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
-            Insertion::Sway { angle } => (0.0..90.0).contains(&angle.0),
+            Insertion::Sway { angle, .. } => (0.0..90.0).contains(&angle.0),
         };
         let finish = self.finish.is_none_or(|finish| usable(finish.step) && finish.feed.value() > 0.0);
         let points = self.walls().flat_map(|element| [element.from(), element.to()]).chain(self.start);
@@ -85,12 +107,22 @@ impl Family for Region {
         let rules = [
             (usable(self.allowance) && finite && finish, RegionFault::Number),
             (self.width > 0.0 && self.width <= 2.0 * self.mill.radius + 1e-9, RegionFault::Width),
-            (2.0 * self.largest() / self.width <= MOST_RINGS, RegionFault::TooManyRings),
+            (self.walls().all(|element| radius_of(element) <= LARGEST_ARC), RegionFault::LargeArc),
+            (self.size() / self.width <= MOST_RINGS, RegionFault::TooManyRings),
             (insertion, RegionFault::Insertion),
+            (self.insertion.ends(&self.mill), RegionFault::Pitch),
             (self.rough || self.finish.is_some_and(|finish| finish.wall || finish.floor), RegionFault::Nothing),
             (!self.outline.is_empty(), RegionFault::Nothing),
         ];
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
+    }
+
+    fn moves(&self) -> f64 {
+        let heights = &self.mill.heights;
+        let most = self.width.min(self.mill.radius);
+        let rings = self.size() / 2.0 / most + 1.0;
+        let levels = parts(heights.way(), heights.step) as f64;
+        rings * levels * (self.walls().count() + 4) as f64
     }
 
     /// Above the last cut, which only its path knows.

@@ -251,6 +251,15 @@ impl Family for Spigot {
         }
     }
 
+    fn moves(&self) -> f64 {
+        let elements = match self.shape {
+            Shape::Circle { .. } => 1.0,
+            Shape::Rectangle { .. } => 9.0,
+            Shape::Polygon { edges, .. } => 2.0 * f64::from(edges) + 1.0,
+        };
+        (elements + 2.0) * self.distances().len() as f64 * self.levels().len() as f64
+    }
+
     /// Above where it went down.
     fn leaves(&self, at: &mut Pos) {
         self.mill.leaves_above(self.place.point(self.entry()), at);

@@ -153,6 +153,10 @@ impl Family for ThreadMilling {
         }
     }
 
+    fn moves(&self) -> f64 {
+        4.0 * self.rests.len() as f64 * self.helices().len() as f64
+    }
+
     /// Above where it came down.
     fn leaves(&self, at: &mut Pos) {
         self.mill.leaves_above(self.place.point(self.entry()), at);

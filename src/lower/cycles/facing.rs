@@ -41,6 +41,17 @@ impl Expand for Facing {
                 cutter.lift(level);
                 cutter.line(*to, feed);
             }
+            if let Some(wall) = self.along_wall() {
+                let [from, to] = wall.path;
+                if !cutter.stands_at(from) {
+                    let heights = &self.mill.heights;
+                    cutter.lift(if wall.from_outside { heights.safe() } else { heights.above_cleared(level) });
+                    cutter.rapid(from);
+                    // Outside of the face, or on the last path.
+                    if wall.from_outside { cutter.lift(level) } else { cutter.plunge(level) }
+                }
+                cutter.line(to, feed);
+            }
             // What is cut down to this level is free above it.
             above = self.mill.heights.above(level);
         }

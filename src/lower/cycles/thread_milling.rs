@@ -55,14 +55,22 @@ mod tests {
     use super::*;
     use crate::geo::{Deg, Plane};
     use crate::ir::Feed;
-    use crate::ir::cycle::milling::{Feeds, Heights, Mill, Place};
+    use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
 
     fn thread(depth: f64) -> ThreadMilling {
         let feed = Feed::PerMinute(100.0);
         ThreadMilling {
             mill: Mill {
                 plane: Plane::Xy,
-                heights: Heights { retract: 10.0, reference: 0.0, clearance: 2.0, depth, step: 0.0, allowance: 0.0 },
+                heights: Heights {
+                    retract: 10.0,
+                    reference: 0.0,
+                    clearance: 2.0,
+                    depth,
+                    step: 0.0,
+                    division: Division::Even,
+                    allowance: 0.0,
+                },
                 radius: 6.0,
                 feeds: Feeds { plane: feed, depth: feed },
             },

@@ -14,6 +14,8 @@ pub(super) struct ActiveTool {
     pub other_radius: Option<f64>,
     pub length: Option<f64>,
     pub corner_radius: Option<f64>,
+    /// At which it goes down into material at most, degrees.
+    pub plunge_angle: Option<f64>,
     /// Angle at the tip, degrees.
     pub tip_angle: Option<f64>,
     /// Oversizes of length, radius and corner radius from the table.

@@ -14,8 +14,8 @@ use crate::text::Span;
 
 use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::DefinedCycle;
+use super::cycles::call::{Call, Retract};
 use super::cycles::{Nature, find};
-use super::drilling::Retract;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
 
@@ -228,7 +228,7 @@ impl Run<'_> {
             }
             Nature::Preset => self.preset(open),
             Nature::Data => Ok(()),
-            Nature::Drilling(_) | Nature::Machining => {
+            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => {
                 let mm = self.level().frame.unit.mm();
                 let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
                 self.check_definition(&cycle)?;
@@ -306,7 +306,7 @@ impl Run<'_> {
     pub(super) fn pattern_subject(&mut self, by: &str) -> Outcome<Rc<DefinedCycle>> {
         match &self.cycles.defined {
             Some(Defined::Refused) => Err(Reported),
-            Some(Defined::Machining { cycle, .. }) if cycle.row().nature.drilling().is_some() => Ok(Rc::clone(cycle)),
+            Some(Defined::Machining { cycle, .. }) if cycle.row().nature.runs() => Ok(Rc::clone(cycle)),
             Some(Defined::Machining { .. }) => {
                 self.call_cycle(by)?;
                 Err(Reported)
@@ -339,7 +339,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let cycle = self.pattern_subject("CYCL CALL POS")?;
-        let result = self.drill_at(&cycle, block);
+        let result = self.run_cycle_at(&cycle, block);
         if result.is_err() {
             self.lose_all();
         }
@@ -365,11 +365,12 @@ impl Run<'_> {
                 let name = name.clone();
                 self.call_program_named(&name)
             }
-            Some(Defined::Machining { cycle, .. }) if cycle.row().nature.drilling().is_some() => {
+            Some(Defined::Machining { cycle, .. }) if cycle.row().nature.runs() => {
                 let cycle = Rc::clone(cycle);
-                let result = self.drill(&cycle, 0.0, Retract::Far);
+                let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far });
                 if result.is_err() {
-                    self.st.lose(AxisSet::of(self.st.axis()));
+                    let drills = cycle.row().nature.drilling().is_some();
+                    self.st.lose(if drills { AxisSet::of(self.st.axis()) } else { AxisSet::MAIN });
                     self.lost();
                 }
                 result

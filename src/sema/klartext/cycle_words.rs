@@ -192,11 +192,12 @@ impl Run<'_> {
             (Drilling(_), Addr::Name | Addr::Value) if drilling.is_some() => none,
             (Drilling(_), Addr::Feed) if drilling.is_some() => none && read.label.is_none() && feeds,
             (Drilling(_), _) if drilling.is_some() => false,
-            (Drilling(_) | Machining | Pattern(_) | Data | Unknown | Preset, Addr::Assign(_) | Addr::AssignText(_)) => {
-                true
-            }
+            (
+                Drilling(_) | Milling(_) | Machining | Pattern(_) | Data | Unknown | Preset,
+                Addr::Assign(_) | Addr::AssignText(_),
+            ) => true,
             // Refused where they are called, whatever they say.
-            (Drilling(_) | Machining | Unknown, _) => true,
+            (Machining | Unknown, _) => true,
             (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
             (Tolerance, Addr::Name) => is_one_of(word, text, &["T", "HSC-MODE", "TA"]),
             (Tolerance, Addr::Value) => read.label.is_some(),

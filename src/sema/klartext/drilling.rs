@@ -12,115 +12,35 @@ use crate::machine::{Axis, AxisSet};
 use crate::sema::cycle_table::Name;
 
 use super::cycles::DefinedCycle;
+use super::cycles::call::Call;
 use super::cycles::drilling::{
     AHEAD_ABOVE, AHEAD_BELOW, ANGLE, BREAK_DEPTH, BREAK_WAY, BREAKS, DECREMENT, DEEPENED, DIRECTION, DWELL,
     DWELL_ABOVE, FEED, LEAST_PLUNGE, PITCH, PLUNGE, RETRACT_FEED,
 };
-use super::cycles::{CLEARANCE, Cut, DEPTH, Q, SECOND_CLEARANCE, SURFACE};
-use super::{Outcome, Reported, Run};
+use super::cycles::{CLEARANCE, Cut, DEPTH};
+use super::machining::Needs;
+use super::{Outcome, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.
 const LIFT: f64 = 0.2;
 /// The feed of a hole whose pitch makes it.
 const NO_FEED: Feed = Feed::PerMinute(1.0);
-/// Longest dwell in seconds.
-const LONGEST: f64 = 3600.0;
-
-/// Where the tool goes behind a hole of a pattern.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Retract {
-    /// To the second set-up clearance, or to the set-up clearance where that is higher.
-    Far,
-    /// To the set-up clearance.
-    Near,
-    /// To this height, or to the 2nd set-up clearance where that is higher.
-    To(f64),
-}
-
-/// Heights of a hole by their Q parameters, in mm.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Heights {
-    pub surface: f64,
-    pub clearance: f64,
-    /// 2nd set-up clearance as an absolute height; not below the set-up clearance.
-    pub second: f64,
-}
-
-impl Heights {
-    /// Where rapid traverse ends.
-    pub fn start(&self) -> f64 {
-        self.surface + self.clearance
-    }
-}
 
 impl Run<'_> {
-    /// Are all parameters of the definition there? Looked at when it is complete.
-    pub(super) fn check_definition(&mut self, cycle: &DefinedCycle) -> Outcome {
-        let row = cycle.row();
-        if row.nature.drilling().is_none() {
-            return Ok(());
-        }
-        if row.has_parts(cycle.number) {
-            let Some(missing) = row.needed().find(|name| !cycle.gives(*name)) else { return Ok(()) };
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                format!("cycle {0} lacks the value of part {0}{missing}", cycle.number),
-                "program all parts of the cycle",
-            );
-        }
-        self.all_are_set(cycle, &format!("cycle {}", cycle.number))
-    }
-
-    /// Every Q parameter that the cycle needs.
-    pub(super) fn all_are_set(&self, cycle: &DefinedCycle, what: &str) -> Outcome {
-        let needed = cycle.row().needed();
-        let missing: Vec<String> = needed.filter(|name| !cycle.gives(*name)).map(|name| name.to_string()).collect();
-        if missing.is_empty() {
-            return Ok(());
-        }
-        let message = format!("{what} lacks {}", missing.join(", "));
-        self.fail_help(codes::K2402, self.block_span(), message, "program all parameters of the cycle")
-    }
-
-    /// Drills where the tool stands. `shift` lifts the surface, in mm.
-    pub(super) fn drill(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome {
-        if self.st.compensation.is_on() {
-            self.report(
-                Diagnostic::new(codes::K2407, self.here.origin.loc, "a cycle is called while RL or RR is active")
-                    .help("program a straight block with R0 in front of the call"),
-            );
-            return Err(Reported);
-        }
+    /// Drills where the tool stands.
+    pub(super) fn drill(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome {
         // The control itself starts the spindle for rigid tapping.
         let drilling = cycle.row().nature.drilling();
         let by_pitch = drilling.is_some_and(|drilling| drilling.feed.is_none());
         let own_spindle = drilling.is_some_and(|drilling| drilling.own_spindle);
-        if !self.st.spindle.turns() && !by_pitch && !own_spindle {
-            self.report(
-                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("program M3 in front of the call"),
-            );
-            return Err(Reported);
-        }
-        if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) && !own_spindle {
-            self.report(
-                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("program S in the TOOL CALL"),
-            );
-            return Err(Reported);
-        }
-        self.cuts_now()?;
+        let spindle = match (own_spindle, by_pitch) {
+            (true, _) => Needs::Nothing,
+            (false, true) => Needs::Speed,
+            (false, false) => Needs::Turning,
+        };
+        self.cycle_may_run(cycle, spindle)?;
         self.check_pitch(cycle)?;
-        if self.st.feed.plunge_share().is_some() {
-            self.report(
-                Diagnostic::new(codes::K2709, self.here.origin.loc, "M103 does not change the feeds of this cycle")
-                    .help("program M103 without F in front of the cycle, or the feed of the cycle as it is meant"),
-            );
-        }
-        let Some(hole) = self.hole(cycle, shift, retract)? else { return Ok(()) };
+        let Some(hole) = self.hole(cycle, call)? else { return Ok(()) };
         if let Err(fault) = hole.check() {
             return self.cycle_value(cycle, &fault.to_string());
         }
@@ -150,7 +70,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn hole(&mut self, cycle: &DefinedCycle, shift: f64, retract: Retract) -> Outcome<Option<Drilling>> {
+    fn hole(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Drilling>> {
         let axis = self.st.axis();
         if !AxisSet::MAIN.contains(axis) {
             return self.cycle_value(cycle, &format!("the tool axis {} cannot drill", axis.letter()));
@@ -170,23 +90,14 @@ impl Run<'_> {
             let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
             return Ok(Some(Drilling { axis, levels, feed, entry: None, method }));
         }
-        let heights = self.heights(cycle, shift)?;
+        let heights = self.heights(cycle, call.shift)?;
         let deep = self.hole_depth(cycle)?;
         if deep == 0.0 {
-            self.report(
-                Diagnostic::new(codes::K2404, self.here.origin.loc, format!("cycle {} has depth 0", cycle.number))
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("program the depth Q201 with a minus sign"),
-            );
+            self.has_no_depth(cycle);
             return Ok(None);
         }
-        let far = match retract {
-            Retract::Far => heights.second,
-            Retract::Near => heights.start(),
-            Retract::To(height) => height.max(heights.second),
-        };
         let levels = Levels {
-            retract: far,
+            retract: call.retract.height(&heights),
             reference: heights.surface,
             clearance: heights.clearance,
             depth: heights.surface + deep,
@@ -199,30 +110,6 @@ impl Run<'_> {
         let method = (drilling.method)(self, cycle, Cut { feed, dwell })?;
         let entry = self.hole_entry(cycle, &levels)?;
         Ok(Some(Drilling { axis, levels, feed, entry, method }))
-    }
-
-    /// The heights that Q200, Q203 and Q204 give.
-    pub(super) fn heights(&mut self, cycle: &DefinedCycle, shift: f64) -> Outcome<Heights> {
-        let clearance = self.cycle_length(cycle, CLEARANCE)?;
-        if clearance < 0.0 {
-            return self.cycle_value(cycle, &format!("the set-up clearance Q200 is {clearance}"));
-        }
-        let surface = self.cycle_length(cycle, SURFACE)? + shift;
-        let second = self.cycle_length(cycle, SECOND_CLEARANCE)?;
-        if second < clearance && second != 0.0 {
-            self.report(
-                Diagnostic::new(
-                    codes::K2406,
-                    self.here.origin.loc,
-                    format!(
-                        "the 2nd set-up clearance Q204 = {second} lies below the set-up clearance Q200 = {clearance}"
-                    ),
-                )
-                .also(cycle.loc, "the cycle is defined here")
-                .help("the tool stays at the set-up clearance; check the way to the next position"),
-            );
-        }
-        Ok(Heights { surface, clearance, second: surface + second.max(clearance) })
     }
 
     /// Q201, negative or 0.
@@ -406,111 +293,6 @@ impl Run<'_> {
     fn part_feed(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<Feed> {
         let value = self.part(cycle, part)?;
         self.check_feed(cycle, value)
-    }
-
-    // Values by their Q parameters.
-
-    /// What the parameter holds now.
-    pub(super) fn cycle_number(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
-        if let Some(word) = cycle.word(q) {
-            return self.cycle_unbuilt(cycle, &format!("{word} as the value of {q}"));
-        }
-        if !cycle.sets(q) {
-            return self.cycle_value(cycle, &format!("{q} is missing"));
-        }
-        let span = self.block_span();
-        self.parameter(crate::lexer::klartext::QRef { kind: crate::lexer::klartext::QKind::Q, number: q.0 }, span)
-    }
-
-    pub(super) fn cycle_length(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
-        let mm = self.level().frame.unit.mm();
-        Ok(self.cycle_number(cycle, q)? * mm)
-    }
-
-    /// A parameter that newer software has: 0 where the definition does not set it.
-    pub(super) fn cycle_option(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
-        if cycle.sets(q) || cycle.word(q).is_some() { self.cycle_number(cycle, q) } else { Ok(0.0) }
-    }
-
-    fn cycle_dwell(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
-        let seconds = self.cycle_option(cycle, q)?;
-        self.check_dwell(cycle, seconds)
-    }
-
-    fn check_dwell(&mut self, cycle: &DefinedCycle, seconds: f64) -> Outcome<f64> {
-        if (0.0..=LONGEST).contains(&seconds) {
-            return Ok(seconds);
-        }
-        self.cycle_value(cycle, &format!("a dwell of {seconds} s is out of range"))
-    }
-
-    /// A feed; 0 stands for `instead` where that is given.
-    pub(super) fn cycle_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Feed> {
-        if cycle.word(q) == Some("FAUTO") {
-            return self.tool_feed_of(cycle, q);
-        }
-        let value = self.cycle_number(cycle, q)?;
-        match instead {
-            Some(feed) if value == 0.0 => Ok(feed),
-            _ => self.check_feed(cycle, value),
-        }
-    }
-
-    /// FAUTO: the F of the last TOOL CALL.
-    fn tool_feed_of(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<Feed> {
-        match self.st.feed.of_tool() {
-            Some(feed) if matches!(feed, Feed::PerRevolution(_)) == self.st.feed.is_per_revolution() => Ok(feed),
-            Some(_) => self.cycle_unbuilt(cycle, &format!("{q}=FAUTO with a TOOL CALL that counts F in another way")),
-            None => {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2003,
-                        self.here.origin.loc,
-                        format!("the last TOOL CALL has no F, so {q}=FAUTO has no value"),
-                    )
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("put F into the TOOL CALL, or a number behind the parameter"),
-                );
-                Err(Reported)
-            }
-        }
-    }
-
-    /// A retract: FMAX is rapid traverse.
-    pub(super) fn retract_feed(&mut self, cycle: &DefinedCycle, q: Q, instead: Option<Feed>) -> Outcome<Option<Feed>> {
-        if cycle.word(q) == Some("FMAX") { Ok(None) } else { self.cycle_feed(cycle, q, instead).map(Some) }
-    }
-
-    fn check_feed(&mut self, cycle: &DefinedCycle, value: f64) -> Outcome<Feed> {
-        if value > 0.0 {
-            self.large_per_revolution(cycle.loc, value);
-            return Ok(self.feed_of(value));
-        }
-        self.cycle_value(cycle, &format!("a feed of {value} is not above zero"))
-    }
-
-    /// Refuses a value of the cycle.
-    pub(super) fn cycle_value<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
-        self.report(
-            Diagnostic::new(codes::K2403, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
-                .also(cycle.loc, "the cycle is defined here")
-                .help("check the values of the definition"),
-        );
-        Err(Reported)
-    }
-
-    /// Refuses a variant that is not built.
-    pub(super) fn cycle_unbuilt<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
-        self.report(
-            Diagnostic::new(
-                codes::K9001,
-                self.here.origin.loc,
-                format!("cycle {}: {what} is not supported", cycle.number),
-            )
-            .also(cycle.loc, "the cycle is defined here")
-            .help("use the plain variant of the cycle, or program its moves as blocks"),
-        );
-        Err(Reported)
     }
 }
 

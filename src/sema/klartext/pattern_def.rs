@@ -13,7 +13,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
 use super::cycles::SURFACE;
-use super::drilling::Retract;
+use super::cycles::call::{Call, Retract};
 use super::patterns::PLACES_A_STEP;
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
@@ -322,7 +322,7 @@ impl Run<'_> {
             end.set_in_plane(self.st.plane(), *place);
             self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
-            self.drill(&cycle, *surface, Retract::To(height))?;
+            self.run_cycle(&cycle, Call { shift: *surface, retract: Retract::To(height) })?;
         }
         self.m_at_end(w)
     }

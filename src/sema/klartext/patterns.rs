@@ -1,4 +1,4 @@
-//! Cycles 220 and 221, and CYCL CALL POS: a drilling cycle at many places.
+//! Cycles 220 and 221, and CYCL CALL POS: a machining cycle at many places.
 //!
 //! Source: K 4.4 and 6.4 (docs/sources.md). On the way to the first place the tool goes to the 2nd set-up clearance
 //! unless it stands higher; Q301 decides how high it goes from place to place; after the last one it stands at the 2nd
@@ -13,11 +13,11 @@ use crate::parser::klartext::ast::Block;
 use crate::sema::common::plane::plane_axes;
 
 use super::cycles::DefinedCycle;
+use super::cycles::call::{Call, Heights, Retract};
 use super::cycles::patterns::{
     AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
 };
 use super::cycles::{PlacesOf, Q};
-use super::drilling::{Heights, Retract};
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
 
@@ -53,7 +53,8 @@ impl Run<'_> {
             self.goes_on()?;
             self.rapid_in_plane(*place);
             let last = i + 1 == places.len();
-            self.drill(&cycle, 0.0, if near && !last { Retract::Near } else { Retract::Far })?;
+            let retract = if near && !last { Retract::Near } else { Retract::Far };
+            self.run_cycle(&cycle, Call { shift: 0.0, retract })?;
         }
         Ok(())
     }
@@ -155,7 +156,7 @@ impl Run<'_> {
 
     /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
     /// the surface, it first goes to the set-up clearance.
-    pub(super) fn drill_at(&mut self, cycle: &DefinedCycle, block: &Block) -> Outcome {
+    pub(super) fn run_cycle_at(&mut self, cycle: &DefinedCycle, block: &Block) -> Outcome {
         // The first word is POS itself.
         let mut rest = block.clone();
         rest.words.drain(..1);
@@ -198,7 +199,7 @@ impl Run<'_> {
         }
         self.st.polar.forget_last();
         self.send(&end, Path::straight(feed));
-        self.drill(cycle, shift, Retract::Far)?;
+        self.run_cycle(cycle, Call { shift, retract: Retract::Far })?;
         self.m_at_end(&w)
     }
 }

@@ -305,6 +305,7 @@ impl Run<'_> {
             length,
             other_radius,
             corner_radius,
+            plunge_angle: data.plunge_angle,
             tip_angle: data.tip_angle,
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),

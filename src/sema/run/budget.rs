@@ -73,6 +73,13 @@ impl Budget {
         enough
     }
 
+    /// Is there enough left for about so many moves, which are counted once they are made?
+    pub fn has(&mut self, moves: f64) -> bool {
+        let enough = moves <= self.left as f64;
+        self.mixed |= !enough;
+        enough
+    }
+
     /// Takes what a block costs over the one step that every block has: its length in bytes, the operations of its
     /// formulas, and that it was parsed although it ran before.
     #[inline]

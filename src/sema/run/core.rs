@@ -262,6 +262,9 @@ impl<L: Language> Core<'_, L> {
     }
 
     pub fn send_cycle(&mut self, cycle: &Cycle, ctx: &CtxRef) {
+        if !self.budget.has(cycle.moves()) {
+            return self.out_of_steps(self.here.origin.loc);
+        }
         self.out.cycle(cycle, ctx, &self.here.origin);
     }
 

@@ -357,12 +357,13 @@ impl Run<'_> {
             _ => None,
         };
         if let Some(what) = refused.filter(|_| !self.own_program(&word)) {
-            return self.fail_help(
-                codes::S9005,
-                block.span,
-                format!("{word} ({what}) is not supported as a modal call"),
-                "replace it by plain moves, or compile the program without it",
-            );
+            let help = if super::cycles::is_built(&word) {
+                "call the cycle at each place, with its reference point there or behind TRANS"
+            } else {
+                "replace it by plain moves, or compile the program without it"
+            };
+            let message = format!("{word} ({what}) is not supported as a modal call");
+            return self.fail_help(codes::S9005, block.span, message, help);
         }
         let arguments = self.arguments(args, block, text)?;
         if let Some(done) = self.modal_stand_in(&word, block.span) {

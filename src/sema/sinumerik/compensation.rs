@@ -65,6 +65,11 @@ impl Path {
         self.cutter.is_some()
     }
 
+    /// OFFN, in mm.
+    pub fn normal(&self) -> f64 {
+        self.normal
+    }
+
     /// Radius with OFFN, not below zero.
     pub fn radius(&self) -> f64 {
         self.cutter.map_or(0.0, |cutter| (cutter.radius + self.normal).abs())

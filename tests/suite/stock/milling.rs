@@ -8,8 +8,12 @@ use partc::internals::machine::{Axis, Settings};
 use partc::internals::text::files::NoFiles;
 use partc::internals::text::{Memory, Opened};
 
+use super::super::damage::Dice;
+
 /// Slack of a comparison of exact numbers, mm.
 pub const EXACT: f64 = 1e-6;
+/// Height of a column where there is no blank.
+pub const NOTHING: f64 = -1e9;
 /// How far the swept cylinder of a rapid move is taken in, so that columns it touches do not count, mm.
 const TOUCH: f64 = 1e-4;
 /// Largest sweep of a piece of an arc, rad.
@@ -52,11 +56,15 @@ impl Sink for Track {
 
 /// The moves of a SINUMERIK program, or the codes of its errors.
 pub fn track(text: &str, settings: &Settings) -> Result<Vec<Cut>, Vec<String>> {
-    let main =
-        Opened { name: "P.MPF".into(), identity: "P".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
+    track_of("sinumerik", text, settings)
+}
+
+/// The moves of a program, or the codes of its errors.
+pub fn track_of(language: &str, text: &str, settings: &Settings) -> Result<Vec<Cut>, Vec<String>> {
+    let main = Opened { name: "P".into(), identity: "P".into(), text: Box::new(Memory::new(text.as_bytes().to_vec())) };
     let session = Session::new(main);
     let mut track = Track::default();
-    session.lower(dialect::find("sinumerik").expect("a dialect"), settings, &NoFiles, &mut track);
+    session.lower(dialect::find(language).expect("a dialect"), settings, &NoFiles, &mut track);
     let errors: Vec<String> = session
         .diags
         .into_sorted()
@@ -170,13 +178,31 @@ pub struct Met {
 impl Stock {
     /// A blank over a rectangle, its columns `cell` apart.
     pub fn new(low: [f64; 2], high: [f64; 2], cell: f64) -> Stock {
+        Stock::of(low, high, cell, |_| 0.0)
+    }
+
+    /// The same where the columns have their own heights, [`NOTHING`] for none.
+    pub fn of(low: [f64; 2], high: [f64; 2], cell: f64, top: impl Fn([f64; 2]) -> f64) -> Stock {
         let count = [0, 1].map(|i| ((high[i] - low[i]) / cell).ceil() as usize + 1);
-        Stock { low, cell, count, top: vec![0.0; count[0] * count[1]] }
+        let mut stock = Stock { low, cell, count, top: vec![0.0; count[0] * count[1]] };
+        for at in 0..stock.top.len() {
+            stock.top[at] = top(stock.place(at % count[0], at / count[0]));
+        }
+        stock
     }
 
     /// Columns and their heights.
     pub fn columns(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         self.top.iter().enumerate().map(|(at, top)| (self.place(at % self.count[0], at / self.count[0]), *top))
+    }
+
+    /// Places of columns within a distance.
+    pub fn around(&self, p: [f64; 2], reach: f64) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let index = |v: f64, i: usize| ((v - self.low[i]) / self.cell).clamp(0.0, self.count[i] as f64 - 1.0) as usize;
+        let (i0, i1) = (index(p[0] - reach, 0), index(p[0] + reach, 0));
+        let (j0, j1) = (index(p[1] - reach, 1), index(p[1] + reach, 1));
+        let places = (j0..=j1).flat_map(move |j| (i0..=i1).map(move |i| self.place(i, j)));
+        places.filter(move |c| (c[0] - p[0]).hypot(c[1] - p[1]) <= reach)
     }
 
     fn place(&self, i: usize, j: usize) -> [f64; 2] {
@@ -242,4 +268,25 @@ impl Cut {
         }
         (low, high)
     }
+}
+
+/// Runs so many cases as an environment variable says: `judge` makes one, and says why it fails, or that it was refused for its
+/// geometry. The shortest failures are shown.
+pub fn many(name: &str, usual: u64, mut judge: impl FnMut(&mut Dice, f64) -> Result<bool, String>) {
+    let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
+    let (count, seed) = (from(name, usual), from(&format!("{name}_SEED"), 1));
+    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+    let (mut bad, mut without) = (Vec::new(), 0);
+    for _ in 0..count {
+        let shift = dice.roll(100) as f64 / 100.0;
+        match judge(&mut dice, shift) {
+            Ok(true) => {}
+            Ok(false) => without += 1,
+            Err(why) => bad.push(why),
+        }
+    }
+    bad.sort_by_key(String::len);
+    println!("{name}: {count} cases, {without} refused for their geometry, {} bad", bad.len());
+    assert!(bad.is_empty(), "{} of {count} fail, such as\n{}", bad.len(), bad[..bad.len().min(4)].join("\n\n"));
+    assert!(without * 2 < count, "{without} of {count} have no path");
 }

@@ -1,8 +1,13 @@
 //! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
 
+mod faces;
 mod grooves;
+mod klartext_pockets;
 mod layers;
+mod milled_threads;
 pub mod milling;
+mod paths;
 mod pockets;
 mod regions;
+mod spigots;
 mod turning;

@@ -2,7 +2,7 @@
 
 use crate::geo::{Element, Point2, arc, turned};
 use crate::ir::cycle::milling::parts;
-use crate::ir::cycle::pocket::{Pocket, Room, Shape, Strategy};
+use crate::ir::cycle::pocket::{Insertion, Pocket, Room, Shape, Strategy};
 
 /// Widest step between rings, in radii of the cutter: at the corner of a ring a step of 1 + 1/√2 leaves no point.
 const WIDEST: f64 = 1.7;
@@ -65,6 +65,11 @@ impl Area {
             }
             (_, Room::Rectangle(half)) => rectangle(half, 0.0, width.min(WIDEST * radius), radius),
         };
+        if let Insertion::Sway { stroke: Some(stroke), .. } = pocket.insertion
+            && let Shape::Rectangle { .. } | Shape::Circle { .. } = pocket.shape
+        {
+            area.sway = shortened(&area.sway, stroke);
+        }
         if !pocket.counter_clockwise {
             for ring in &mut area.rings {
                 ring.elements = ring.elements.iter().rev().map(reversed).collect();
@@ -72,6 +77,12 @@ impl Area {
         }
         area
     }
+}
+
+/// A line about the origin, at most `stroke` long.
+fn shortened(line: &Element, stroke: f64) -> Element {
+    let part = (stroke / line.length().max(NOTHING)).min(1.0);
+    Element::Line { from: line.from() * part, to: line.to() * part }
 }
 
 /// The element from its end to its start.

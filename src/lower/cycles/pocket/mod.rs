@@ -6,16 +6,16 @@ mod helical;
 mod tests;
 
 use crate::diag::codes;
-use crate::geo::{Element, Point2, left};
+use crate::geo::{Deg, Element, Point2, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
-use crate::ir::cycle::milling::{MOST_LEVELS, parts};
-use crate::ir::cycle::pocket::{Finish, Insertion, Pocket, Strategy};
+use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
+use crate::ir::cycle::pocket::{Between, Finish, Insertion, Pocket, Shape, Strategy};
 
 use super::cutter::Cutter;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
-use area::{Area, reversed};
+use area::{Area, Ring, reversed};
 
 /// Smaller arcs of approach are straight lines, mm.
 const SMALLEST_APPROACH: f64 = 0.1;
@@ -26,6 +26,12 @@ impl Expand for Pocket {
             Failure::new(codes::G3321, fault.to_string(), "check the sizes of the pocket and the data of the cutter")
         })?;
         let rough = self.rough.then(|| Area::new(self, self.rough_distance()));
+        if let Some(area) = &rough
+            && let Insertion::Sway { angle, .. } = self.insertion
+            && strokes(self.level_step(), area.sway.length(), angle) > MOST_LEVELS
+        {
+            return Err(endless_strokes());
+        }
         let Some(first) = self.places.first() else { return Ok(()) };
         let mut tool = Tool { pocket: self, cutter: Cutter::new(&self.mill, *first, start, out), is_over: false };
         for (at, place) in self.places.iter().enumerate() {
@@ -44,7 +50,31 @@ impl Expand for Pocket {
             tool.cutter.retract();
             tool.is_over = false;
         }
+        if let Some(home) = self.home {
+            tool.cutter.go_on_at(Place::HERE);
+            tool.cutter.rapid(home);
+        }
         Ok(())
+    }
+}
+
+/// Strokes of this length that fall by at most `angle`, from one level to the next; an angle of 0 asks for one.
+pub fn strokes(step: f64, length: f64, angle: Deg) -> usize {
+    parts(step, length * libm::tan(angle.radians()))
+}
+
+pub fn endless_strokes() -> Failure {
+    Failure::new(
+        codes::G3321,
+        "the angle of insertion is so small that the strokes to and fro do not end",
+        "give a larger angle",
+    )
+}
+
+impl Pocket {
+    fn level_step(&self) -> f64 {
+        let heights = &self.mill.heights;
+        (heights.reference - heights.rough_floor()).abs() / heights.levels().len() as f64
     }
 }
 
@@ -65,14 +95,52 @@ impl Tool<'_> {
             if from == heights.reference {
                 self.go_over(point);
             } else {
-                self.back(area, point, feed);
+                self.next(area, point, from);
             }
             self.insert(area, from, level);
             self.rings(area, feed, |pocket, ring| pocket.is_cleared(ring.half, ring.corner, level));
             from = level;
         }
-        self.back(area, area.entry, feed);
-        self.cutter.lift(heights.safe());
+        match self.pocket.between {
+            Between::Straight => {
+                self.back(area, area.entry, feed);
+                self.cutter.lift(heights.safe());
+            }
+            Between::Lifted => {
+                self.off_the_ring(area);
+                self.cutter.lift(heights.safe());
+                self.cutter.rapid(area.entry);
+            }
+        }
+    }
+
+    /// From the end of the level `from` over `point`.
+    fn next(&mut self, area: &Area, point: Point2, from: f64) {
+        let heights = self.pocket.mill.heights;
+        match self.pocket.between {
+            Between::Straight => self.back(area, point, self.pocket.mill.feeds.plane),
+            Between::Lifted => {
+                self.off_the_ring(area);
+                // The straight way back leads over the material inside a bow.
+                let is_bow = matches!(self.pocket.shape, Shape::Bow { .. });
+                self.cutter.lift(if is_bow { heights.safe() } else { heights.above_cleared(from) });
+                self.cutter.rapid(point);
+                self.cutter.lift(heights.above_cleared(from));
+            }
+        }
+    }
+
+    /// Off the last ring on a quarter of a circle.
+    fn off_the_ring(&mut self, area: &Area) {
+        let pocket = self.pocket;
+        let room = pocket.shape.room(pocket.rough_distance()).least();
+        let radius = pocket.approach_radius().min(room);
+        let Some(ring) = area.rings.last().filter(|_| radius >= SMALLEST_APPROACH) else { return };
+        let Some(along) = ring.elements.first().and_then(Element::start_direction) else { return };
+        let ccw = pocket.counter_clockwise;
+        let inward = if ccw { left(along) } else { -left(along) };
+        let center = ring.start() + inward * radius;
+        self.cutter.arc(center + along * radius, center, ccw, pocket.mill.feeds.plane);
     }
 
     /// Over `point`, at the safety distance above the surface.
@@ -126,18 +194,17 @@ impl Tool<'_> {
                 self.cutter.helix(center, ccw, turns, to, feed);
                 self.cutter.arc(center + arm, center, ccw, feed);
             }
-            Insertion::Sway { angle } => {
+            Insertion::Sway { angle, .. } => {
                 self.cutter.plunge(from);
-                self.sway(&area.sway, from, to, angle.radians());
+                self.sway(&area.sway, from, to, angle);
             }
         }
     }
 
     /// To and fro along `line`, one stroke more on the level.
-    fn sway(&mut self, line: &Element, from: f64, to: f64, angle: f64) {
+    fn sway(&mut self, line: &Element, from: f64, to: f64, angle: Deg) {
         let feed = self.pocket.mill.feeds.depth;
-        let most = line.length() * libm::tan(angle);
-        let strokes = parts((from - to).abs(), most).min(MOST_LEVELS);
+        let strokes = strokes((from - to).abs(), line.length(), angle);
         let back = reversed(line);
         for stroke in 1..=strokes + 1 {
             let height = if stroke >= strokes { to } else { from + (to - from) * stroke as f64 / strokes as f64 };
@@ -156,7 +223,7 @@ impl Tool<'_> {
     }
 
     /// The innermost line, and the rings from inside out.
-    fn rings(&mut self, area: &Area, feed: Feed, skip: impl Fn(&Pocket, &area::Ring) -> bool) {
+    fn rings(&mut self, area: &Area, feed: Feed, skip: impl Fn(&Pocket, &Ring) -> bool) {
         let from_inside = !area.rings.first().is_some_and(|ring| skip(self.pocket, ring));
         if let Some(core) = area.core.as_ref().filter(|core| from_inside && !self.cutter.stands_at(core.to())) {
             self.cutter.line(core.from(), feed);
@@ -192,10 +259,14 @@ impl Tool<'_> {
     /// The wall, down to what is left for the floor.
     fn wall(&mut self, finish: &Finish, area: &Area) {
         let heights = &self.pocket.mill.heights;
+        let roughed = self.pocket.rough && self.pocket.between == Between::Lifted;
         let mut above = heights.safe();
         for level in heights.levels_to(heights.rough_floor(), finish.step) {
+            if roughed {
+                above = heights.above_cleared(level);
+            }
             match area.rings.last() {
-                Some(ring) => self.wall_at(ring, above, level, finish.feed),
+                Some(ring) => self.wall_at(area, ring, (above, level), finish.feed),
                 None => self.line_at(area, above, level, finish.feed),
             }
             self.cutter.lift(heights.safe());
@@ -205,7 +276,7 @@ impl Tool<'_> {
     }
 
     /// Onto the wall and off it on arcs that touch it.
-    fn wall_at(&mut self, ring: &area::Ring, above: f64, level: f64, feed: Feed) {
+    fn wall_at(&mut self, area: &Area, ring: &Ring, (above, level): (f64, f64), feed: Feed) {
         let (Some(first), radius) = (ring.elements.first(), self.pocket.approach_radius()) else { return };
         let Some(along) = first.start_direction() else { return };
         let (touch, ccw) = (ring.start(), self.pocket.counter_clockwise);
@@ -215,8 +286,14 @@ impl Tool<'_> {
             true => (center, center),
             false => (center - along * radius, center + along * radius),
         };
-        self.over(from, above);
+        // In the middle all is cleared, beside the wall there may be an allowance.
+        let down = match self.pocket.between {
+            Between::Straight => from,
+            Between::Lifted => area.core.as_ref().map_or(area.entry, Element::to),
+        };
+        self.over(down, above);
         self.cutter.plunge(level);
+        self.cutter.line(from, feed);
         if radius < SMALLEST_APPROACH {
             self.cutter.line(touch, feed);
             self.cutter.follow(&ring.elements, feed);
@@ -246,8 +323,14 @@ impl Tool<'_> {
     /// The floor, from inside out.
     fn floor(&mut self, finish: &Finish, area: &Area) {
         let heights = &self.pocket.mill.heights;
-        self.over(area.entry, heights.above_cleared(heights.rough_floor()));
-        self.cutter.plunge(heights.depth);
+        let (above, inserts) = (heights.rough_floor(), finish.inserts);
+        let point = if inserts { self.insertion_point(area, heights.depth) } else { area.entry };
+        self.over(point, heights.above_cleared(above));
+        if inserts {
+            self.insert(area, above, heights.depth);
+        } else {
+            self.cutter.plunge(heights.depth);
+        }
         self.rings(area, finish.feed, |_, _| false);
         self.back(area, area.entry, finish.feed);
         self.cutter.lift(heights.safe());

@@ -4,10 +4,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, PlineVertex, Polyline};
-use cavalier_contours::shape_algorithms::{Shape, ShapeOffsetOptions};
+use cavalier_contours::shape_algorithms::{IndexedPolyline, Shape, ShapeOffsetOptions};
 
 use crate::geo::{Element, Point2, distance, turned};
 
+use super::carriers::settled;
 use super::walls::{Walls, point_at};
 
 /// How much a ring may miss its distance, mm.
@@ -28,11 +29,25 @@ pub struct Loop {
 #[derive(Debug, Clone)]
 pub struct Part {
     pub outer: Loop,
+    /// Distance of its rings from the walls.
+    pub away: f64,
     pub holes: Vec<Loop>,
     /// What of it lies deeper.
     pub inner: Vec<Part>,
-    /// Where the tool is inserted, and the distance from the walls there; of parts with nothing deeper.
-    pub entry: Option<(Point2, f64)>,
+    /// Of parts with nothing deeper.
+    pub entry: Option<Entry>,
+}
+
+/// Where the tool is inserted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry {
+    pub at: Point2,
+    /// Distance of the walls there.
+    pub room: f64,
+    /// From a start point that was asked for straight on to where there is most room.
+    pub then: Option<Point2>,
+    /// Where strokes to and fro end, which begin here.
+    pub stroke: Option<Point2>,
 }
 
 /// Outline and islands, ready for rings.
@@ -42,9 +57,11 @@ pub struct Area {
 }
 
 impl Loop {
-    fn new(line: Polyline<f64>) -> Loop {
-        let elements = elements(&line);
-        Loop { elements, line }
+    /// Of a ring that was traced at a distance from the walls; `None` where it is not there.
+    fn new(traced: &Polyline<f64>, distance: f64, walls: &Walls) -> Option<Loop> {
+        let elements = settled(&elements(traced), distance, walls)?;
+        let exact = elements.iter().all(|element| is_at(element, distance, walls));
+        exact.then(|| Loop { line: polyline(&elements, true), elements })
     }
 
     /// Does the point lie inside?
@@ -81,17 +98,15 @@ impl Area {
         let shape =
             catch_unwind(AssertUnwindSafe(|| self.shape.parallel_offset(distance, &ShapeOffsetOptions::default())))
                 .ok()?;
-        let made = |lines: Vec<cavalier_contours::shape_algorithms::IndexedPolyline<f64>>| -> Vec<Loop> {
-            let loops = lines.into_iter().map(|line| Loop::new(line.polyline));
-            loops.filter(|made| !made.elements.is_empty()).collect()
+        let made = |lines: Vec<IndexedPolyline<f64>>| -> Option<Vec<Loop>> {
+            let lines = lines.iter().map(|line| &line.polyline).filter(|line| !elements(line).is_empty());
+            lines.map(|line| Loop::new(line, distance, walls)).collect()
         };
-        let (outer, holes) = (made(shape.ccw_plines), made(shape.cw_plines));
-        let exact = |ring: &Loop| ring.elements.iter().all(|element| is_at(element, distance, walls));
-        if !outer.iter().chain(&holes).all(exact) {
-            return None;
-        }
-        let mut parts: Vec<Part> =
-            outer.into_iter().map(|outer| Part { outer, holes: Vec::new(), inner: Vec::new(), entry: None }).collect();
+        let (outer, holes) = (made(shape.ccw_plines)?, made(shape.cw_plines)?);
+        let mut parts: Vec<Part> = outer
+            .into_iter()
+            .map(|outer| Part { outer, away: distance, holes: Vec::new(), inner: Vec::new(), entry: None })
+            .collect();
         for hole in holes {
             let at = hole.start();
             parts.iter_mut().find(|part| part.outer.holds(at))?.holes.push(hole);

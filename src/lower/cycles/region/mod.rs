@@ -1,20 +1,22 @@
 //! Pockets along a contour with islands: rings at growing distances from the walls, cut from inside out.
 
+mod carriers;
 mod loops;
 mod walls;
 
 use crate::diag::codes;
-use crate::geo::{Element, Point2, distance, left};
+use crate::geo::{Deg, Element, Point2, distance, left};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::pocket::{Finish, Insertion};
 use crate::ir::cycle::{Family, Region};
 
 use super::cutter::Cutter;
+use super::pocket::{endless_strokes, strokes};
 use super::slope::reversed;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
-use loops::{Area, Loop, Part};
+use loops::{Area, Entry, Loop, Part};
 use walls::{Walls, nearest_on, roomiest};
 
 /// Rooms for less than this are none, mm.
@@ -22,6 +24,10 @@ const NOTHING: f64 = 1e-4;
 /// Radius of the arc on which a wall is approached, mm; it becomes smaller where the walls are near.
 const APPROACH: f64 = 2.0;
 const SMALLEST_APPROACH: f64 = 0.1;
+/// Directions in which strokes to and fro are tried.
+const STROKE_DIRECTIONS: u32 = 72;
+/// How much the room of a place may lose against the step of the rings, mm.
+const ROOM: f64 = 5e-3;
 /// Points nearer than this to the start of an element are that start, mm.
 const SNAPS: f64 = 1e-3;
 /// Links longer than so many widths of a cut are ways through the air.
@@ -51,6 +57,9 @@ impl Expand for Region {
         };
         if self.finish.is_some_and(|finish| finish.wall) && wall.is_empty() {
             return Err(no_room());
+        }
+        for part in &rough {
+            self.check_insertion(part, radius + self.allowance)?;
         }
         let cutter = Cutter::new(&self.mill, Place::HERE, start, out);
         let mut tool = Tool {
@@ -99,6 +108,20 @@ fn no_room() -> Failure {
     )
 }
 
+fn start_point() -> Failure {
+    Failure::new(
+        codes::G3321,
+        "from the start point no straight way leads between the walls to where the rings begin",
+        "give a start point farther from the walls, or leave the choice to the cycle",
+    )
+}
+
+fn no_insertion(what: &str) -> Failure {
+    let help =
+        "take a smaller cutter, or 0 in the tens of `_VARI` for straight down, which needs a cutter that can plunge";
+    Failure::new(codes::G3321, what, help)
+}
+
 fn unproved() -> Failure {
     Failure::new(
         codes::G3321,
@@ -114,8 +137,10 @@ impl Region {
         if roots.is_empty() {
             return Err(no_room());
         }
-        let rooms = roots.iter().filter_map(|root| entry(root, walls)).map(|(_, room)| room - least);
-        let most = rooms.fold(0.0, f64::max);
+        let mut most = 0.0f64;
+        for root in &roots {
+            most = most.max(entry(root, walls).ok_or_else(unproved)?.room - least);
+        }
         // Every point between two rings is at most a step from the outer one: a step of a radius leaves nothing.
         let count = parts(most, self.width.min(self.mill.radius));
         let step = most / count as f64;
@@ -131,33 +156,100 @@ impl Region {
             }
             inner = outer;
         }
+        let mut taken = self.start.is_none();
         for part in &mut inner {
-            self.enter(part, walls);
+            self.enter(part, walls, (least, step), &mut taken)?;
         }
-        Ok(inner)
+        if taken { Ok(inner) } else { Err(start_point()) }
     }
 
-    /// Finds where the tool is inserted into the parts that have nothing deeper.
-    fn enter(&self, part: &mut Part, walls: &Walls) {
+    /// Radius of the helix at a place that is `room` from the walls; 0 for one straight down.
+    fn helix_arm(&self, room: f64, least: f64) -> f64 {
+        match self.insertion {
+            Insertion::Helix { radius, .. } => radius.min(room - least).min(self.mill.radius).max(0.0),
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => 0.0,
+        }
+    }
+
+    /// The longest way from a place on which strokes to and fro keep off the walls, up to two diameters of the cutter.
+    fn stroke(&self, from: Point2, walls: &Walls, least: f64) -> Option<Point2> {
+        let lengths = [4.0, 3.0, 2.0, 1.0, 0.5, 0.25].map(|part| part * self.mill.radius);
+        lengths.into_iter().find_map(|length| {
+            let ends = (0..STROKE_DIRECTIONS).map(|i| {
+                let (sin, cos) = Deg(360.0 * f64::from(i) / f64::from(STROKE_DIRECTIONS)).sin_cos();
+                Point2::new(from.x + length * cos, from.y + length * sin)
+            });
+            ends.into_iter().find(|end| walls.is_free(from, *end, least))
+        })
+    }
+
+    /// Is there room for the insertion, and does it end?
+    fn check_insertion(&self, part: &Part, least: f64) -> Result<(), Failure> {
+        for inner in &part.inner {
+            self.check_insertion(inner, least)?;
+        }
+        let Some(entry) = part.entry else { return Ok(()) };
+        let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
+        match (self.insertion, entry.stroke) {
+            (Insertion::Helix { radius, .. }, _)
+                if radius >= SMALLEST_APPROACH && self.helix_arm(entry.room, least) < SMALLEST_APPROACH =>
+            {
+                Err(no_insertion("the walls leave no room for the helix"))
+            }
+            (Insertion::Sway { .. }, None) => Err(no_insertion("the walls leave no room for strokes to and fro")),
+            (Insertion::Sway { angle, .. }, Some(end))
+                if strokes(step, distance(entry.at, end), angle) > MOST_LEVELS =>
+            {
+                Err(endless_strokes())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Finds where the tool is inserted into the parts that have nothing deeper. The start point counts for the first of them that
+    /// is reached from there.
+    fn enter(&self, part: &mut Part, walls: &Walls, ways: (f64, f64), taken: &mut bool) -> Result<(), Failure> {
+        let (least, step) = ways;
         for inner in &mut part.inner {
-            self.enter(inner, walls);
+            self.enter(inner, walls, ways, taken)?;
         }
-        if part.inner.is_empty() {
-            let wanted = self.start.filter(|start| part.holds(*start)).map(|start| (start, walls.distance(start)));
-            part.entry = wanted.or_else(|| entry(part, walls));
+        if !part.inner.is_empty() {
+            return Ok(());
         }
+        let found = entry(part, walls).ok_or_else(unproved)?;
+        // With more room than a step there is a ring inside, or something would stay in the middle.
+        if found.room > part.away + step + ROOM {
+            return Err(unproved());
+        }
+        let stroke = |from: Point2| match self.insertion {
+            Insertion::Sway { .. } if self.rough => self.stroke(from, walls, least),
+            _ => None,
+        };
+        part.entry = Some(Entry { stroke: stroke(found.at), ..found });
+        let (Some(start), false) = (self.start, *taken) else { return Ok(()) };
+        let then = (!part.holds(start)).then_some(found.at);
+        if then.is_none_or(|then| walls.is_free(start, then, least)) {
+            part.entry = Some(Entry { at: start, room: walls.distance(start), then, stroke: stroke(start) });
+            *taken = true;
+        }
+        Ok(())
     }
 }
 
 /// The point of a part that is farthest from the walls, and how far it is.
-fn entry(part: &Part, walls: &Walls) -> Option<(Point2, f64)> {
+fn entry(part: &Part, walls: &Walls) -> Option<Entry> {
     let points = part.outer.elements.iter().flat_map(|element| [element.from(), element.middle()]);
     let (mut low, mut high) = (Point2::new(f64::MAX, f64::MAX), Point2::new(f64::MIN, f64::MIN));
     for p in points {
         low = Point2::new(low.x.min(p.x), low.y.min(p.y));
         high = Point2::new(high.x.max(p.x), high.y.max(p.y));
     }
-    roomiest(low, high, |p| if part.holds(p) { walls.distance(p) } else { -part.outer.away(p) })
+    let found = roomiest(low, high, |p| if part.holds(p) { walls.distance(p) } else { -part.outer.away(p) });
+    found.map(|(at, room)| Entry { at, room, then: None, stroke: None })
+}
+
+fn entry_of(part: &Part, least: f64) -> Entry {
+    part.entry.unwrap_or(Entry { at: part.outer.start(), room: least, then: None, stroke: None })
 }
 
 struct Tool<'a> {
@@ -216,38 +308,44 @@ impl Tool<'_> {
     /// Into a part that has nothing deeper, from one level to the next.
     fn insert_into(&mut self, part: &Part, least: f64, from: f64, to: f64) {
         let heights = self.region.mill.heights;
-        let found = part.entry.unwrap_or((part.outer.start(), least));
-        let (point, room) = (found.0, (found.1 - least).max(0.0).min(self.region.mill.radius));
-        let arm = match self.region.insertion {
-            Insertion::Helix { radius, .. } => radius.min(room),
-            Insertion::Sway { .. } => room,
-            Insertion::Predrilled | Insertion::Vertical => 0.0,
-        };
+        let entry = entry_of(part, least);
+        let arm = self.region.helix_arm(entry.room, least);
         let arm = if arm < SMALLEST_APPROACH { 0.0 } else { arm };
-        let begin = Point2::new(point.x + arm, point.y);
+        let begin = Point2::new(entry.at.x + arm, entry.at.y);
         self.go_over(begin);
         if self.region.insertion == Insertion::Predrilled {
             self.cutter.lift(to);
         } else {
             self.cutter.lift(if from == heights.reference { heights.safe() } else { heights.above_cleared(from) });
             self.cutter.plunge(from);
-            self.down(begin, point, arm, from, to);
+            self.down(begin, &entry, arm, from, to);
         }
         self.at = Some(begin);
+        self.go_on(&entry, self.region.mill.feeds.plane);
     }
 
-    fn down(&mut self, begin: Point2, point: Point2, arm: f64, from: f64, to: f64) {
+    /// From a start point that was asked for to where the rings begin.
+    fn go_on(&mut self, entry: &Entry, feed: Feed) {
+        if let Some(then) = entry.then {
+            // Straight from the middle of the insertion, as it was found to be free.
+            self.cutter.line(entry.at, feed);
+            self.cutter.line(then, feed);
+            self.at = Some(then);
+        }
+    }
+
+    fn down(&mut self, begin: Point2, entry: &Entry, arm: f64, from: f64, to: f64) {
         let (feed, ccw) = (self.region.mill.feeds.depth, self.region.counter_clockwise);
-        match self.region.insertion {
-            Insertion::Helix { pitch, .. } if arm > 0.0 => {
+        match (self.region.insertion, entry.stroke) {
+            (Insertion::Helix { pitch, .. }, _) if arm > 0.0 => {
                 let turns = parts((from - to).abs(), pitch).min(MOST_LEVELS) as u32;
-                self.cutter.helix(point, ccw, turns, to, feed);
-                self.cutter.arc(begin, point, ccw, feed);
+                self.cutter.helix(entry.at, ccw, turns, to, feed);
+                self.cutter.arc(begin, entry.at, ccw, feed);
             }
-            Insertion::Sway { angle } if arm > 0.0 => {
-                let there = Element::Line { from: begin, to: Point2::new(point.x - arm, point.y) };
+            (Insertion::Sway { angle, .. }, Some(end)) => {
+                let there = Element::Line { from: begin, to: end };
                 let back = reversed(&there);
-                let strokes = parts((from - to).abs(), 2.0 * arm * libm::tan(angle.radians())).min(MOST_LEVELS);
+                let strokes = strokes((from - to).abs(), there.length(), angle);
                 for stroke in 1..=strokes + 1 {
                     let done = stroke.min(strokes) as f64 / strokes as f64;
                     let height = if stroke >= strokes { to } else { from + (to - from) * done };
@@ -355,11 +453,12 @@ impl Tool<'_> {
             self.floor_of(inner, least, above, feed);
         }
         if part.inner.is_empty() {
-            let point = part.entry.map_or(part.outer.start(), |(point, _)| point);
-            self.go_over(point);
+            let entry = entry_of(part, least);
+            self.go_over(entry.at);
             self.cutter.lift(heights.above_cleared(above));
             self.cutter.plunge(heights.depth);
-            self.at = Some(point);
+            self.at = Some(entry.at);
+            self.go_on(&entry, feed);
         }
         for ring in part.loops() {
             self.ring(ring, least, heights.depth, feed);

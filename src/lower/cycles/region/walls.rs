@@ -59,6 +59,10 @@ impl Walls {
         Walls { elements }
     }
 
+    pub fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
     /// Distance of the nearest wall.
     pub fn distance(&self, p: Point2) -> f64 {
         self.elements.iter().map(|element| to_element(p, element)).fold(f64::INFINITY, f64::min)
@@ -99,64 +103,59 @@ const STEP: f64 = 0.02;
 /// The point within a box for which `room` is largest; of equal ones the first by its first, then its second coordinate.
 /// `room` changes by no more than the way does.
 pub fn roomiest(low: Point2, high: Point2, room: impl Fn(Point2) -> f64) -> Option<(Point2, f64)> {
-    const CELLS: usize = 12;
-    /// Rooms that differ by less are equal, mm.
-    const EQUAL: f64 = 1e-3;
-    const FINEST: f64 = 2e-4;
-    let size = (high.x - low.x).max(high.y - low.y) / CELLS as f64;
+    let size = (high.x - low.x).max(high.y - low.y);
     if !(size > 0.0 && size.is_finite()) {
         return None;
     }
-    let mut cells: Vec<Point2> = Vec::new();
-    for i in 0..=CELLS {
-        for j in 0..=CELLS {
-            let p = Point2::new(low.x + (i as f64 + 0.5) * size, low.y + (j as f64 + 0.5) * size);
-            if p.x - size <= high.x && p.y - size <= high.y {
-                cells.push(p);
-            }
-        }
-    }
-    let mut half = size / 2.0;
-    let mut best = cells.iter().map(|p| room(*p)).fold(f64::MIN, f64::max);
-    while half > FINEST && !cells.is_empty() {
-        let reach = half * core::f64::consts::SQRT_2;
+    // Squares about their middles, halved as long as one may hold a better point than is known.
+    let mut half = size / CELLS as f64 / 2.0;
+    let reach = |half: f64| half * core::f64::consts::SQRT_2;
+    let middle = |i: usize| (2 * i + 1) as f64 * half;
+    let mut squares: Vec<(Point2, f64)> = (0..CELLS)
+        .flat_map(|i| (0..CELLS).map(move |j| (i, j)))
+        .map(|(i, j)| Point2::new(low.x + middle(i), low.y + middle(j)))
+        .filter(|p| p.x - half <= high.x && p.y - half <= high.y)
+        .map(|p| (p, room(p)))
+        .collect();
+    let best = |squares: &[(Point2, f64)]| squares.iter().map(|(_, room)| *room).fold(f64::MIN, f64::max);
+    let mut most = best(&squares);
+    while reach(half) > size / FINEST {
+        squares.retain(|(_, room)| room + reach(half) >= most);
         half /= 2.0;
-        let mut finer = Vec::with_capacity(cells.len());
-        for p in &cells {
-            if room(*p) + reach < best - EQUAL {
-                continue;
-            }
-            for (i, j) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
-                let q = Point2::new(p.x + i * half, p.y + j * half);
-                best = best.max(room(q));
-                finer.push(q);
-            }
-        }
-        // A ridge has many: those in front are as good as the others.
-        if finer.len() > MOST_CELLS {
-            finer.retain(|p| room(*p) + half * core::f64::consts::SQRT_2 >= best - EQUAL);
-            finer.sort_by(before);
-            finer.truncate(MOST_CELLS);
-        }
-        cells = finer;
+        squares = squares
+            .iter()
+            .flat_map(|(p, _)| {
+                [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)]
+                    .map(|(i, j)| Point2::new(p.x + i * half, p.y + j * half))
+            })
+            .map(|p| (p, room(p)))
+            .collect();
+        most = most.max(best(&squares));
     }
-    cells.retain(|p| room(*p) >= best - EQUAL);
-    cells.sort_by(before);
-    let first = *cells.first()?;
-    Some(climbed(first, &room))
+    let top = squares.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1).then(before(&b.0, &a.0)))?;
+    let highest = climbed(top.0, half, &room);
+    squares.retain(|(_, room)| room + reach(half) >= highest.1);
+    squares.sort_by(|a, b| before(&a.0, &b.0));
+    let climbs = squares.iter().take(MOST_CLIMBS).map(|(p, _)| climbed(*p, half, &room));
+    Some(climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest))
 }
 
-const MOST_CELLS: usize = 2000;
+/// Squares along a side at first.
+const CELLS: usize = 12;
+/// Squares become smaller than this part of the box.
+const FINEST: f64 = 400.0;
+/// Rooms that differ by less are equal, mm.
+const EQUAL: f64 = 1e-6;
+const MOST_CLIMBS: usize = 100;
 
 fn before(a: &Point2, b: &Point2) -> core::cmp::Ordering {
     a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
 }
 
-/// From `p` to where no step leads to more room.
-fn climbed(mut p: Point2, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
+/// From `p` to where no step leads to more room, with steps from `step` down.
+fn climbed(mut p: Point2, mut step: f64, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
     const DIRECTIONS: usize = 24;
     let mut best = room(p);
-    let mut step = 2e-3;
     while step > 1e-9 {
         let around = (0..DIRECTIONS).map(|i| {
             let angle = core::f64::consts::TAU * i as f64 / DIRECTIONS as f64;

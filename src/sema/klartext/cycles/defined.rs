@@ -45,6 +45,11 @@ impl DefinedCycle {
         super::find(self.number)
     }
 
+    /// Does the definition set it, to a number or to a word?
+    pub fn gives_q(&self, q: Q) -> bool {
+        self.sets(q) || self.word(q).is_some()
+    }
+
     /// Does the definition give this parameter?
     pub fn gives(&self, name: Name) -> bool {
         match name {

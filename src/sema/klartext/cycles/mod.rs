@@ -1,9 +1,12 @@
 //! The cycles of CYCL DEF: one row each, one file a family.
 
+pub(super) mod call;
 mod defined;
 pub(super) mod drilling;
+pub(super) mod milling;
 mod named;
 pub(super) mod patterns;
+pub(super) mod pockets;
 mod tapping_in_steps;
 pub(super) mod transformations;
 
@@ -13,9 +16,12 @@ pub(super) use defined::DefinedCycle;
 
 use crate::geo::Point2;
 use crate::ir::Feed;
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+
+use call::Call;
 
 use super::{Outcome, Run};
 
@@ -48,12 +54,17 @@ pub(super) enum Nature {
     Data,
     /// Drills when called.
     Drilling(&'static Drilling),
+    /// Mills when called.
+    Milling(MillingOf),
     /// Would run when called.
     Machining,
     /// Runs the machining cycle at once, at many places: the places, where the pattern is compiled.
     Pattern(Option<PlacesOf>),
     Unknown,
 }
+
+/// Makes the cycle where it is called; nothing where it does nothing.
+pub(super) type MillingOf = fn(&mut Run<'_>, &DefinedCycle, Call) -> Outcome<Option<Cycle>>;
 
 /// Makes the places of a pattern.
 pub(super) type PlacesOf = fn(&mut Run<'_>, &DefinedCycle) -> Outcome<Vec<Point2>>;
@@ -97,7 +108,12 @@ impl Nature {
 
     /// Does it run when it is called?
     pub fn is_machining(self) -> bool {
-        matches!(self, Nature::Drilling(_) | Nature::Machining)
+        self.runs() || matches!(self, Nature::Machining)
+    }
+
+    /// Is it compiled where it is called?
+    pub fn runs(self) -> bool {
+        matches!(self, Nature::Drilling(_) | Nature::Milling(_))
     }
 
     pub fn drilling(self) -> Option<&'static Drilling> {
@@ -113,7 +129,7 @@ impl Row {
     pub fn has_parts(&self, number: u32) -> bool {
         match self.nature {
             Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Unknown => false,
-            Nature::Drilling(_) | Nature::Machining => number < 20,
+            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => number < 20,
             _ => true,
         }
     }
@@ -141,7 +157,7 @@ impl Row {
 }
 
 const FAMILIES: &[&[Row]] =
-    &[drilling::ROWS, tapping_in_steps::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
+    &[drilling::ROWS, tapping_in_steps::ROWS, pockets::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
 
 /// All cycles that are known, family by family.
 pub(super) fn rows() -> impl Iterator<Item = &'static Row> {

@@ -38,7 +38,10 @@ impl CycleCall<'_, '_> {
 
     /// A reading of the manuals or a path of our own; said by [`CycleCall::say_remarks`].
     pub(super) fn own_way(&self, what: &str) {
-        self.remarks.borrow_mut().ways.push(what.to_owned());
+        let ways = &mut self.remarks.borrow_mut().ways;
+        if !ways.iter().any(|known| known == what) {
+            ways.push(what.to_owned());
+        }
     }
 
     /// Says what was remarked, unless another call was said to be the same.

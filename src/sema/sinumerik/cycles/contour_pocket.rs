@@ -78,6 +78,8 @@ impl CycleCall<'_, '_> {
                 feed: mill.feeds.plane,
                 step: mill.heights.step,
                 speed: None,
+                arc: None,
+                inserts: false,
             }),
             lifts_high,
             mill,
@@ -95,6 +97,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the pitch of the helix `_EP` (argument {}) is 0 or missing", args.place(EP));
                     return self.cycle_fault(args.span_of(EP), 61019, &message, "give the depth of one turn");
                 }
+                self.own_way("the helix becomes smaller where the walls leave less room");
                 Insertion::Helix { radius, pitch }
             }
             2 => {
@@ -104,7 +107,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle of insertion `_EW` (argument {place}) is above 0 and below 90");
                     return self.cycle_fault(args.span_of(EW), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 straight down, 1 on a helix, 2 to and fro"),
         })
@@ -127,6 +130,11 @@ impl CycleCall<'_, '_> {
             let (key, alarm) = match fault {
                 RegionFault::Mill(fault) => return self.mill_fault(&ALONG_CONTOURS, fault),
                 RegionFault::Width | RegionFault::TooManyRings => (DXY, 61111),
+                RegionFault::Pitch => (EP, 61019),
+                RegionFault::LargeArc => {
+                    let help = "draw such an arc as a line";
+                    return self.cycle_fault(args.span, 61931, &fault.to_string(), help);
+                }
                 RegionFault::Insertion | RegionFault::Number | RegionFault::Nothing => (VARI, 61019),
             };
             let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));

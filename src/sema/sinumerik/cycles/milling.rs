@@ -5,7 +5,8 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
-use crate::ir::cycle::milling::{Feeds, Heights, Mill, MillFault};
+use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, MillFault};
+use crate::ir::frame::PlaneMap;
 use crate::ir::function::Turn;
 use crate::machine::Axis;
 
@@ -17,6 +18,11 @@ use super::call::CycleCall;
 
 /// The plane infeed as a part of the diameter of the cutter, where none is given.
 const USUAL_WIDTH: f64 = 0.8;
+
+/// More mm per revolution were probably meant per minute.
+const LARGE_PER_REVOLUTION: f64 = 10.0;
+/// No machine travels faster, in units of the feed.
+const LARGEST_FEED: f64 = 999_999.999;
 
 /// Where a cycle has what all milling cycles take.
 #[derive(Debug, Clone, Copy)]
@@ -74,6 +80,14 @@ impl CycleCall<'_, '_> {
         let feeds = self.mill_feeds(names)?;
         let mill = Mill { plane, heights, radius, feeds };
         match mill.check() {
+            Ok(()) if third == Axis::Z.index() && heights.outward() < 0.0 && !self.st.machine.lathe => {
+                let (name, place) = (args.written(names.retract), args.place(names.retract));
+                let message = format!(
+                    "the retraction plane `{name}` (argument {place}) lies below the surface, and a mill does not come from below"
+                );
+                let help = "give a retraction plane above the surface plus the safety distance";
+                self.cycle_fault(args.span_of(names.retract), 61101, &message, help)
+            }
             Ok(()) => self.levels_are_meant(names, mill),
             Err(fault) => self.mill_fault(names, fault),
         }
@@ -127,7 +141,10 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
         }
         match self.known_radius() {
-            Some(radius) if radius > 0.0 => Ok(radius),
+            Some(radius) if radius > 0.0 => {
+                self.corners_of_cutter(radius);
+                Ok(radius)
+            }
             known => {
                 let what = if known.is_some() { "is not above 0" } else { "is not known" };
                 let message = format!("{}: the radius of tool {number} {what}", args.name());
@@ -137,6 +154,23 @@ impl CycleCall<'_, '_> {
                 );
                 self.fail_help(codes::S2241.alarm(61000), args.span, message, &help)
             }
+        }
+    }
+
+    /// The paths are those of a cutter with sharp corners.
+    fn corners_of_cutter(&self, radius: f64) {
+        let rounding = self.active_tool().and_then(|tool| tool.corner_radius).filter(|rounding| *rounding > 0.0);
+        let Some(rounding) = rounding else { return };
+        let message = format!(
+            "{}: the corner radius {rounding} mm of the cutter, radius {radius} mm, is not counted: it stays at the foot of walls, and as cusps on \
+             floors where the infeed in the plane is larger than {} mm",
+            self.args.name(),
+            2.0 * (radius - rounding).max(0.0)
+        );
+        if self.job.diags.first_text(codes::S8241, &message) {
+            let help =
+                "finish the floor with a smaller infeed in the plane, or with a cutter that has no corner radius";
+            self.report(Diagnostic::new(codes::S8241, self.loc(self.args.span), message).help(help));
         }
     }
 
@@ -150,6 +184,7 @@ impl CycleCall<'_, '_> {
             clearance: self.magnitude(names.clearance),
             depth,
             step: self.magnitude(names.step),
+            division: Division::Even,
             allowance: self.magnitude(names.floor),
         })
     }
@@ -193,8 +228,18 @@ impl CycleCall<'_, '_> {
     pub(super) fn mill_feed(&mut self, key: Key) -> Outcome<Feed> {
         let args = self.args;
         let value = args.or_zero(key);
+        if value > LARGEST_FEED {
+            let message =
+                format!("the feed `{}` (argument {}) is out of all range", args.written(key), args.place(key));
+            return self.cycle_fault(args.span_of(key), 61003, &message, "look for a lost decimal point");
+        }
         if value > 0.0 {
-            return Ok(self.st.feed_of(value));
+            let feed = self.st.feed_of(value);
+            if matches!(feed, Feed::PerRevolution(way) if way > LARGE_PER_REVOLUTION) {
+                let message = format!("the feed {value} is read as a way per revolution, since G95 is in force");
+                self.says_once(&message, "program G94 before the cycle where it is a feed per minute");
+            }
+            return Ok(feed);
         }
         if value == 0.0 && self.st.feed.is_lost() {
             return Err(Reported);
@@ -284,8 +329,20 @@ impl CycleCall<'_, '_> {
             let message = "whether the spindle turns by M3 or M4 is not known: M3 is taken for climb and conventional";
             self.says_once(message, "program M3 or M4 before the cycle, or CDIR 2 or 3");
         }
+        if self.mirrors_the_plane() {
+            let [asked, made] = if climb { ["climb", "conventional"] } else { ["conventional", "climb"] };
+            let message =
+                format!("a mirrored frame turns the sense around: {asked} is asked for, and {made} milling comes out");
+            self.says_once(&message, "give the other `CDIR` where the sense is to stay on the mirrored part");
+        }
         let usual = turn != Some(Turn::CounterClockwise);
         Ok((around == Around::Inside) == (climb == usual))
+    }
+
+    /// Does the frame change left and right in the plane of the cycle?
+    fn mirrors_the_plane(&self) -> bool {
+        let plane = self.plane_of_mode().unwrap_or(self.st.plane());
+        matches!(self.st.ctx.frame.plane_map(plane), PlaneMap::Similar { flips: true, .. })
     }
 
     /// Refuses what makes no milling cycle.
@@ -298,7 +355,7 @@ impl CycleCall<'_, '_> {
                 "the retraction plane lies on the far side of the surface, seen from the depth",
             ),
             MillFault::RetractBelowStart => {
-                (names.retract, Some(61101), "the retraction plane lies above the surface plus the safety distance")
+                (names.retract, None, "partc wants the retraction plane above the surface plus the safety distance")
             }
             MillFault::FloorAllowance => (names.floor, Some(61010), "give a smaller allowance on the floor"),
             MillFault::TooManyLevels => (names.step, Some(61019), "give a larger infeed in depth"),

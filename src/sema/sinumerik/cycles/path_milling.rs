@@ -56,6 +56,14 @@ impl CycleCall<'_, '_> {
             );
         }
         let side = self.side_of_contour()?;
+        if side != Side::None && self.st.path.normal() != 0.0 {
+            let message =
+                format!("OFFN={} is in force and not counted: the allowance of the cycle is", self.st.path.normal());
+            self.says_once(&message, "program OFFN=0 in front of the cycle, and `_FAL` in it");
+        }
+        if side == Side::None && self.magnitude(FAL) != 0.0 {
+            self.unused(FAL, "_FAL", "where the cutter is on the contour (`_RL` 40)");
+        }
         let finishes_floor = digit(0) == 2;
         let allowance = if finishes_floor { 0.0 } else { self.magnitude(FAL) };
         let rules = match side {

@@ -2,9 +2,9 @@
 //!
 //! Source: M 7.4 and 7.5 (docs/sources.md).
 
-use crate::geo::{Deg, Point2, distance};
+use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::pocket::{Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
+use crate::ir::cycle::pocket::{Between, Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
 use crate::ir::cycle::{Cycle, Family, LongHole};
 
 use super::super::Outcome;
@@ -22,6 +22,8 @@ const WITH_RADIUS: usize = 19;
 const CLASSIC_SLOT: usize = 22;
 /// Most slots of a call.
 const MOST_SLOTS: i32 = 1000;
+/// Smaller helices and strokes are none, mm.
+const SMALLEST_ARM: f64 = 0.1;
 /// The part of the cutter that is a cut's width where the cycle has no argument for it.
 const USUAL_WIDTH: f64 = 0.8;
 
@@ -31,6 +33,21 @@ struct Asked {
     rough: bool,
     wall: bool,
     floor: bool,
+}
+
+/// The smallest turn from one place on a circle to the next, degrees; a whole one of a single place.
+fn least_turn(places: &[Place]) -> f64 {
+    let mut turns: Vec<f64> = places.iter().map(|place| place.turn.0.rem_euclid(360.0)).collect();
+    turns.sort_by(f64::total_cmp);
+    let round = turns.first().map_or(360.0, |first| first + 360.0);
+    let next = turns.iter().skip(1).copied().chain([round]);
+    next.zip(&turns).map(|(next, turn)| next - turn).fold(360.0, f64::min)
+}
+
+/// Distance of two points on a circle; below 0 where they have passed each other.
+fn chord(radius: f64, turn: f64) -> f64 {
+    let (sin, _) = Deg(turn.min(180.0) / 2.0).sin_cos();
+    2.0 * radius * sin
 }
 
 impl CycleCall<'_, '_> {
@@ -51,7 +68,7 @@ impl CycleCall<'_, '_> {
         let place = Place { at: reference.point(Point2::new(x, y)), turn };
         let asked = self.asked(&[1, 2, 3, 4])?;
         let cleared = self.cleared([AP1, AP2])?;
-        let insertion = self.insertion(&mill, 3)?;
+        let insertion = self.insertion(&mill, 3, cleared.is_some())?;
         let pocket = Pocket { cleared, insertion, ..self.pocket(mill, shape, vec![place], asked)? };
         self.mill_pocket(pocket)
     }
@@ -74,7 +91,7 @@ impl CycleCall<'_, '_> {
             _ => return self.no_such_machining("thousands 0 mills level by level, 1 on helices"),
         };
         let insertion = match strategy {
-            Strategy::Levels => self.insertion(&mill, 2)?,
+            Strategy::Levels => self.insertion(&mill, 2, cleared.is_some())?,
             Strategy::Helix => Insertion::Vertical,
         };
         let pocket =
@@ -110,15 +127,20 @@ impl CycleCall<'_, '_> {
         let (length, width) = (self.size(LENG)?, self.size(WID)?);
         let rad = self.magnitude(RAD);
         let between = length - width;
-        let shape = if self.slot_is_centred()? {
+        let centred = self.slot_is_centred()?;
+        let shape = if centred {
             Shape::Slot { from: -between / 2.0, to: between / 2.0, width }
         } else {
             Shape::Slot { from: rad + width / 2.0, to: rad + length - width / 2.0, width }
         };
         let places = self.places()?;
-        if let [first, second, ..] = places.as_slice() {
-            let ends = [first, second].map(|place| place.point(shape.entry()));
-            self.slots_are_apart(distance(ends[0], ends[1]), width)?;
+        if centred && places.len() > 1 {
+            let help = "give 1, or 0 in the thousands of `_GMODE` for slots on a circle";
+            let what = "slots about one point run into each other: `NUM` (argument 6)";
+            return self.cycle_fault(self.args.span_of(NUM), 61104, what, help);
+        }
+        if places.len() > 1 {
+            self.slots_are_apart(chord(shape.entry().x, least_turn(&places)), width)?;
         }
         let asked = self.asked_or_complete()?;
         let insertion = self.slot_insertion()?;
@@ -141,14 +163,15 @@ impl CycleCall<'_, '_> {
                 help,
             );
         }
+        if radius <= width / 2.0 {
+            let message = format!("the radius `RAD` (argument 11) of {radius} mm is not larger than half of the width");
+            let help = "give a larger radius, or mill the ring as a pocket";
+            return self.cycle_fault(self.args.span_of(RAD), 61118, &message, help);
+        }
         let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
         self.own_way("the angle of a slot is taken between the centres of its round ends");
         let places = self.places()?;
-        if let [first, second, ..] = places.as_slice() {
-            let gap = (second.turn.0 - first.turn.0).abs() - sweep;
-            let (sin, _) = Deg(gap / 2.0).sin_cos();
-            self.slots_are_apart(2.0 * radius * sin, width)?;
-        }
+        self.slots_are_apart(chord(radius, least_turn(&places) - sweep), width)?;
         let asked = self.asked_or_complete()?;
         let insertion = self.slot_insertion()?;
         let transfer = if self.args.or_zero(FFCP) > 0.0 { Some(self.mill_feed(FFCP)?) } else { None };
@@ -173,8 +196,8 @@ impl CycleCall<'_, '_> {
         let ends = [rad + mill.radius, rad + length - mill.radius].map(|way| Point2::new(way, 0.0));
         let places = self.places()?;
         let holes: Vec<_> = places.iter().map(|place| ends.map(|end| place.point(end))).collect();
-        if let [first, second, ..] = holes.as_slice() {
-            self.slots_are_apart(distance(first[0], second[0]), 2.0 * mill.radius)?;
+        if places.len() > 1 {
+            self.slots_are_apart(chord(ends[0].x, least_turn(&places)), 2.0 * mill.radius)?;
         }
         self.own_way("the length is taken over the outer edges, and the depth goes down at each end");
         self.send_cycle(Cycle::LongHole(LongHole { mill, holes }));
@@ -258,6 +281,8 @@ impl CycleCall<'_, '_> {
             feed: mill.feeds.plane,
             step: mill.heights.step,
             speed: None,
+            arc: None,
+            inserts: false,
         });
         let width =
             if self.args.place(MIDA) > 0 { self.width(MIDA, mill.radius)? } else { USUAL_WIDTH * 2.0 * mill.radius };
@@ -274,6 +299,8 @@ impl CycleCall<'_, '_> {
             finish,
             cleared: None,
             transfer: None,
+            between: Between::Straight,
+            home: None,
         })
     }
 
@@ -299,6 +326,15 @@ impl CycleCall<'_, '_> {
         if speed > 0.0 && self.st.spindles.is_cutting() {
             return self.not_built(SSF, "a speed for finishing under G96");
         }
+        if speed > 0.0 {
+            self.master_is_main(self.args.span_of(SSF), "a speed for finishing")?;
+            if self.st.spindles.speed().is_none() {
+                self.says_once(
+                    "the speed of finishing stays, as none stands in front of the cycle",
+                    "program S before the cycle",
+                );
+            }
+        }
         let speed = (speed > 0.0).then(|| Speed { finishing: speed, after: self.st.spindles.speed() });
         let step = self.magnitude(MIDF);
         if let Some(finish) = &mut pocket.finish {
@@ -307,8 +343,8 @@ impl CycleCall<'_, '_> {
         Ok(pocket)
     }
 
-    /// How the tool gets to a level, by the tens of `_VARI` up to `most`.
-    fn insertion(&mut self, mill: &Mill, most: i32) -> Outcome<Insertion> {
+    /// How the tool gets to a level, by the tens of `_VARI` up to `most`. Is a part `cleared`, the hole is as deep as that.
+    fn insertion(&mut self, mill: &Mill, most: i32, cleared: bool) -> Outcome<Insertion> {
         let args = self.args;
         let asked = args.digit(VARI, 1);
         Ok(match asked {
@@ -317,11 +353,11 @@ impl CycleCall<'_, '_> {
             }
             // Finishing goes straight down.
             _ if args.digit(VARI, 0) != 1 => Insertion::Vertical,
-            0 => {
+            0 if !cleared => {
                 self.needs_predrilled();
                 Insertion::Predrilled
             }
-            1 => Insertion::Vertical,
+            0 | 1 => Insertion::Vertical,
             2 => {
                 let (radius, pitch) = (self.magnitude(RAD1), self.magnitude(DP1));
                 if pitch == 0.0 {
@@ -343,7 +379,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle of insertion `_RAD1` (argument {place}) is above 0 and below 90");
                     return self.cycle_fault(args.span_of(RAD1), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
         })
     }
@@ -368,7 +404,7 @@ impl CycleCall<'_, '_> {
                     let message = format!("the angle `_STA2` (argument {}) is below 90", self.args.place(STA2));
                     return self.cycle_fault(self.args.span_of(STA2), 61019, &message, "give the angle in degrees");
                 }
-                Insertion::Sway { angle: Deg(angle) }
+                Insertion::Sway { angle: Deg(angle), stroke: None }
             }
             _ => return self.no_such_machining("tens 0 and 1 straight down, 3 to and fro"),
         })
@@ -445,16 +481,32 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = pocket.check() {
             return self.pocket_fault(&pocket, fault);
         }
-        if let Insertion::Helix { radius, .. } = pocket.insertion
-            && pocket.rough
-            && radius.min(pocket.mill.radius) > pocket.helix_radius(radius)
-        {
-            let message = format!("the radius of the helix is {} mm only", pocket.helix_radius(radius));
-            self.says_once(&message, "the pocket has no room for more");
-        }
+        self.insertion_has_room(&pocket);
         self.own_way("the rings of a level, and how the tool comes to the wall, are those of partc");
         self.send_cycle(Cycle::Pocket(pocket));
         Ok(())
+    }
+
+    /// Says where the way down is another one than asked for.
+    fn insertion_has_room(&self, pocket: &Pocket) {
+        let straight = "the pocket has no room for it; a cutter that cannot plunge breaks";
+        match pocket.insertion {
+            Insertion::Helix { radius, .. } if pocket.rough => {
+                let made = pocket.helix_radius(radius);
+                if made < SMALLEST_ARM {
+                    self.says_once("there is no room for the helix: the tool goes straight down", straight);
+                } else if radius.min(pocket.mill.radius) > made {
+                    self.says_once(
+                        &format!("the radius of the helix is {made:.3} mm only"),
+                        "the pocket has no room for more",
+                    );
+                }
+            }
+            Insertion::Sway { .. } if pocket.rough && pocket.sway_room() < SMALLEST_ARM => {
+                self.says_once("there is no room to go to and fro: the tool goes straight down", straight);
+            }
+            _ => {}
+        }
     }
 
     fn pocket_fault(&self, pocket: &Pocket, fault: PocketFault) -> Outcome {
@@ -468,6 +520,8 @@ impl CycleCall<'_, '_> {
             PocketFault::Corner => (CRAD, Some(61113), "give at most half of the smaller side"),
             PocketFault::Length => (LENG, Some(61118), "a slot is longer than it is wide"),
             PocketFault::Width | PocketFault::TooManyRings => (MIDA, Some(61111), "give a usual width of a cut"),
+            PocketFault::Pitch => (DP1, Some(61019), "give the depth of one turn"),
+            PocketFault::FinishingStep => (MIDF, Some(61019), "give a larger infeed, or 0 for one cut"),
             PocketFault::Insertion => (VARI, Some(61019), "check the data of the insertion"),
             PocketFault::Number | PocketFault::Nothing => (VARI, Some(61019), "check the arguments of the cycle"),
         };

@@ -2,7 +2,7 @@
 //!
 //! Source: M 7.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::spigot::{MOST_EDGES, Shape, SpigotFault, Starts};
@@ -26,6 +26,14 @@ impl CycleCall<'_, '_> {
         let shape = Shape::Rectangle { half, corner: self.magnitude(CRAD) };
         let place = Place { at: self.reference_point(PA, PO), turn: Deg(self.args.or_zero(STA)) };
         let blank = self.blank(&[AP1, AP2])?;
+        // The corner of the blank is farthest from the spigot.
+        let [x, y] = [(AP1, half[0]), (AP2, half[1])].map(|(key, half)| self.magnitude(key) / 2.0 - half);
+        let corner = self.magnitude(CRAD);
+        let stands = match x > -corner && y > -corner {
+            true => libm::hypot(x + corner, y + corner) - corner,
+            false => x.max(y),
+        };
+        self.stock_that_stays(&mill, stands);
         self.mill_spigot(mill, place, shape, blank, None)
     }
 
@@ -47,6 +55,7 @@ impl CycleCall<'_, '_> {
         };
         let place = Place { at: self.reference_point(PA, PO), turn: Deg(0.0) };
         let blank = self.blank(&[AP1])?;
+        self.stock_that_stays(&mill, blank - radius);
         self.mill_spigot(mill, place, Shape::Circle { radius }, blank, None)
     }
 
@@ -55,6 +64,18 @@ impl CycleCall<'_, '_> {
         let mill = self.mill(&CLASSIC)?;
         let args = self.args;
         let edges = args.or_zero(NUM);
+        if edges == 1.0 || edges == 2.0 {
+            let flats = if edges == 1.0 { "one flat" } else { "two flats" };
+            return self.fail_help(
+                codes::S9015,
+                args.span_of(NUM),
+                format!(
+                    "CYCLE79: {flats} on a round blank (`_NUM` {edges}, argument {}) is not supported",
+                    args.place(NUM)
+                ),
+                "mill each flat by CYCLE61 or CYCLE72, or by plain moves",
+            );
+        }
         let known = whole(edges).and_then(|n| u32::try_from(n).ok()).filter(|_| edges.fract() == 0.0);
         let Some(edges) = known.filter(|n| (3..=MOST_EDGES).contains(n)) else {
             let message = format!("the number of edges `_NUM` (argument {}) is 3 to {MOST_EDGES}", args.place(NUM));
@@ -101,6 +122,31 @@ impl CycleCall<'_, '_> {
             }
         }
         Ok(keys.first().map_or(0.0, |key| self.magnitude(*key) / 2.0))
+    }
+
+    /// One circuit is as wide as the cutter: says what it leaves of a blank that stands out by more.
+    fn stock_that_stays(&self, mill: &Mill, stands: f64) {
+        let args = self.args;
+        let roughs = args.digit(VARI, 0) == 1;
+        if roughs && stands < 0.0 {
+            self.says_once("the blank is smaller than the spigot", "give the size of the blank in front of the cycle");
+        }
+        let reach = 2.0 * mill.radius + if roughs { self.magnitude(FAL) } else { 0.0 };
+        let stays = stands - reach;
+        // Where it finishes, the allowance on the floor is all that was left.
+        if stays <= 1e-6 || !roughs && mill.heights.allowance == 0.0 {
+            return;
+        }
+        let what = if roughs { "of the blank" } else { "with the allowance on the floor of the blank" };
+        let message = format!(
+            "{}: the tool goes round once, and leaves {stays:.3} mm {what} `{}` (argument {}) standing outside",
+            args.name(),
+            args.written(AP1),
+            args.place(AP1)
+        );
+        let found = Diagnostic::new(codes::S8240, self.loc(args.span_of(AP1)), message);
+        let help = "call the cycle several times with smaller and smaller `_FAL`, each with the blank that the one before leaves";
+        self.report(found.help(help));
     }
 
     fn mill_spigot(&mut self, mill: Mill, place: Place, shape: Shape, blank: f64, width: Option<f64>) -> Outcome {

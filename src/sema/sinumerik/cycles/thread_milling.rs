@@ -4,7 +4,7 @@
 
 use crate::diag::codes;
 use crate::geo::Deg;
-use crate::ir::cycle::milling::{Place, parts};
+use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault};
 use crate::ir::cycle::{Cycle, Family, ThreadMilling};
 
@@ -131,7 +131,8 @@ impl CycleCall<'_, '_> {
             1 => left_hand,
             2 => !left_hand,
             _ => {
-                self.own_way("no sense is given: the tool climbs, and the thread is right-hand");
+                let hand = if left_hand { "left-hand" } else { "right-hand" };
+                self.own_way(&format!("no sense is given: the tool climbs, and the thread is {hand}"));
                 climbs
             }
         };
@@ -152,7 +153,12 @@ impl CycleCall<'_, '_> {
             );
             return self.cycle_fault(self.args.span_of(FAL), 61019, &message, "give a smaller allowance");
         }
-        let count = parts(way, self.magnitude(MID)).min(10_000);
+        let count = parts(way, self.magnitude(MID));
+        if count > MOST_LEVELS {
+            let message =
+                format!("the infeed `_MID` (argument {}) is so small that its passes do not end", self.args.place(MID));
+            return self.cycle_fault(self.args.span_of(MID), 61019, &message, "give a larger infeed");
+        }
         Ok((1..=count).map(|k| depth - way * k as f64 / count as f64).collect())
     }
 

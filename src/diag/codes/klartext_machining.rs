@@ -1,0 +1,40 @@
+//! Klartext: milling cycles whose path the control chooses.
+
+super::codes! { KLARTEXT_MACHINING:
+
+K2901 Error "cycle-tool-too-large" "tool is too large for what the cycle mills"
+"The cutter with its oversizes, or with the allowance on the wall, does not fit into the pocket or slot; the control says `Tool radius too large`. Check \
+the sizes of the cycle, Q368, and the radius of the tool with DR."
+
+K2902 Error "plunge-angle-missing" "plunging on a helix or to and fro needs ANGLE of the tool"
+"Q366 = 1 and 2 go down into the material at the angle that the column ANGLE of the tool table allows. partc does not know it, or it is 0, which \
+the control refuses, too. Give `[tools.N] plunge_angle` in degrees, a tool table with the column, or plunge straight down by Q366 = 0 with a cutter that can."
+
+K2903 Error "no-room-to-plunge" "pocket is too small for its plunging"
+"The room beside the cutter is so small that a helix or a stroke at the angle of the tool would need more than 10,000 turns, or has no way at all. Take \
+a smaller cutter, or plunge straight down by Q366 = 0 with a cutter that can."
+
+K8101 Note "milling-path-of-partc" "path of a milling cycle is that of partc"
+"The control promises the finished shape, and its way there is not published. partc makes a path of its own that keeps the allowances, infeeds and \
+feeds of the definition; docs/cycles.md describes it. Said once for each cycle and program. Compare the path with what the machine does where the order of the cuts matters."
+
+K8102 Warning "corner-of-the-cutter" "corners get the radius of the cutter"
+"The corner radius Q220 of the pocket is smaller than the cutter, which cannot make it: the corners get the radius of the cutter, as on the control. Take a \
+smaller tool where the corners have to be tighter."
+
+K8103 Warning "nothing-to-finish" "cycle finishes, and no allowance is left"
+"Q215 = 2 finishes the wall where Q368 leaves something, and the floor where Q369 does. Both are 0, so the cycle does nothing, as on the control. Give the allowances \
+that roughing left."
+
+K8104 Note "cycle-end-open" "where a cycle leaves the tool is open"
+"The manuals do not say where the tool stands in the working plane after this cycle. partc takes the position as unknown: an incremental word needs an absolute one in front \
+of it. A block with one axis of the plane goes from the end of the path of partc. Said once for each cycle and program."
+
+K9030 Error "milling-frame" "milling cycle under a scaling or a mirrored tool axis"
+"A scaling would change the sizes of the cycle and not the cutter, and a tool axis that is mirrored or tilted would lead the tool from the far side. Shifts, rotations and \
+mirrors in the plane are computed. End the transformation in front of the call."
+
+K9031 Error "milling-with-m4" "climb or up-cut milling with M4"
+"Manuals define Q351 = +1 climb and -1 up-cut for M3. Whether the control goes round the other way with M4 is not confirmed, and the wrong sense pulls the tool into \
+the material. Program M3, or the moves of the cycle as blocks."
+}

@@ -1,0 +1,356 @@
+//! Milling cycles: their common parameters become a [`Mill`], and the cycle that one of them makes is sent.
+//!
+//! Source: K 6.0, 6.5; F B4 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Point2};
+use crate::ir::Feed;
+use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
+use crate::ir::cycle::pocket::Insertion;
+use crate::ir::cycle::{Cycle, Family};
+use crate::ir::function::Turn;
+use crate::machine::{Axis, AxisSet};
+
+use super::cycles::call::Call;
+use super::cycles::drilling::{FEED, PLUNGE};
+use super::cycles::milling::{
+    CLIMB, FEED_REFERENCE, FINISHING_FEED, FINISHING_INFEED, FLOOR_ALLOWANCE, MILLING_FEED, OPERATION, OVERLAP,
+    PLUNGING, SIDE_ALLOWANCE,
+};
+use super::cycles::{DefinedCycle, MillingOf, Q};
+use super::machining::Needs;
+use super::{Outcome, Reported, Run};
+
+/// Least and greatest factor of the overlap.
+const OVERLAPS: std::ops::RangeInclusive<f64> = 0.1..=1.9999;
+
+/// What Q215 asks for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Asked {
+    pub rough: bool,
+    pub wall: bool,
+    pub floor: bool,
+    /// On the wall.
+    pub allowance: f64,
+    /// Infeed in depth of the wall.
+    pub step: f64,
+    /// Of finishing.
+    pub feed: Feed,
+}
+
+impl Run<'_> {
+    /// Mills where the tool stands, or at the place that the cycle names.
+    pub(super) fn mill(&mut self, cycle: &DefinedCycle, making: MillingOf, call: Call) -> Outcome {
+        self.cycle_may_run(cycle, Needs::Turning)?;
+        self.frame_keeps_the_cutter(cycle)?;
+        let Some(made) = making(self, cycle, call)? else { return Ok(()) };
+        self.says_own_path(cycle);
+        let mut end = made.leaves(self.st.position.at());
+        if ends_anywhere(&made) {
+            self.says_open_end(cycle);
+            let (first, second, _) = self.st.plane().axes();
+            for axis in [first, second] {
+                end.forget(Axis::ALL[axis]);
+            }
+        }
+        self.core.send_cycle(&made, &self.st.ctx);
+        self.st.polar.forget_last();
+        self.st.position.cycle_leaves(&end, AxisSet::MAIN);
+        self.st.moved = true;
+        Ok(())
+    }
+
+    /// The tool has the size that it has: a frame may shift, turn and mirror in the plane.
+    fn frame_keeps_the_cutter(&mut self, cycle: &DefinedCycle) -> Outcome {
+        let (first, second, third) = self.st.plane().axes();
+        let linear = self.st.ctx.frame.linear();
+        let tilted =
+            [first, second].iter().any(|a| linear[(third, *a)].abs() > 1e-9 || linear[(*a, third)].abs() > 1e-9);
+        let scaled = self.st.ctx.frame.uniform_scale().is_none_or(|scale| (scale - 1.0).abs() > 1e-9);
+        let what = if scaled {
+            "under a scaling, which would change the path and not the cutter,"
+        } else if tilted || linear[(third, third)] < 0.0 {
+            "while the tool axis is mirrored or tilted"
+        } else {
+            return Ok(());
+        };
+        self.report(
+            Diagnostic::new(
+                codes::K9030,
+                self.here.origin.loc,
+                format!("cycle {}: milling {what} is not supported", cycle.number),
+            )
+            .also(cycle.loc, "the cycle is defined here")
+            .help("end the transformation in front of the call, or program the sizes as they shall be"),
+        );
+        Err(Reported)
+    }
+
+    /// Once for each kind of cycle: which path is made.
+    fn says_own_path(&mut self, cycle: &DefinedCycle) {
+        let what = cycle.row().called();
+        let text = format!(
+            "cycle {} {what}: the finished shape is as programmed; entry, order of the cuts and approach are those of partc",
+            cycle.number
+        );
+        if self.job.diags.first_text(codes::K8101, &text) {
+            let found = Diagnostic::new(codes::K8101, self.here.origin.loc, text);
+            self.report(found.help("docs/cycles.md describes the path"));
+        }
+    }
+
+    /// Once for each kind of cycle: nobody says where the tool stands in the plane afterwards.
+    fn says_open_end(&mut self, cycle: &DefinedCycle) {
+        let text = format!("cycle {}: where the control leaves the tool in the working plane is open", cycle.number);
+        if self.job.diags.first_text(codes::K8104, &text) {
+            let found = Diagnostic::new(codes::K8104, self.here.origin.loc, text);
+            self.report(found.help("name both axes of the plane in the next block that moves in it"));
+        }
+    }
+
+    /// Arguments that make a cycle, or what is wrong with them.
+    pub(super) fn sound<F: Family>(&mut self, cycle: &DefinedCycle, family: F) -> Outcome<F> {
+        match family.check() {
+            Ok(()) => Ok(family),
+            Err(fault) => self.cycle_value(cycle, &fault.to_string()),
+        }
+    }
+
+    /// Where the cycle is called, in the plane.
+    pub(super) fn call_point(&mut self, cycle: &DefinedCycle) -> Outcome<Point2> {
+        let (first, second, _) = self.st.plane().axes();
+        let (span, what) = (self.block_span(), format!("cycle {}", cycle.number));
+        Ok(Point2::new(
+            self.position_of(Axis::ALL[first], span, &what)?,
+            self.position_of(Axis::ALL[second], span, &what)?,
+        ))
+    }
+
+    /// Radius of the cutter, above 0.
+    pub(super) fn cutter_radius(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+        let radius = self.tool_radius(self.block_span())?;
+        if radius > 0.0 {
+            return Ok(radius);
+        }
+        self.cycle_value(cycle, &format!("the radius of the tool with its oversizes is {radius} mm"))
+    }
+
+    /// What milling cycles from 200 on take; nothing where the depth is 0.
+    pub(super) fn cutter_of(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Mill>> {
+        let axis = self.st.axis();
+        if !AxisSet::MAIN.contains(axis) {
+            return self.cycle_value(cycle, &format!("the tool axis {} cannot mill", axis.letter()));
+        }
+        let radius = self.cutter_radius(cycle)?;
+        let heights = self.heights(cycle, call.shift)?;
+        let deep = self.depth_below(cycle)?;
+        if deep == 0.0 {
+            self.has_no_depth(cycle);
+            return Ok(None);
+        }
+        let step = self.above_zero(cycle, PLUNGE)?;
+        let feeds =
+            Feeds { plane: self.cycle_feed(cycle, MILLING_FEED, None)?, depth: self.cycle_feed(cycle, FEED, None)? };
+        let heights = Heights {
+            retract: call.retract.height(&heights),
+            reference: heights.surface,
+            clearance: heights.clearance,
+            depth: heights.surface + deep,
+            step,
+            division: Division::Whole,
+            allowance: self.not_below_zero(cycle, FLOOR_ALLOWANCE)?,
+        };
+        Ok(Some(Mill { plane: self.st.plane(), heights, radius, feeds }))
+    }
+
+    /// A length that has to be above 0.
+    pub(super) fn above_zero(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        let value = self.cycle_length(cycle, q)?;
+        if value > 0.0 {
+            return Ok(value);
+        }
+        self.cycle_value(cycle, &format!("{q} = {value} is not above zero"))
+    }
+
+    /// A length without sign that may be missing.
+    pub(super) fn not_below_zero(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        let value = self.optional_length(cycle, q)?;
+        if value >= 0.0 {
+            return Ok(value);
+        }
+        self.cycle_value(cycle, &format!("{q} = {value} is below zero"))
+    }
+
+    /// A length that may be missing: 0.
+    pub(super) fn optional_length(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
+        if cycle.gives_q(q) { self.cycle_length(cycle, q) } else { Ok(0.0) }
+    }
+
+    /// One of the whole numbers up to `most`; 0 where it is missing.
+    pub(super) fn choice(&mut self, cycle: &DefinedCycle, q: Q, most: u32) -> Outcome<u32> {
+        let value = self.cycle_option(cycle, q)?;
+        if value.fract() == 0.0 && (0.0..=f64::from(most)).contains(&value) {
+            return Ok(value as u32);
+        }
+        self.cycle_value(cycle, &format!("{q} = {value} is not one of 0 to {most}"))
+    }
+
+    /// Roughing and finishing by Q215 and the allowances; nothing where nothing is left to do.
+    pub(super) fn asked(&mut self, cycle: &DefinedCycle, mill: &Mill) -> Outcome<Option<Asked>> {
+        let allowance = self.not_below_zero(cycle, SIDE_ALLOWANCE)?;
+        let step = self.not_below_zero(cycle, FINISHING_INFEED)?;
+        let feed = if cycle.gives_q(FINISHING_FEED) {
+            self.cycle_feed(cycle, FINISHING_FEED, None)?
+        } else {
+            mill.feeds.plane
+        };
+        let operation = self.choice(cycle, OPERATION, 2)?;
+        let finishes = operation != 1;
+        let (wall, floor) = (finishes && allowance > 0.0, finishes && mill.heights.allowance > 0.0);
+        if operation == 2 && !wall && !floor {
+            self.report(
+                Diagnostic::new(
+                    codes::K8103,
+                    self.here.origin.loc,
+                    format!(
+                        "cycle {}: Q215 = 2 finishes, and neither Q368 nor Q369 leaves anything to finish",
+                        cycle.number
+                    ),
+                )
+                .also(cycle.loc, "the cycle is defined here")
+                .help("give the allowances that roughing left: without them the cycle does nothing"),
+            );
+            return Ok(None);
+        }
+        Ok(Some(Asked { rough: operation != 2, wall, floor, allowance, step, feed }))
+    }
+
+    /// Does the tool go round counter-clockwise inside, clockwise outside? By Q351, with M3.
+    pub(super) fn climbs(&mut self, cycle: &DefinedCycle) -> Outcome<bool> {
+        let climbs = match self.cycle_number(cycle, CLIMB)? {
+            1.0 => true,
+            -1.0 => false,
+            other => return self.cycle_value(cycle, &format!("the kind of milling Q351 = {other} is not +1 or -1")),
+        };
+        if self.st.spindle.turn() == Some(Turn::CounterClockwise) {
+            self.report(
+                Diagnostic::new(
+                    codes::K9031,
+                    self.here.origin.loc,
+                    format!(
+                        "cycle {}: climb and up-cut milling (Q351) are defined for M3, and the spindle turns by M4",
+                        cycle.number
+                    ),
+                )
+                .also(cycle.loc, "the cycle is defined here")
+                .help("program M3, or the moves of the cycle as blocks"),
+            );
+            return Err(Reported);
+        }
+        Ok(climbs)
+    }
+
+    /// Width of a cut: Q370 radii.
+    pub(super) fn overlap(&mut self, cycle: &DefinedCycle, radius: f64) -> Outcome<f64> {
+        let factor = if cycle.gives_q(OVERLAP) { self.cycle_number(cycle, OVERLAP)? } else { 1.0 };
+        if OVERLAPS.contains(&factor) {
+            return Ok(factor * radius);
+        }
+        self.cycle_value(cycle, &format!("the overlap factor Q370 = {factor} is not 0.1 to 1.9999"))
+    }
+
+    /// Q439 says of what Q207 is the feed.
+    pub(super) fn feed_of_centre(&mut self, cycle: &DefinedCycle) -> Outcome {
+        match self.choice(cycle, FEED_REFERENCE, 3)? {
+            0 => Ok(()),
+            other => self.cycle_unbuilt(cycle, &format!("a feed of the cutting edge (Q439={other})")),
+        }
+    }
+
+    /// How the tool goes down, by Q366, and the greatest angle of its way.
+    pub(super) fn plunging(&mut self, cycle: &DefinedCycle) -> Outcome<Plunging> {
+        let kind = self.choice(cycle, PLUNGING, 2)?;
+        if kind == 0 {
+            return Ok(Plunging::Vertical);
+        }
+        let angle = self.st.tool.active().and_then(|tool| tool.plunge_angle);
+        match angle {
+            Some(angle) if angle >= 90.0 => Ok(Plunging::Vertical),
+            Some(angle) if angle > 0.0 => {
+                Ok(if kind == 1 { Plunging::Helix(Deg(angle)) } else { Plunging::Sway(Deg(angle)) })
+            }
+            known => {
+                let what = if known.is_some() { "is 0: it cannot plunge so" } else { "is not known" };
+                let called = self.st.tool.active().map(|tool| tool.called.clone()).unwrap_or_default();
+                self.report(
+                    Diagnostic::new(
+                        codes::K2902,
+                        self.here.origin.loc,
+                        format!("cycle {}: Q366 = {kind} needs the plunging angle ANGLE of tool {called}, which {what}", cycle.number),
+                    )
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help(format!("give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight down by Q366 = 0")),
+                );
+                Err(Reported)
+            }
+        }
+    }
+
+    /// The tool is larger than what it shall mill.
+    pub(super) fn tool_too_large<T>(&mut self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(
+                codes::K2901,
+                self.here.origin.loc,
+                format!("cycle {}: tool radius too large: {what}", cycle.number),
+            )
+            .also(cycle.loc, "the cycle is defined here")
+            .help("take a smaller tool, or check the sizes, the allowances and the radius of the tool"),
+        );
+        Err(Reported)
+    }
+
+    /// There is no way for a helix or a stroke of the tool.
+    pub(super) fn no_room_to_plunge<T>(&mut self, cycle: &DefinedCycle, kind: u32) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(
+                codes::K2903,
+                self.here.origin.loc,
+                format!(
+                    "cycle {}: the pocket has no room for plunging by Q366 = {kind} at the angle of the tool",
+                    cycle.number
+                ),
+            )
+            .also(cycle.loc, "the cycle is defined here")
+            .help("take a smaller tool, or plunge straight down by Q366 = 0"),
+        );
+        Err(Reported)
+    }
+}
+
+/// Is the place open at which the control leaves the tool?
+fn ends_anywhere(made: &Cycle) -> bool {
+    match made {
+        Cycle::Pocket(pocket) => pocket.home.is_none(),
+        _ => false,
+    }
+}
+
+/// How a milling cycle gets to a level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Plunging {
+    Vertical,
+    /// Greatest angle of the way.
+    Helix(Deg),
+    Sway(Deg),
+}
+
+impl Plunging {
+    /// As an insertion of a slot, along which the tool goes to and fro.
+    pub fn along(self) -> Insertion {
+        match self {
+            Plunging::Vertical => Insertion::Vertical,
+            Plunging::Helix(angle) | Plunging::Sway(angle) => Insertion::Sway { angle, stroke: None },
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Pockets and slots: 251 to 254.
+//!
+//! Source: K 6.5; F B4 (docs/sources.md).
+
+use core::f64::consts::TAU;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Deg, Point2};
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::milling::{MOST_LEVELS, Mill, Place, parts};
+use crate::ir::cycle::pocket::{Between, Finish, Insertion, Pocket, Room, Shape, Strategy};
+
+use super::cycles::DefinedCycle;
+use super::cycles::call::Call;
+use super::cycles::milling::{CORNER, DIAMETER, FIRST_SIDE, POSITION, SECOND_SIDE, TURN};
+use super::cycles::pockets::{CENTER, NUMBER, OPENING, PITCH_CIRCLE, SLOT_TURN, START_ANGLE, STEP};
+use super::milling::{Asked, Plunging};
+use super::{Outcome, Run};
+
+/// Smaller helices and strokes are no way down, mm.
+const SMALLEST_WAY: f64 = 0.1;
+/// Most slots of a call.
+const MOST_SLOTS: u32 = 99_999;
+
+impl Run<'_> {
+    /// Cycle 251.
+    pub(super) fn rectangular_pocket(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let Some((mill, asked)) = self.pocket_of(cycle, call)? else { return Ok(None) };
+        let half = [self.above_zero(cycle, FIRST_SIDE)? / 2.0, self.above_zero(cycle, SECOND_SIDE)? / 2.0];
+        let corner = self.corner_of(cycle, mill.radius)?;
+        let turn = Deg(self.cycle_option(cycle, TURN)?);
+        let start = self.call_point(cycle)?;
+        let to_middle = self.from_position(cycle, half)?;
+        let place = Place { at: Place { at: start, turn }.point(to_middle), turn };
+        let width = self.overlap(cycle, mill.radius)?;
+        let pocket = self.pocket(cycle, mill, asked, Shape::Rectangle { half, corner }, (place, width))?;
+        let plunging = self.plunging(cycle)?;
+        let insertion = self.insertion(cycle, &pocket, plunging)?;
+        self.milled(cycle, Pocket { insertion, home: Some(start), ..pocket })
+    }
+
+    /// Cycle 252.
+    pub(super) fn circular_pocket(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let Some((mill, asked)) = self.pocket_of(cycle, call)? else { return Ok(None) };
+        let radius = self.above_zero(cycle, DIAMETER)? / 2.0;
+        let place = Place { at: self.call_point(cycle)?, turn: Deg(0.0) };
+        let width = self.overlap(cycle, mill.radius)?;
+        let pocket = self.pocket(cycle, mill, asked, Shape::Circle { radius }, (place, width))?;
+        let plunging = self.plunging(cycle)?;
+        let insertion = self.insertion(cycle, &pocket, plunging)?;
+        self.milled(cycle, Pocket { insertion, home: Some(place.at), ..pocket })
+    }
+
+    /// Cycle 253.
+    pub(super) fn slot(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let Some((mill, asked)) = self.pocket_of(cycle, call)? else { return Ok(None) };
+        let (length, width) = (self.above_zero(cycle, FIRST_SIDE)?, self.above_zero(cycle, SECOND_SIDE)?);
+        if length <= width {
+            return self.cycle_value(
+                cycle,
+                &format!("the slot length Q218 = {length} mm is not above its width Q219 = {width} mm"),
+            );
+        }
+        let half = (length - width) / 2.0;
+        let turn = Deg(self.cycle_option(cycle, SLOT_TURN)?);
+        let start = self.call_point(cycle)?;
+        let position = self.choice(cycle, POSITION, 4)?;
+        let to_middle = [0.0, length / 2.0, half, -half, -length / 2.0][position as usize];
+        let place = Place { at: Place { at: start, turn }.point(Point2::new(to_middle, 0.0)), turn };
+        let shape = Shape::Slot { from: -half, to: half, width };
+        let pocket = self.pocket(cycle, mill, asked, shape, (place, mill.radius))?;
+        let insertion = self.plunging(cycle)?.along();
+        let home = (position == 0).then_some(start);
+        self.milled(cycle, Pocket { insertion, home, ..pocket })
+    }
+
+    /// Cycle 254.
+    pub(super) fn circular_slot(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let Some((mill, asked)) = self.pocket_of(cycle, call)? else { return Ok(None) };
+        let (width, radius) = (self.above_zero(cycle, SECOND_SIDE)?, self.above_zero(cycle, PITCH_CIRCLE)? / 2.0);
+        let sweep = self.cycle_number(cycle, OPENING)?;
+        if sweep <= 0.0 || sweep >= 360.0 {
+            return self.cycle_value(cycle, &format!("the opening angle Q248 = {sweep} is not above 0 and below 360"));
+        }
+        let angle = self.cycle_number(cycle, START_ANGLE)?;
+        let start = self.call_point(cycle)?;
+        let (center, first) = match self.choice(cycle, POSITION, 3)? {
+            0 => (Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?), angle),
+            2 => (start - Deg(angle).unit() * radius, angle - sweep / 2.0),
+            other => {
+                return self.cycle_unbuilt(cycle, &format!("a call at one end of the slot (Q367={other})"));
+            }
+        };
+        let count = if cycle.gives_q(NUMBER) { self.cycle_number(cycle, NUMBER)? } else { 1.0 };
+        if count.fract() != 0.0 || !(1.0..=f64::from(MOST_SLOTS)).contains(&count) {
+            return self.cycle_value(cycle, &format!("the number of slots Q377 = {count} is not 1 to {MOST_SLOTS}"));
+        }
+        let step = self.cycle_option(cycle, STEP)?;
+        self.budget.take(count as u64);
+        let place = |i: u32| Place { at: center, turn: Deg(first + f64::from(i) * step) };
+        let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
+        let pocket = self.pocket(cycle, mill, asked, shape, (place(0), mill.radius))?;
+        let insertion = self.plunging(cycle)?.along();
+        let places = (0..count as u32).map(place).collect();
+        let made = self.milled(cycle, Pocket { insertion, places, ..pocket })?;
+        Ok(made)
+    }
+
+    /// What all of them take.
+    fn pocket_of(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<(Mill, Asked)>> {
+        let Some(mill) = self.cutter_of(cycle, call)? else { return Ok(None) };
+        self.feed_of_centre(cycle)?;
+        Ok(self.asked(cycle, &mill)?.map(|asked| (mill, asked)))
+    }
+
+    /// From the place of the call to the middle, by Q367.
+    pub(super) fn from_position(&mut self, cycle: &DefinedCycle, half: [f64; 2]) -> Outcome<Point2> {
+        let [x, y] = half;
+        let (x, y) = match self.choice(cycle, POSITION, 4)? {
+            0 => (0.0, 0.0),
+            1 => (x, y),
+            2 => (-x, y),
+            3 => (-x, -y),
+            _ => (x, -y),
+        };
+        Ok(Point2::new(x, y))
+    }
+
+    /// The radius of the corners; 0 for that of the cutter.
+    fn corner_of(&mut self, cycle: &DefinedCycle, radius: f64) -> Outcome<f64> {
+        let corner = self.not_below_zero(cycle, CORNER)?;
+        if corner >= radius {
+            return Ok(corner);
+        }
+        let text = format!(
+            "cycle {}: the corners get the radius of the cutter, {radius} mm, and not Q220 = {corner}",
+            cycle.number
+        );
+        if self.job.diags.first_text(codes::K8102, &text) {
+            self.report(
+                Diagnostic::new(codes::K8102, self.here.origin.loc, text)
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("take a smaller tool where the corners have to be tighter"),
+            );
+        }
+        Ok(0.0)
+    }
+
+    /// A pocket that is entered straight down.
+    fn pocket(
+        &mut self,
+        cycle: &DefinedCycle,
+        mill: Mill,
+        asked: Asked,
+        shape: Shape,
+        (place, width): (Place, f64),
+    ) -> Outcome<Pocket> {
+        let room = shape.room(mill.radius).least();
+        if room < -1e-9 || asked.rough && room - asked.allowance < -1e-9 {
+            let what = if room < -1e-9 {
+                format!("the cutter is {} mm wide, and there are {} mm", 2.0 * mill.radius, 2.0 * (room + mill.radius))
+            } else {
+                format!("the allowance Q368 = {} mm leaves the cutter no room", asked.allowance)
+            };
+            return self.tool_too_large(cycle, &what);
+        }
+        let finish = (asked.wall || asked.floor).then_some(Finish {
+            wall: asked.wall,
+            floor: asked.floor,
+            feed: asked.feed,
+            step: asked.step,
+            speed: None,
+            arc: Some(room.max(0.0) / 2.0),
+            inserts: true,
+        });
+        Ok(Pocket {
+            counter_clockwise: self.climbs(cycle)?,
+            allowance: asked.allowance,
+            mill,
+            shape,
+            places: vec![place],
+            width,
+            insertion: Insertion::Vertical,
+            strategy: Strategy::Levels,
+            rough: asked.rough,
+            finish,
+            cleared: None,
+            transfer: None,
+            between: Between::Lifted,
+            home: None,
+        })
+    }
+
+    /// How the tool gets into a pocket: its ways keep the angle of the tool, and stay where roughing has room.
+    fn insertion(&mut self, cycle: &DefinedCycle, pocket: &Pocket, plunging: Plunging) -> Outcome<Insertion> {
+        let radius = pocket.mill.radius;
+        let room = pocket.shape.room(pocket.rough_distance());
+        let deep = pocket.mill.heights.step.min(pocket.mill.heights.way());
+        match plunging {
+            Plunging::Vertical => Ok(Insertion::Vertical),
+            Plunging::Helix(angle) => {
+                let least = room.least();
+                let ring = least / parts(least, pocket.width) as f64;
+                let about = (radius / 2.0).min(ring);
+                let pitch = TAU * about * libm::tan(angle.radians());
+                if about < SMALLEST_WAY || parts(deep, pitch) > MOST_LEVELS {
+                    return self.no_room_to_plunge(cycle, 1);
+                }
+                Ok(Insertion::Helix { radius: about, pitch })
+            }
+            Plunging::Sway(angle) => {
+                let stroke = match room {
+                    Room::Rectangle([x, y]) => (2.0 * (x - y).abs()).max(2.0 * x.max(y) / 3.0),
+                    Room::Around(half) => 2.0 * half / 3.0,
+                };
+                let stroke = stroke.min(4.0 * radius);
+                if stroke < SMALLEST_WAY || parts(deep, stroke * libm::tan(angle.radians())) > MOST_LEVELS {
+                    return self.no_room_to_plunge(cycle, 2);
+                }
+                Ok(Insertion::Sway { angle, stroke: Some(stroke) })
+            }
+        }
+    }
+
+    fn milled(&mut self, cycle: &DefinedCycle, pocket: Pocket) -> Outcome<Option<Cycle>> {
+        self.budget.take(pocket.places.len() as u64);
+        Ok(Some(Cycle::Pocket(self.sound(cycle, pocket)?)))
+    }
+}

@@ -1,0 +1,213 @@
+//! Cycles 251 to 254 with sizes at random: the properties of docs/cycles.md, column by column.
+
+use std::fmt::Write as _;
+
+use partc::internals::machine::Settings;
+use partc::internals::machine::tools::{Tool, ToolKey};
+
+use super::super::damage::Dice;
+use super::pockets::{Case, FINISH, Outline, PLUNGE, ROUGH, number};
+
+/// Plunging angle of the tool, degrees.
+const ANGLE: f64 = 4.0;
+
+struct Common {
+    radius: f64,
+    depth: f64,
+    step: f64,
+    wall: f64,
+    floor: f64,
+    overlap: f64,
+    climb: i32,
+    plunging: usize,
+    infeed: f64,
+    at: [f64; 2],
+}
+
+fn common(dice: &mut Dice, most: usize) -> Common {
+    let radius = number(dice, 1.0, 10.0);
+    let depth = number(dice, 1.0, 12.0);
+    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
+    Common {
+        radius,
+        depth,
+        step: number(dice, depth / 5.0, depth * 1.2),
+        wall: some(dice, 0.6 * radius),
+        floor: some(dice, 0.4 * depth),
+        overlap: number(dice, 0.3, 1.999),
+        climb: if dice.roll(2) == 0 { 1 } else { -1 },
+        plunging: dice.roll(most + 1),
+        infeed: if dice.roll(2) == 0 { 0.0 } else { number(dice, depth / 4.0, depth) },
+        at: [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)],
+    }
+}
+
+/// The program that calls the cycle, whose own parameters are given; what is finished.
+fn program(dice: &mut Dice, c: &Common, cycle: u32, own: &str) -> (String, [bool; 2]) {
+    let mut text = format!("BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{}\nTOOL CALL 1 Z S3000\n", c.radius);
+    let _ = writeln!(text, "L X{:+} Y{:+} Z+50 R0 FMAX M3", c.at[0], c.at[1]);
+    let asked: &[u32] = [&[0][..], &[1], &[1, 2]][dice.roll(3)];
+    for q215 in asked {
+        let _ = writeln!(
+            text,
+            "CYCL DEF {cycle} NAME Q215={q215} {own} Q368={:.4} Q207={ROUGH} Q351={} Q201={:.4} Q202={:.4} Q369={:.4} Q206={PLUNGE} Q338={:.4} Q200=2 Q203=0 Q204=10 Q366={} Q385={FINISH}",
+            c.wall, c.climb, -c.depth, c.step, c.floor, c.infeed, c.plunging
+        );
+        let _ = writeln!(text, "L X{:+} Y{:+} R0 FMAX M99", c.at[0], c.at[1]);
+    }
+    text.push_str("M30\nEND PGM P MM\n");
+    let finishes = asked != [1];
+    (text, [finishes && c.wall > 0.0, finishes && c.floor > 0.0])
+}
+
+fn case(
+    (text, finish): (String, [bool; 2]),
+    outline: Outline,
+    places: Vec<([f64; 2], f64)>,
+    c: &Common,
+    home: Option<[f64; 2]>,
+) -> Case {
+    let Common { radius, depth, step, wall, floor, .. } = *c;
+    let slope = (c.plunging > 0).then(|| ANGLE.to_radians().tan());
+    let language = "klartext";
+    Case {
+        language,
+        text,
+        outline,
+        places,
+        radius,
+        depth,
+        step,
+        wall,
+        floor,
+        rough: true,
+        finish,
+        slope,
+        home,
+        cleared: None,
+    }
+}
+
+fn turned([x, y]: [f64; 2], turn: f64) -> [f64; 2] {
+    let (sin, cos) = turn.to_radians().sin_cos();
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
+fn rectangle(dice: &mut Dice) -> Case {
+    let c = common(dice, 2);
+    let half = [0, 1].map(|_| c.radius + c.wall + number(dice, 0.5, 4.0 * c.radius));
+    let corner = if dice.roll(3) == 0 { 0.0 } else { number(dice, 0.0, half[0].min(half[1])) };
+    let turn = if dice.roll(2) == 0 { 0.0 } else { number(dice, -180.0, 180.0) };
+    let position = dice.roll(5);
+    let sign = [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]][position];
+    let way = turned([sign[0] * half[0], sign[1] * half[1]], turn);
+    let own = format!(
+        "Q218={:.4} Q219={:.4} Q220={corner:.4} Q224={turn} Q367={position} Q370={}",
+        2.0 * half[0],
+        2.0 * half[1],
+        c.overlap
+    );
+    let outline = Outline::Rectangle { half, corner: if corner < c.radius { 0.0 } else { corner } };
+    let made = program(dice, &c, 251, &own);
+    case(made, outline, vec![([c.at[0] + way[0], c.at[1] + way[1]], turn)], &c, Some(c.at))
+}
+
+fn circle(dice: &mut Dice) -> Case {
+    let c = common(dice, 1);
+    let radius = c.radius + c.wall + number(dice, 0.5, 5.0 * c.radius);
+    let own = format!("Q223={:.4} Q370={}", 2.0 * radius, c.overlap);
+    let made = program(dice, &c, 252, &own);
+    case(made, Outline::Circle { radius }, vec![(c.at, 0.0)], &c, Some(c.at))
+}
+
+fn slot(dice: &mut Dice) -> Case {
+    let c = common(dice, 2);
+    let half = c.radius + c.wall + if dice.roll(4) == 0 { 0.0 } else { number(dice, 0.0, 2.5 * c.radius) };
+    let between = number(dice, 0.5, 40.0);
+    let turn = number(dice, -180.0, 180.0);
+    let position = dice.roll(5);
+    let to_middle = [0.0, between / 2.0 + half, between / 2.0, -between / 2.0, -between / 2.0 - half][position];
+    let way = turned([to_middle, 0.0], turn);
+    let own = format!("Q218={:.4} Q219={:.4} Q374={turn} Q367={position}", (between + 2.0 * half), 2.0 * half);
+    let outline = Outline::Slot { from: -between / 2.0, to: between / 2.0, half };
+    let made = program(dice, &c, 253, &own);
+    let home = (position == 0).then_some(c.at);
+    case(made, outline, vec![([c.at[0] + way[0], c.at[1] + way[1]], turn)], &c, home)
+}
+
+fn bow(dice: &mut Dice) -> Case {
+    let c = common(dice, 2);
+    let half = c.radius + c.wall + if dice.roll(4) == 0 { 0.0 } else { number(dice, 0.0, 2.5 * c.radius) };
+    let about = half * 5.0 + number(dice, 0.0, 20.0);
+    let count = 1 + dice.roll(3);
+    let index = 360.0 / count as f64;
+    let room = (half / about).asin().to_degrees() * 2.2;
+    let sweep = number(dice, 5.0, (index - room).max(6.0)).min((350.0 - room).floor());
+    let start = number(dice, -180.0, 180.0);
+    let by_middle = dice.roll(3) == 0;
+    let center = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
+    let (center, first) = if by_middle {
+        let way = turned([about, 0.0], start);
+        ([c.at[0] - way[0], c.at[1] - way[1]], start - sweep / 2.0)
+    } else {
+        (center, start)
+    };
+    let own = format!(
+        "Q219={:.4} Q375={:.4} Q367={} Q216={:.4} Q217={:.4} Q376={start} Q248={sweep} Q378={index} Q377={count}",
+        2.0 * half,
+        2.0 * about,
+        if by_middle { 2 } else { 0 },
+        center[0],
+        center[1]
+    );
+    let places = (0..count).map(|i| (center, first + i as f64 * index)).collect();
+    let outline = Outline::Bow { radius: about, sweep: sweep.to_radians(), half };
+    let made = program(dice, &c, 254, &own);
+    case(made, outline, places, &c, None)
+}
+
+/// A mill that may go down at [`ANGLE`].
+pub fn settings() -> Settings {
+    let mut settings = Settings::default();
+    let tool = Tool { plunge_angle: Some(ANGLE), ..Tool::default() };
+    settings.tools.table.insert(ToolKey::Number(1, 0), tool);
+    settings
+}
+
+/// Many cases at random by a generator, the number by `PARTC_POCKETS`.
+pub fn judge_many(usual: u64, random: impl Fn(&mut Dice) -> Case) {
+    let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
+    let (count, seed) = (from("PARTC_POCKETS", usual), from("PARTC_POCKETS_SEED", 1));
+    let settings = settings();
+    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+    let mut bad = Vec::new();
+    for _ in 0..count {
+        let shift = dice.roll(100) as f64 / 100.0;
+        let case = random(&mut dice);
+        if let Err(why) = case.judge(&settings, shift) {
+            bad.push(format!("{why}\n{}{case:?}", case.text));
+        }
+    }
+    bad.sort_by_key(String::len);
+    assert!(bad.is_empty(), "{} of {count} fail, such as\n{}", bad.len(), bad[..bad.len().min(4)].join("\n\n"));
+}
+
+#[test]
+fn klartext_rectangles_at_random() {
+    judge_many(100, rectangle);
+}
+
+#[test]
+fn klartext_circles_at_random() {
+    judge_many(60, circle);
+}
+
+#[test]
+fn klartext_slots_at_random() {
+    judge_many(100, slot);
+}
+
+#[test]
+fn klartext_circular_slots_at_random() {
+    judge_many(80, bow);
+}
