@@ -107,6 +107,14 @@ impl Visitor for Reader<'_> {
     }
 }
 
+/// Bytes of a block that are looked at for the words of a blank.
+const HEAD: usize = 40;
+
+fn begins_with_blank(text: &[u8]) -> bool {
+    let head = &text[..text.len().min(HEAD)];
+    head.windows(3).any(|word| word.eq_ignore_ascii_case(b"BLK") || word.eq_ignore_ascii_case(b"BEG"))
+}
+
 /// Finds the blank that a program describes.
 #[derive(Debug, Default)]
 pub struct FindsBlank {
@@ -123,7 +131,7 @@ impl FindsBlank {
 impl Visitor for FindsBlank {
     fn wanted(&self) -> Wanted<'_> {
         // `BLK FORM`, and the unit in `BEGIN PGM`.
-        Wanted { letter: Some(b'K'), is: &|text| text.len() < 200 }
+        Wanted { letter: Some(b'B'), is: &begins_with_blank }
     }
 
     fn items(&self) -> bool {
