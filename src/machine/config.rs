@@ -161,6 +161,11 @@ impl Reader {
                     tool.plunge_angle = Some(angle.ok_or_else(|| node.fail("an angle of plunging is 0 to 90"))?);
                 }
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
+                "clearance" => {
+                    let angle = number(node).filter(|angle| *angle > 0.0 && *angle <= 90.0);
+                    tool.clearance =
+                        Some(angle.ok_or_else(|| node.fail("an angle of a flank is above 0 and at most 90"))?);
+                }
                 "reference" => {
                     tool.reference = match text(node) {
                         "plus" => Corner::Plus,

@@ -1,6 +1,8 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
-use super::options::{control, cycles, klartext, lint, machine, mtc200, output, sinumerik, turning, undercut};
+use super::options::{
+    control, cycles, klartext, klartext_cycles, lint, machine, mtc200, output, sinumerik, turning, undercut,
+};
 use super::settings::Settings;
 use super::tree::{ConfigError, Node};
 
@@ -105,6 +107,11 @@ pub(super) const TOOL_KEYS: &[Key] = &[
         "greatest angle in degrees at which a cutter goes down into material (ANGLE of the tool table); 0 straight down only",
     ),
     part("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
+    part(
+        "clearance",
+        Kind::Number,
+        "angle of the flank of a turning tool in degrees: it cuts no relief that falls steeper",
+    ),
     part("width", Kind::Number, "cutting width of recessing tools in mm"),
     part(
         "reference",
@@ -159,7 +166,7 @@ pub const SECTIONS: &[Section] = &[
         name: "cycles",
         doc: "what a control decides inside its machining cycles",
         entry: &[],
-        keys: &[cycles::KEYS],
+        keys: &[cycles::KEYS, klartext_cycles::KEYS],
     },
     Section {
         name: "start",
@@ -167,7 +174,12 @@ pub const SECTIONS: &[Section] = &[
         entry: &[],
         keys: &[],
     },
-    Section { name: "variables", doc: "start values of parameters: Q50 = 3.0, R1 = 5.0", entry: &[], keys: &[] },
+    Section {
+        name: "variables",
+        doc: "start values of parameters: Q50 = 3.0, R1 = 5.0; Klartext: system data, \"ID240 NR1 IDX3\" = 100.0",
+        entry: &[],
+        keys: &[],
+    },
     Section { name: "output", doc: "what is printed", entry: &[], keys: &[output::KEYS] },
     Section { name: "lint", doc: "which findings are reported, and how bad they are", entry: &[], keys: &[lint::KEYS] },
     Section { name: "limits", doc: "limits of a run", entry: &[], keys: &[output::LIMITS] },

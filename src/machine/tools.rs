@@ -52,6 +52,8 @@ pub struct Tool {
     pub deltas: [f64; 3],
     /// Cutting-edge position 1 to 9.
     pub orientation: Option<u8>,
+    /// Angle between the flank of a turning tool and the way of its cuts, degrees.
+    pub clearance: Option<f64>,
     /// Cutting width of recessing tools.
     pub width: Option<f64>,
     /// Corner of a recessing tool that is programmed.

@@ -17,12 +17,53 @@ const LATHE: &str = "T1 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\
 
 const GROOVES: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\n";
 
+/// A contour between labels, called by CYCLE62.
+const TURNED: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\nGOTOF OVER\nFROM:\nG1 X30 Z0\nZ-20\nX25 Z-25\nZ-35\nUPTO:\nX50\nOVER:\nCYCLE62(,2,\"FROM\",\"UPTO\")\n";
+
 /// A cutter of 10 mm, and a contour between labels.
 const CUTTER: &str =
     "$TC_DP6[1,1]=5\nT1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\nGOTOF OVER\nFROM:\nG1 X0 Y0\nX40\nY40\nUPTO:\nOVER:\n";
 
 /// The program in front of the call, the call with `#` for the coded argument, the name of the argument and its value.
 const CALLS: &[(&str, &str, &str, u32)] = &[
+    (TURNED, "CYCLE95(\"FROM:UPTO\",3,0.1,0.2,0,0.3,0.2,0.1,#)", "VARI", 9),
+    (TURNED, "CYCLE95(\"FROM:UPTO\",3,0.1,0.2,0,0.3,0.2,0.1,9,0,0,1,#)", "_GMODE", 0),
+    (TURNED, "CYCLE95(\"FROM:UPTO\",3,0.1,0.2,0,0.3,0.2,0.1,9,0,0,1,0,#)", "_DMODE", 2),
+    (TURNED, "CYCLE951(60,0,50,-20,52,-18,#,3,0.3,0.1,31,0.5,0.5,0.5,1,0.25,2,2,0)", "_LAGE", 1),
+    (TURNED, "CYCLE951(60,0,50,-20,52,-18,1,3,0.3,0.1,#,0.5,0.5,0.5,1,0.25,2,2,0)", "_VARI", 31),
+    (TURNED, "CYCLE951(60,0,50,-20,52,-18,1,3,0.3,0.1,31,0.5,0.5,0.5,1,0.25,#,2,0)", "_NR", 2),
+    (TURNED, "CYCLE951(60,0,50,-20,52,-18,1,3,0.3,0.1,31,0.5,0.5,0.5,1,0.25,2,#,0)", "_DMODE", 2),
+    (TURNED, "CYCLE951(60,0,50,-20,52,-18,1,3,0.3,0.1,31,0.5,0.5,0.5,1,0.25,2,2,#)", "_AMODE", 0),
+    (
+        TURNED,
+        "CYCLE952(\"P\",,\"\",#,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0,1,0,0,20,2,80,-30,,,,,0,1,,0,2,110,1,0,0.1)",
+        "_VARI",
+        1_101_331,
+    ),
+    (
+        TURNED,
+        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0,1,0,0,20,2,80,-30,,,,,0,1,,#,2,110,1,0,0.1)",
+        "_GMODE",
+        11_111_000,
+    ),
+    (
+        TURNED,
+        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0,1,0,0,20,2,80,-30,,,,,0,1,,0,#,110,1,0,0.1)",
+        "_DMODE",
+        2,
+    ),
+    (
+        TURNED,
+        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0.1,1,0,0,20,2,80,-30,,,,,0,1,,0,2,#,1,0,0.1)",
+        "_AMODE",
+        110,
+    ),
+    (
+        TURNED,
+        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0,1,0,0,20,2,80,-30,,,,,0,1,,0,2,110,#,0,0.1)",
+        "_PK",
+        1,
+    ),
     (MILL, "CYCLE81(10,0,2,,15,0.5,#,1,11)", "_GMODE", 0),
     (MILL, "CYCLE81(10,0,2,,15,0.5,0,#,11)", "_DMODE", 1),
     (MILL, "CYCLE81(10,0,2,,15,0.5,0,1,#)", "_AMODE", 11),

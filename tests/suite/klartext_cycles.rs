@@ -45,17 +45,26 @@ const VALUES: &[(u32, f64, f64)] = &[
     (247, 0.0, 30.0),
     (248, 60.0, 61.0),
     (253, 700.0, 710.0),
+    (254, 200.0, 210.0),
     (256, 0.5, 0.6),
     (257, 3.0, 2.0),
     (258, 0.5, 0.7),
     (259, 1.0, 1.2),
     (301, 1.0, 0.0),
+    (334, 3.0, 4.0),
+    (335, 20.0, 21.0),
     (336, 0.0, 45.0),
     (338, 0.0, 4.0),
     (342, 4.0, 5.0),
     (343, 1.0, 0.0),
     (344, -8.0, -9.0),
     (351, 1.0, -1.0),
+    (355, 1.0, 0.0),
+    (356, -25.0, -26.0),
+    (357, 0.2, 0.3),
+    (358, -1.0, -2.0),
+    (359, 3.0, 4.0),
+    (360, 0.0, 1.0),
     (365, 0.0, 1.0),
     (366, 0.0, 1.0),
     (367, 0.0, 2.0),
@@ -79,10 +88,11 @@ const VALUES: &[(u32, f64, f64)] = &[
     (430, 9.0, 0.0),
     (435, 0.0, 1.0),
     (439, 0.0, 1.0),
+    (512, 300.0, 310.0),
 ];
 
 /// A cycle, a Q parameter, and the values that it has there.
-const OWN: &[(u32, u32, f64, f64)] = &[(241, 202, 30.0, 10.0)];
+const OWN: &[(u32, u32, f64, f64)] = &[(208, 342, 4.0, 30.0), (208, 370, 1.0, 0.5), (241, 202, 30.0, 10.0)];
 
 /// A cycle, the parameter under test, and another one with the value that makes it count.
 const WITH: &[(u32, u32, u32, f64)] = &[(240, 201, 343, 0.0)];
@@ -165,7 +175,7 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
 }
 
 /// A drill of 12 mm, or a cutter.
-const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n";
+const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\n";
 
 /// What is printed and what is said.
 fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {

@@ -184,7 +184,7 @@ const STATEMENTS: &[(&str, &str)] = &[
     ("CONTOUR DEF P1 = \"A\"", ""),
     ("DECLARE CONTOUR QC1 = \"A\"", ""),
     ("DECLARE STRING QS1 = \"MILL\"", "TOOL CALL QS1 Z S5"),
-    ("GLOBAL DEF 100 GENERAL Q200=+2", ""),
+    ("GLOBAL DEF 100 GENERAL Q200=+2", "CYCL DEF 200 X Q200=PREDEF"),
     ("FUNCTION MODE MILL", ""),
     ("FUNCTION MODE TURN", ""),
     ("FUNCTION TCPM F TCP AXIS POS", ""),

@@ -443,9 +443,9 @@ K9009 Error "iso-block" "DIN/ISO block in a Klartext program"
 "A G word stands in a Klartext program. Where such blocks occur the meaning of I and J differs between writers (centre or offset), \
 so the block is refused. Convert it to L, C or CR."
 
-K9010 Error "pattern-unsupported" "point table is not available"
-"SEL PATTERN names a point table of the control, whose points are not in the program; CYCL CALL PAT without PATTERN DEF would run over it. \
-Put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`."
+K9010 Error "pattern-unsupported" "no pattern is in force"
+"CYCL CALL PAT runs over the places of PATTERN DEF, or of the point table that SEL PATTERN names, and neither stands before it in the program. The control may have a \
+table selected by hand. Put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`, or select the table: `SEL PATTERN \"HOLES.PNT\"`."
 
 K9011 Error "function-unsupported" "function is not supported"
 "The block is a function of newer controls that partc reads by name but does not execute. It may influence the path, so it is refused."

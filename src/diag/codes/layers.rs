@@ -28,4 +28,7 @@ tool. The tool data do not hold this angle, so nothing is checked here, as on a 
 
 S8212 Note "siemens-leaning" "leaning part is left to finishing"
 "Cuts along an axis cannot get behind a part that leans over, such as the side of an undercut of form F. Roughing leaves the little that stands there; finishing along the contour removes it."
+
+S8213 Warning "siemens-edge-points-back" "cutting edge points against the way of the cuts"
+"The edge position in the tool data says that the programmed point lies behind the nose, seen along the cuts. The body of such a tool runs ahead of its nose, into whatever stands at the end of the cut. Check the edge position, or turn the direction of the cycle around."
 }

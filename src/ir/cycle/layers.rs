@@ -198,11 +198,28 @@ impl Family for Layers {
     }
 
     fn leaves(&self, at: &mut Pos) {
-        at.set_in_plane(Plane::Zx, self.home);
+        at.set_in_plane(Plane::Zx, self.parked());
     }
 }
 
 impl Layers {
+    /// Where the programmed point of the tool begins and ends. A nose that reaches lower than its programmed point stands
+    /// as much higher.
+    pub fn parked(&self) -> Point2 {
+        let into = self.into.unit();
+        self.home - into * (self.nose.radius * (1.0 - self.nose.tip.dot(&into)))
+    }
+
+    /// The way of the cuts.
+    pub fn side_of_cuts(&self) -> Vec2 {
+        if self.into.is_radial() { Vec2::new(self.along, 0.0) } else { Vec2::new(0.0, self.along) }
+    }
+
+    /// Does the programmed point of the nose lie behind its centre, seen along the cuts?
+    pub fn points_back(&self) -> bool {
+        self.nose.radius > 0.0 && self.nose.tip.dot(&self.side_of_cuts()) < 0.0
+    }
+
     /// The contour with the cuts towards +x and the infeed towards -y.
     fn seen(&self) -> Vec<Element> {
         let out = -(self.into.unit().x + self.into.unit().y);
@@ -230,6 +247,15 @@ impl Layers {
         let outline = Profile::new(&chain, Grown::default());
         let dips = outline.dips(start, f64::INFINITY, LEAST_DIP);
         dips.iter().map(|dip| (dip.left * self.along, dip.right * self.along)).collect()
+    }
+
+    /// Angle to the way of the cuts at which the contour falls most steeply, degrees.
+    pub fn steepest_fall(&self) -> f64 {
+        let falls = |element: &Element| element.from().y - element.to().y > LEAST_DIP;
+        let steep = |way: Option<Vec2>| way.map_or(0.0, |way| libm::atan2(-way.y, way.x).to_degrees());
+        let parts = self.seen();
+        let falling = parts.iter().flat_map(quarters).filter(falls);
+        falling.map(|part| steep(part.start_direction()).max(steep(part.end_direction()))).fold(0.0, f64::max)
     }
 
     /// Does a part of the contour lean over, out of the reach of the cuts?

@@ -2,6 +2,7 @@
 //!
 //! A dialect fills the struct from its own parameters; `lower::cycles` makes moves of it.
 
+pub mod bore_milling;
 pub mod cut_off;
 pub mod drilling;
 pub mod facing;
@@ -26,6 +27,7 @@ use core::fmt;
 use super::Pos;
 use super::function::Spindle;
 
+pub use bore_milling::BoreMilling;
 pub use cut_off::CutOff;
 pub use drilling::Drilling;
 pub use facing::Facing;
@@ -93,6 +95,7 @@ macro_rules! families {
             Spigot(crate::ir::cycle::Spigot),
             PathMilling(crate::ir::cycle::PathMilling),
             ThreadMilling(crate::ir::cycle::ThreadMilling),
+            BoreMilling(crate::ir::cycle::BoreMilling),
         }
     };
 }

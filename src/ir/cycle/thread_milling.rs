@@ -1,17 +1,21 @@
-//! Arguments of thread milling: helices of one pitch, with a semicircle to them and from them.
+//! Arguments of thread milling: helices of one pitch, with a semicircle to them and from them; holes and countersinks that
+//! belong to them.
 
 use core::fmt;
 
 use crate::geo::Point2;
-use crate::ir::Pos;
+use crate::ir::{Feed, Pos};
 
 use super::Family;
+use super::drilling::{Drilling, DrillingFault};
 use super::milling::{Mill, MillFault, Place};
 
 /// Most turns or passes; more is a lost decimal point.
 const MOST: f64 = 10_000.0;
 /// What arithmetic may add to a quotient without one more turn.
 const WHOLE: f64 = 1e-9;
+/// A shorter way has no length, mm.
+const NOTHING: f64 = 1e-6;
 
 /// A milled thread.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,10 +32,58 @@ pub struct ThreadMilling {
     pub left_hand: bool,
     /// Sense in which the tool goes round.
     pub counter_clockwise: bool,
-    /// Teeth of an edge: so many turns are cut at once.
-    pub teeth: u32,
+    pub turns: Turns,
     /// What each pass leaves of the depth of the thread, from the first one on.
     pub rests: Vec<f64>,
+    pub ways: Ways,
+    /// Before the thread is cut, and afterwards.
+    pub before: Vec<Stage>,
+    pub after: Vec<Stage>,
+}
+
+/// How a thread is made of turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turns {
+    /// One after the other over the whole depth.
+    Continuous,
+    /// One for each strip that so many teeth cut at once.
+    Strips(u32),
+    /// One at the depth.
+    Once,
+}
+
+/// Ways to the thread and from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ways {
+    /// Where they begin, on the first axis; `None`: the middle, or beside an external thread as far as the clearance asks.
+    pub beside: Option<f64>,
+    /// Feed of the way to the thread.
+    pub onto: Feed,
+    /// Along the tool axis on the way to the thread, and on the way from it.
+    pub along: [f64; 2],
+    /// The thread itself begins or ends at the depth, and the way to it or from it lies beyond.
+    pub beyond: bool,
+    /// Straight to the safety distance, and from there on at the feed for the depth.
+    pub at_feed: bool,
+}
+
+/// What is made in the same place beside the thread.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stage {
+    Drill(Drilling),
+    Sink(Sink),
+}
+
+/// A countersink: down in the middle or beside the thread, and round.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sink {
+    /// Height where the feed for the depth ends.
+    pub approach: f64,
+    pub height: f64,
+    /// Of the circle, which a semicircle leads to and from; 0 for none.
+    pub radius: f64,
+    pub counter_clockwise: bool,
+    pub feed: Feed,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,6 +101,9 @@ pub enum ThreadMillingFault {
     Depth,
     /// The cutter does not fit into the core.
     Cutter,
+    /// A way to the thread has no length.
+    Way,
+    Hole(DrillingFault),
     TooMany,
 }
 
@@ -60,6 +115,8 @@ impl fmt::Display for ThreadMillingFault {
             ThreadMillingFault::Pitch => "the pitch is not above 0",
             ThreadMillingFault::Depth => "the thread has no depth: its core is not smaller than its diameter",
             ThreadMillingFault::Cutter => "the cutter is larger than the core of the thread",
+            ThreadMillingFault::Way => "the way to the thread begins on it",
+            ThreadMillingFault::Hole(fault) => return fault.fmt(f),
             ThreadMillingFault::TooMany => "the thread has so many turns or passes that they do not end",
         })
     }
@@ -70,15 +127,18 @@ impl fmt::Display for ThreadMillingFault {
 pub struct Helix {
     /// Where the way to it begins.
     pub start: f64,
-    /// Signed way of half a pitch.
-    pub half: f64,
+    /// Where the thread begins and ends.
+    pub first: f64,
+    pub last: f64,
+    /// Where the way from it ends.
+    pub end: f64,
     pub turns: u32,
 }
 
-impl Helix {
-    /// Where the way from it ends.
-    pub fn end(&self) -> f64 {
-        self.start + 2.0 * self.half * (f64::from(self.turns) + 1.0)
+impl Ways {
+    /// Half a pitch on each, none of it beyond the depth.
+    pub fn of_half_a_pitch(pitch: f64, feed: Feed) -> Ways {
+        Ways { beside: None, onto: feed, along: [pitch / 2.0; 2], beyond: false, at_feed: false }
     }
 }
 
@@ -99,6 +159,7 @@ impl ThreadMilling {
     /// Where the tool goes up and down: in the middle, or beside the thread.
     pub fn entry(&self) -> Point2 {
         match self.side {
+            _ if self.ways.beside.is_some() => Point2::new(self.ways.beside.unwrap_or(0.0), 0.0),
             Side::Internal => Point2::origin(),
             Side::External => {
                 let clearance = self.mill.heights.clearance;
@@ -112,22 +173,62 @@ impl ThreadMilling {
     pub fn helices(&self) -> Vec<Helix> {
         let heights = &self.mill.heights;
         let whole = |v: f64| libm::ceil(v - WHOLE).max(1.0);
-        let strip = self.pitch * f64::from(self.teeth);
-        let (count, turns) = if self.teeth == 1 {
-            (1.0, whole(heights.way() / self.pitch))
-        } else {
-            (whole(heights.way() / strip), 1.0)
+        let (count, turns, strip) = match self.turns {
+            Turns::Continuous => (1.0, whole(heights.way() / self.pitch), 0.0),
+            Turns::Once => (1.0, 1.0, 0.0),
+            Turns::Strips(teeth) => {
+                let strip = self.pitch * f64::from(teeth);
+                (whole(heights.way() / strip), 1.0, strip)
+            }
         };
-        let half = self.pitch / 2.0 * self.along();
-        // The way along the axis ends or begins at the depth, never below it.
-        let travel = 2.0 * half * (turns + 1.0);
-        let outwards = travel * heights.outward() > 0.0;
-        let lowest = |i: f64| heights.depth + i * strip * heights.outward();
-        let start = |i: f64| if outwards { lowest(i) } else { lowest(i) - travel };
-        let turns = turns as u32;
+        let outwards = self.along() * heights.outward() > 0.0;
+        let [onto, off] = self.ways.along.map(|way| way * self.along());
+        let thread = turns * self.pitch * self.along();
+        let helix = |i: f64| {
+            let lowest = heights.depth + i * strip * heights.outward();
+            let first = match (outwards, self.ways.beyond) {
+                (true, true) => lowest,
+                (true, false) => lowest + onto,
+                (false, true) => lowest - thread,
+                (false, false) => lowest - off - thread,
+            };
+            let last = if !outwards && self.ways.beyond { lowest } else { first + thread };
+            let start = if outwards && !self.ways.beyond { lowest } else { first - onto };
+            let end = if outwards || self.ways.beyond { last + off } else { lowest };
+            Helix { start, first, last, end, turns: turns as u32 }
+        };
         let strips = count as u32;
         let order: Vec<u32> = if outwards { (0..strips).collect() } else { (0..strips).rev().collect() };
-        order.into_iter().map(|i| Helix { start: start(f64::from(i)), half, turns }).collect()
+        order.into_iter().map(|i| helix(f64::from(i))).collect()
+    }
+}
+
+impl ThreadMilling {
+    /// Does the circle of a countersink go through where the tool goes down?
+    fn sinks_where_it_stands(&self) -> bool {
+        let at = if self.side == Side::External { self.entry().x } else { 0.0 };
+        self.stages().any(|stage| match stage {
+            Stage::Sink(sink) => sink.radius > 0.0 && (sink.radius - at).abs() < NOTHING,
+            Stage::Drill(_) => false,
+        })
+    }
+
+    fn stages(&self) -> impl Iterator<Item = &Stage> {
+        self.before.iter().chain(&self.after)
+    }
+}
+
+impl Stage {
+    fn fault(&self) -> Option<ThreadMillingFault> {
+        match self {
+            Stage::Drill(hole) => hole.check().err().map(ThreadMillingFault::Hole),
+            Stage::Sink(sink) => {
+                let good = [sink.approach, sink.height, sink.radius].iter().all(|v| v.is_finite())
+                    && sink.radius >= 0.0
+                    && sink.feed.value() > 0.0;
+                (!good).then_some(ThreadMillingFault::Number)
+            }
+        }
     }
 }
 
@@ -139,15 +240,19 @@ impl Family for ThreadMilling {
         let positive = |v: f64| v > 0.0 && v.is_finite();
         if !positive(self.nominal) || !positive(self.core) || !self.rests.iter().all(|rest| *rest >= 0.0) {
             Err(ThreadMillingFault::Number)
-        } else if !positive(self.pitch) || self.teeth == 0 {
+        } else if !positive(self.pitch) || self.turns == Turns::Strips(0) {
             Err(ThreadMillingFault::Pitch)
-        } else if self.core >= self.nominal {
+        } else if self.core > self.nominal || self.core == self.nominal && self.ways.beside.is_none() {
             Err(ThreadMillingFault::Depth)
         } else if self.side == Side::Internal && self.mill.radius >= self.core {
             Err(ThreadMillingFault::Cutter)
         } else if self.mill.heights.way() / self.pitch > MOST || self.rests.is_empty() || self.rests.len() as f64 > MOST
         {
             Err(ThreadMillingFault::TooMany)
+        } else if (self.entry().x - self.radius(0.0)).abs() < NOTHING || self.sinks_where_it_stands() {
+            Err(ThreadMillingFault::Way)
+        } else if let Some(fault) = self.stages().find_map(Stage::fault) {
+            Err(fault)
         } else {
             Ok(())
         }
@@ -157,8 +262,9 @@ impl Family for ThreadMilling {
         4.0 * self.rests.len() as f64 * self.helices().len() as f64
     }
 
-    /// Above where it came down.
+    /// Above where it goes up.
     fn leaves(&self, at: &mut Pos) {
-        self.mill.leaves_above(self.place.point(self.entry()), at);
+        let home = if self.side == Side::Internal { Point2::origin() } else { self.entry() };
+        self.mill.leaves_above(self.place.point(home), at);
     }
 }

@@ -4,11 +4,13 @@ use std::rc::Rc;
 
 use crate::geo::{Element, Point2, distance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
+use crate::ir::cycle::Drilling;
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::function::Spindle;
 use crate::ir::{Compensation, Feed, Function, Pos, Side};
 
-use super::{CycleItem, Start};
+use super::track::Failure;
+use super::{CycleItem, Expand, Start};
 
 /// What arithmetic may lose at an arc that a cycle computed, mm.
 const ARC_TOLERANCE: f64 = 1e-6;
@@ -124,12 +126,27 @@ impl<'a> Cutter<'a> {
 
     /// Along the tool axis at the feed for the depth.
     pub fn plunge(&mut self, height: f64) {
-        let feed = self.mill.feeds.depth;
+        self.sink(height, self.mill.feeds.depth);
+    }
+
+    /// Along the tool axis at `feed`.
+    pub fn sink(&mut self, height: f64, feed: Feed) {
         if self.height != Some(height) {
             self.go_on();
             self.height = Some(height);
             self.send(None, Some(height), Path::Line(feed));
         }
+    }
+
+    /// Drills where the cutter stands.
+    ///
+    /// # Errors
+    /// Data that make no hole.
+    pub fn drill(&mut self, hole: &Drilling, start: &Start) -> Result<(), Failure> {
+        // The hole begins with its own way to its start plane.
+        self.lifting = None;
+        self.height = Some(hole.levels.retract);
+        hole.expand(start, self.out)
     }
 
     /// In the plane at `feed`.
@@ -152,6 +169,12 @@ impl<'a> Cutter<'a> {
         let Some(at) = self.at.filter(|_| turns > 0) else { return };
         self.height = Some(height);
         self.round(at, Some(height), center, (ccw, turns - 1), feed);
+    }
+
+    /// Turns about `center`, and on to `to`, evenly down to `height`.
+    pub fn spiral(&mut self, to: Point2, center: Point2, turns: (bool, u32), height: f64, feed: Feed) {
+        self.height = Some(height);
+        self.round(self.place.point(to), Some(height), center, turns, feed);
     }
 
     /// An element that begins where the tool stands.

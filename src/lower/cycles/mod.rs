@@ -3,6 +3,7 @@
 // The enums matched here belong to one family each.
 #![allow(clippy::wildcard_enum_match_arm)]
 
+pub mod bore_milling;
 pub mod cut_off;
 pub mod cutter;
 pub mod drilling;

@@ -1,5 +1,6 @@
 //! `[cycles]`: what a control decides inside its machining cycles. docs/cycles.md says what each key changes.
 
+use super::klartext_cycles::KlartextCycles;
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::tree::{ConfigError, Node};
 use crate::machine::values::{flag, is, number, put, text};
@@ -240,6 +241,7 @@ pub struct Cycles {
     pub thread_digits: bool,
     /// `None` refuses multi-edges.
     pub multi_edge_start: Option<MultiEdgeStart>,
+    pub klartext: KlartextCycles,
 }
 
 impl Default for Cycles {
@@ -253,6 +255,7 @@ impl Default for Cycles {
             backward_side: None,
             thread_digits: false,
             multi_edge_start: None,
+            klartext: KlartextCycles::default(),
             layers: LayerCycles::default(),
         }
     }

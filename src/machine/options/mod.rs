@@ -3,6 +3,7 @@
 pub mod control;
 pub mod cycles;
 pub mod klartext;
+pub mod klartext_cycles;
 pub mod lint;
 pub mod machine;
 pub mod mtc200;

@@ -12,6 +12,7 @@ use crate::text::Span;
 
 use super::cycle_definition::{AxisValue, Labelled, What};
 use super::cycles::{Nature, find};
+use super::global_def::Given;
 use super::vars::Slot;
 use super::{Outcome, Run};
 
@@ -120,11 +121,20 @@ impl Run<'_> {
             Value::None => Some(named_value(word.span.of(text))),
             _ => None,
         };
-        if let Some(named) = named {
-            self.open_cycle().words.push((q.number, named));
-            return Ok(());
-        }
-        let value = self.number(word.value, word.span)?;
+        let value = match named {
+            Some("PREDEF") => match self.predefined(q, word.span)? {
+                Given::Number(value) => value,
+                Given::Word(named) => {
+                    self.open_cycle().words.push((q.number, named));
+                    return Ok(());
+                }
+            },
+            Some(named) => {
+                self.open_cycle().words.push((q.number, named));
+                return Ok(());
+            }
+            None => self.number(word.value, word.span)?,
+        };
         self.set(q, Slot::Number(value), word.span)?;
         if q.kind == QKind::Q {
             self.open_cycle().parameters.push((q.number, value));
@@ -234,6 +244,7 @@ fn named_value(assignment: &[u8]) -> &'static str {
     match value.trim_ascii() {
         word if word.eq_ignore_ascii_case(b"AUTO") => "FAUTO",
         word if word.eq_ignore_ascii_case(b"MAX") => "FMAX",
+        word if word.eq_ignore_ascii_case(b"PREDEF") => "PREDEF",
         _ => "a word",
     }
 }

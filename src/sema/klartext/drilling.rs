@@ -297,7 +297,7 @@ impl Run<'_> {
 }
 
 /// Steps that become shorter by an amount, down to a least one; the tool leaves the hole after each.
-fn steps(first: f64, (less, least): (f64, f64), dwell: f64) -> Pecking {
+pub(super) fn steps(first: f64, (less, least): (f64, f64), dwell: f64) -> Pecking {
     // The least step counts only where the steps become shorter.
     let least = if less == 0.0 { least.min(0.0) } else { least };
     let mut peck = Pecking { dwell_at_bottom: dwell, ..Pecking::new(first, Degression::Plain { less, least }) };

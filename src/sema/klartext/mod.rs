@@ -8,6 +8,7 @@ mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
+mod bore_milling;
 mod change;
 mod compensation;
 mod contour;
@@ -21,6 +22,7 @@ mod feed;
 mod fk;
 mod flow;
 mod frames;
+mod global_def;
 mod help;
 mod holes;
 mod labels;
@@ -34,7 +36,9 @@ mod path;
 mod pattern_def;
 mod patterns;
 mod plane;
+mod plane_normal;
 mod pockets;
+mod point_table;
 mod polar;
 mod probing;
 mod refused;
@@ -43,6 +47,7 @@ mod state;
 mod survey;
 mod system;
 mod text_functions;
+mod thread_milling;
 mod tool;
 mod transformation;
 mod unexecuted;
@@ -87,6 +92,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         free: None,
         places: None,
         places_lost: false,
+        globals: global_def::Globals::default(),
         selected: None,
         noted: Vec::new(),
         machine: Machine::new(eval::rules(job.settings)),
@@ -206,6 +212,8 @@ struct Run<'a> {
     places: Option<pattern_def::Places>,
     /// The last PATTERN DEF was refused.
     places_lost: bool,
+    /// Values for PREDEF.
+    globals: global_def::Globals,
     /// Program of SEL PGM.
     selected: Option<String>,
     /// M functions of which it was said that they are left out.

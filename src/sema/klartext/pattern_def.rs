@@ -24,8 +24,30 @@ const MOST: usize = 99_999;
 /// Places of a PATTERN DEF, in mm: in the plane, and the surface there.
 #[derive(Debug)]
 pub(super) struct Places {
-    list: Vec<(Point2, f64)>,
+    list: Vec<Place>,
     loc: Loc,
+}
+
+/// One of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub at: Point2,
+    /// Of the surface.
+    pub surface: f64,
+    /// Height at which the tool goes to this place and from it, where one is given.
+    pub clearance: Option<f64>,
+}
+
+impl Places {
+    /// Those of a point table that is selected here.
+    pub fn of_table(list: Vec<Place>, loc: Loc) -> Places {
+        Places { list, loc }
+    }
+
+    #[cfg(test)]
+    pub fn iter(&self) -> impl Iterator<Item = &Place> {
+        self.list.iter()
+    }
 }
 
 /// `X+12`, `NUM4`: the name and where its value stands.
@@ -174,7 +196,7 @@ impl Run<'_> {
     }
 
     /// The places of one element.
-    fn add_places(&mut self, name: &str, words: &Words, span: Span, list: &mut Vec<(Point2, f64)>) -> Outcome {
+    fn add_places(&mut self, name: &str, words: &Words, span: Span, list: &mut Vec<Place>) -> Outcome {
         let mm = self.level().frame.unit.mm();
         let (first, second, third) = self.st.plane().axes();
         let letter = |axis: usize| crate::machine::Axis::ALL[axis].letter().to_string();
@@ -258,7 +280,7 @@ impl Run<'_> {
                 format!("the places of {name} are visited line by line, to and fro"),
             ));
         }
-        list.extend(offsets.into_iter().map(|offset| (at + offset, surface)));
+        list.extend(offsets.into_iter().map(|offset| Place { at: at + offset, surface, clearance: None }));
         Ok(())
     }
 
@@ -277,8 +299,8 @@ impl Run<'_> {
             return self.fail_help(
                 codes::K9010,
                 self.block_span(),
-                "CYCL CALL PAT runs over a pattern, and no PATTERN DEF is in force",
-                "put PATTERN DEF in front; point tables of the control are not supported",
+                "CYCL CALL PAT runs over a pattern, and neither PATTERN DEF nor SEL PATTERN is in force",
+                "put PATTERN DEF or SEL PATTERN in front",
             );
         };
         let result = self.run_pattern(&w, &places);
@@ -292,7 +314,7 @@ impl Run<'_> {
             return self.cycle_unbuilt(&cycle, "a pattern of an old cycle");
         }
         let own = self.cycle_length(&cycle, SURFACE)?;
-        if own != 0.0 && places.list.iter().any(|(_, surface)| *surface != 0.0) {
+        if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(
                 Diagnostic::new(
                     codes::K2411,
@@ -309,20 +331,24 @@ impl Run<'_> {
         self.m_at_start(w, true)?;
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
-        for (place, surface) in &places.list {
+        for (i, place) in places.list.iter().enumerate() {
             self.goes_on()?;
-            let clear = self.heights(&cycle, *surface)?;
+            let clear = self.heights(&cycle, place.surface)?;
             let axis = self.st.axis();
-            if self.st.position.get(axis).is_none_or(|at| at < clear.start()) {
+            let free = place.clearance.map_or(clear.start(), |height| height.max(clear.start()));
+            if self.st.position.get(axis).is_none_or(|at| at < free) {
                 let mut up = Pos::UNKNOWN;
-                up.set(axis, clear.second);
+                up.set(axis, free.max(clear.second));
                 self.send(&up, Path::Rapid);
             }
             let mut end = Pos::UNKNOWN;
-            end.set_in_plane(self.st.plane(), *place);
+            end.set_in_plane(self.st.plane(), place.at);
             self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
-            self.run_cycle(&cycle, Call { shift: *surface, retract: Retract::To(height) })?;
+            // The higher one of the clearances here and at the next place.
+            let next = places.list.get(i + 1).and_then(|next| next.clearance);
+            let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
+            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height) })?;
         }
         self.m_at_end(w)
     }

@@ -4,6 +4,7 @@
 //! rotary axes; a turn about the tool axis Z stays in the plane. Every real tilt is refused.
 
 use libm::atan2;
+use nalgebra::Vector3;
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
@@ -13,6 +14,7 @@ use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
 use super::cycle_definition::Open;
+use super::plane_normal;
 use super::state::State;
 use super::vars::Slot;
 use super::words::Words;
@@ -53,7 +55,7 @@ impl Plane {
     fn read(code: &str, parameter: &mut dyn FnMut(&str) -> Option<f64>) -> Plane {
         let mut plane = Plane::default();
         for (at, word) in code.split_whitespace().enumerate() {
-            let (name, rest) = word.split_at(word.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(word.len()));
+            let (name, rest) = word.split_at(end_of_name(word));
             match (at, name, rest) {
                 (0, "PLANE", "") => {}
                 (1, kind, "") => plane.kind = kind.to_owned(),
@@ -123,21 +125,66 @@ impl Plane {
                 })
             }
             // X of the plane lies along B, its normal along N.
-            "VECTOR" => self.exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"]).map(|[bx, by, bz, nx, ny, nz]| {
-                let upright = (bz, nx, ny) == (0.0, 0.0, 0.0) && nz > 0.0 && (bx, by) != (0.0, 0.0);
+            "VECTOR" => self.exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"]).map(|[bx, by, _, nx, ny, nz]| {
+                // What B has along the normal does not count.
+                let upright = (nx, ny) == (0.0, 0.0) && nz > 0.0 && (bx, by) != (0.0, 0.0);
                 turned(!upright, if by == 0.0 && bx > 0.0 { 0.0 } else { atan2(by, bx).to_degrees() })
             }),
-            "PROJECTED" => self.exactly(["PROPR", "PROMIN", "ROT"]).map(|[first, second, _]| {
-                if first != 0.0 || second != 0.0 { Effect::Tilted } else { Effect::Unsettled }
+            "PROJECTED" => self.exactly(["PROPR", "PROMIN", "ROT"]).map(|[first, second, turn]| match turn {
+                _ if first != 0.0 || second != 0.0 => Effect::Tilted,
+                0.0 => Effect::Turned(0.0),
+                _ => Effect::Unsettled,
             }),
-            "POINTS" => {
-                let height = |point: &str| self.of(point);
-                let flat = height("P1Z") == height("P2Z") && height("P2Z") == height("P3Z");
-                Some(if flat { Effect::Unsettled } else { Effect::Tilted })
-            }
+            // X of the plane lies along P1 to P2; the tool comes from the positive side.
+            "POINTS" => self.points().and_then(|[p, q, r]| {
+                plane_normal::points([p, q, r])?;
+                let along = q - p;
+                let upright = p.z == q.z && q.z == r.z;
+                Some(turned(
+                    !upright,
+                    if along.y == 0.0 && along.x > 0.0 { 0.0 } else { atan2(along.y, along.x).to_degrees() },
+                ))
+            }),
             _ => None,
         };
         known.unwrap_or(Effect::Open)
+    }
+
+    fn points(&self) -> Option<[Vector3<f64>; 3]> {
+        let [a, b, c, d, e, f, g, h, i] =
+            self.exactly(["P1X", "P1Y", "P1Z", "P2X", "P2Y", "P2Z", "P3X", "P3Y", "P3Z"])?;
+        Some([Vector3::new(a, b, c), Vector3::new(d, e, f), Vector3::new(g, h, i)])
+    }
+
+    /// By what it tilts, and where the tool axis points then; the plane stands at `angle` about Z already.
+    fn tilted(&self, angle: f64) -> String {
+        let words: Vec<String> = self.data.iter().map(|(name, value)| format!("{name}{value:+}")).collect();
+        let normal = match self.kind.as_str() {
+            "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(plane_normal::spatial),
+            "EULER" => self.exactly(["EULPR", "EULNU", "EULROT"]).map(plane_normal::euler),
+            "VECTOR" => self
+                .exactly(["BX", "BY", "BZ", "NX", "NY", "NZ"])
+                .and_then(|[.., x, y, z]| Vector3::new(x, y, z).try_normalize(1e-12)),
+            "POINTS" => self.points().and_then(plane_normal::points),
+            "RELATIVE" => self.data.first().map(|(name, value)| {
+                let axis = usize::from(name == "SPB");
+                plane_normal::turn(2, angle) * plane_normal::turn(axis, *value) * Vector3::z()
+            }),
+            // The signs of the one, and the axes of the other, are known at the machine.
+            _ => None,
+        };
+        let points = normal.map(|normal| format!(": the tool axis points along {}", plane_normal::shown(&normal)));
+        format!(" by {}{}", words.join(" "), points.unwrap_or_default())
+    }
+}
+
+/// `SPA` of `SPA+20`, `P1X` of `P1X+0`.
+fn end_of_name(word: &str) -> usize {
+    let letters =
+        |from: usize| word[from..].find(|c: char| !c.is_ascii_alphabetic()).map_or(word.len(), |length| from + length);
+    match word.as_bytes() {
+        [b'P', b'1'..=b'3', b'X' | b'Y' | b'Z', ..] => letters(2),
+        _ => letters(0),
     }
 }
 
@@ -201,7 +248,13 @@ impl Run<'_> {
                 let what = format!("turns about another axis than Z, which is not compiled for the tool axis {axis}");
                 return refuse(self, &what);
             }
-            Effect::Tilted => return refuse(self, "tilts the working plane, which cannot be compiled for three axes"),
+            Effect::Tilted => {
+                let what = plane.tilted(self.st.frames.transform().turn.0);
+                return refuse(
+                    self,
+                    &format!("tilts the working plane{what}, which cannot be compiled for three axes"),
+                );
+            }
             Effect::Unsettled => {
                 return refuse(self, "turns the plane by words whose sense no manual page settles");
             }
@@ -212,7 +265,7 @@ impl Run<'_> {
     }
 
     /// `+Q1`, `-QL5`: its value, `None` where `text` is no parameter.
-    fn signed_parameter(&mut self, text: &str, span: Span) -> Option<Outcome<f64>> {
+    pub(super) fn signed_parameter(&mut self, text: &str, span: Span) -> Option<Outcome<f64>> {
         let (negative, name) = match text.as_bytes().first()? {
             b'-' => (true, &text[1..]),
             b'+' => (false, &text[1..]),
@@ -234,7 +287,17 @@ impl Run<'_> {
         let tilted = open.axes.iter().any(|at| at.axis != Axis::C && at.value.unwrap_or(0.0) != 0.0);
         let turn = angle(Axis::C);
         if tilted {
-            self.error(codes::K9004, "cycle 19 tilts the working plane, which cannot be compiled for three axes");
+            let angles = [angle(Axis::A), angle(Axis::B), turn];
+            let [a, b, c] = angles;
+            let points = if self.job.settings.control.klartext_choices.cycle_19_axes {
+                String::new()
+            } else {
+                format!(": the tool axis points along {}", plane_normal::shown(&plane_normal::spatial(angles)))
+            };
+            let message = format!(
+                "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}{points}, which cannot be compiled for three axes"
+            );
+            self.error(codes::K9004, message);
             return Err(Reported);
         }
         if turn != 0.0 {
@@ -389,6 +452,7 @@ mod tests {
             "PLANE AXIAL B+0 STAY",
             "PLANE RELATIVE SPB+0 STAY",
             "PLANE RESET TURN FMAX",
+            "PLANE PROJECTED PROPR+0 PROMIN+0 ROT+0 STAY",
         ] {
             assert!(!tilts(code.as_bytes()), "{code}");
         }
@@ -400,7 +464,9 @@ mod tests {
             "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ-1 STAY",
             "PLANE VECTOR BX1 BY0 BZ0 NX0 NY0.0000001 NZ1 STAY",
             "PLANE RESET MOVE DIST50 MB MAX FMAX",
-            "PLANE PROJECTED PROPR+0 PROMIN+0 ROT+0 STAY",
+            "PLANE PROJECTED PROPR+0 PROMIN+0 ROT+5 STAY",
+            "PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+20 P2Y+0 P2Z+5 P3X+0 P3Y+20 P3Z+0 STAY",
+            "PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+20 P2Y+0 P2Z+0 P3X+40 P3Y+0 P3Z+0 STAY",
         ] {
             assert!(tilts(code.as_bytes()), "{code}");
         }
@@ -414,6 +480,8 @@ mod tests {
         assert_eq!(effect("PLANE RELATIVE SPC-15 STAY"), Effect::TurnedBy(-15.0));
         assert_eq!(effect("PLANE VECTOR BX-1 BY0 BZ0 NX0 NY0 NZ1 STAY"), Effect::Turned(180.0));
         assert_eq!(effect("PLANE AXIAL C+30 STAY"), Effect::Table);
+        let points = "PLANE POINTS P1X+5 P1Y+0 P1Z+2 P2X+5 P2Y+20 P2Z+2 P3X-15 P3Y+0 P3Z+2 STAY";
+        assert_eq!(effect(points), Effect::Turned(90.0));
         assert_eq!(effect("PLANE PROJECTED PROPR+0 PROMIN+0 ROT+5 STAY"), Effect::Unsettled);
         assert_eq!(effect("PLANE AXIAL B+0 C+0 STAY"), Effect::Turned(0.0));
     }

@@ -12,9 +12,7 @@ impl Run<'_> {
         match what {
             Refused::Plane => self.plane_block(block, text),
             Refused::TouchProbe => self.probe(block, text),
-            Refused::Pattern => {
-                self.fail(codes::K9010, span, format!("{name}: point tables of the control are not supported"))
-            }
+            Refused::Pattern => self.select_pattern(block, text, span.end),
             Refused::SelectTable if span.end < block.span.end => {
                 self.left_out(
                     "SEL TABLE only selects, a shift from the table is refused where it is programmed, and it",
@@ -30,12 +28,7 @@ impl Run<'_> {
             Refused::Contour => {
                 self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
             }
-            Refused::GlobalDef => self.fail_help(
-                codes::K9011,
-                span,
-                "GLOBAL DEF sets parameters for cycles that take them by PREDEF, which is not supported",
-                "write the values into the cycles that say PREDEF, and remove this block",
-            ),
+            Refused::GlobalDef => self.global_def(block, text),
             Refused::Function if is_harmless(block.span.of(text)) => {
                 self.job.diags.push_once(Diagnostic::new(
                     codes::K2703,

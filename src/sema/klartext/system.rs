@@ -19,6 +19,14 @@ struct Request {
     idx: Option<f64>,
 }
 
+impl Request {
+    /// `ID240 NR1 IDX3`
+    fn name(self) -> String {
+        let idx = self.idx.map(|idx| format!(" IDX{idx}")).unwrap_or_default();
+        format!("ID{} NR{}{idx}", self.id, self.nr)
+    }
+}
+
 impl Run<'_> {
     pub(super) fn system_read(&mut self, target: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.request(block, text).and_then(|request| self.answer(request, block));
@@ -121,13 +129,26 @@ impl Run<'_> {
                 }
                 Ok(value)
             }
-            None => self.fail_help(
-                codes::K9016,
-                block.span,
-                format!("system data ID {} NR {} is known only at the machine", r.id, r.nr),
-                "assign the value with FN 0 if it is always the same",
-            ),
+            None => match self.answered(r) {
+                Some(value) => Ok(value),
+                None => self.fail_help(
+                    codes::K9016,
+                    block.span,
+                    format!("system data ID {} NR {} is known only at the machine", r.id, r.nr),
+                    format!(
+                        "assign the value with FN 0 if it is always the same, or say it in partc.toml: `[variables]` with `\"{}\" = …`",
+                        r.name()
+                    ),
+                ),
+            },
         }
+    }
+
+    /// What `[variables]` says, in the unit of the program.
+    fn answered(&self, r: Request) -> Option<f64> {
+        let bare = |name: &str| name.replace(' ', "");
+        let name = bare(&r.name());
+        self.job.settings.variables.iter().find(|(key, _)| bare(key) == name).map(|(_, value)| *value)
     }
 
     /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool.

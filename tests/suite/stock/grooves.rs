@@ -387,14 +387,14 @@ struct Stock {
 }
 
 /// The tool at an edge towards minus.
-struct Tool {
-    width: f64,
-    nose: f64,
+pub struct Tool {
+    pub width: f64,
+    pub nose: f64,
 }
 
 impl Tool {
     /// Lowest height of the tool over `x` while its left edge goes from `a` to `b`.
-    fn lowest(&self, a: P, b: P, x: f64) -> Option<f64> {
+    pub fn lowest(&self, a: P, b: P, x: f64) -> Option<f64> {
         let (r, flat) = (self.nose, self.width - 2.0 * self.nose);
         let mut low = f64::INFINITY;
         for side in [r, r + flat] {

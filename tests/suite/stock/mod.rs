@@ -1,7 +1,10 @@
 //! Material that a tool takes off: what cycles promise about gouges, rapid traverse, depth and what is left, for calls at random.
 
+mod corner;
+mod cut_off;
 mod faces;
 mod grooves;
+mod klartext_bores;
 mod klartext_pockets;
 mod layers;
 mod milled_threads;
@@ -9,5 +12,6 @@ pub mod milling;
 mod paths;
 mod pockets;
 mod regions;
+mod removal;
 mod spigots;
 mod turning;

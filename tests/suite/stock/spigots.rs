@@ -140,7 +140,8 @@ fn random(dice: &mut Dice) -> Case {
     match dice.roll(3) {
         0 => {
             let half = [number(dice, 1.0, 20.0), number(dice, 1.0, 20.0)];
-            let corner = some(dice, half[0].min(half[1]));
+            // A blank with sharp corners stands out by 0.4142 of their radius.
+            let corner = some(dice, half[0].min(half[1]).min(reach / 0.4143));
             // The corner of the blank stands out most.
             let most = ((reach + corner) / std::f64::consts::SQRT_2 - corner).max(0.0);
             let size = half.map(|half| half + number(dice, 0.0, most.max(0.001)).min(most));

@@ -73,7 +73,13 @@ impl Cutter<'_> {
         let away = left(u);
         let back = self.at + away * lift;
         let free = region.finished.highest(back.x, self.at.x - LEVEL) <= back.y.min(self.at.y) + LEVEL;
-        let to = if away.x > LEVEL || away.y < -LEVEL || !free { self.at + Vec2::new(0.0, lift) } else { back };
+        let to = if away.x > LEVEL || away.y < -LEVEL || !free {
+            // Along a wall, through what roughing left in front of it.
+            let stands = region.rough.height(self.at.x).min(region.top());
+            Point2::new(self.at.x, (self.at.y + lift).max(stands))
+        } else {
+            back
+        };
         self.line(to, region.layers.feeds.finish);
         if !region.layers.into.is_inside() {
             let out = region.home().y.max(self.at.y);
@@ -145,11 +151,12 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
         let touches = || profile.first_about(last.to() - Vec2::new(0.0, nose), stop.x);
         if stop.y > end.y + LEVEL { touches().unwrap_or(stop) } else { stop }
     };
-    if region.least.is_finite()
-        && start.y < region.least
-        && let Some(x) = profile.first_above(region.least, start.x)
-    {
-        start = Point2::new(x, region.least);
+    if region.least.is_finite() && start.y < region.least {
+        match profile.first_above(region.least, start.x) {
+            Some(x) => start = Point2::new(x, region.least),
+            // All of it lies outside of the limits.
+            None => return Ok(Path { start, legs: Vec::new() }),
+        }
     }
     if let Some(x) = profile.first_above(region.top(), start.x).filter(|x| *x < end.x && region.is_capped) {
         end = Point2::new(x, region.top());

@@ -126,7 +126,7 @@ impl Cutter<'_> {
     /// Back to where the cycle began, above all that stands in front of the tool.
     fn go_home(&mut self) {
         let home = self.region.home();
-        let needed = self.region.highest_before(self.at.x);
+        let needed = self.region.highest_before(self.at.x.max(home.x));
         if self.at.y < needed {
             self.rapid_y(needed + self.region.layers.clearance.lift);
         }

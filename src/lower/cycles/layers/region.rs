@@ -3,7 +3,7 @@
 use crate::diag::codes;
 use crate::geo::profile::{Grown, LEVEL, Profile};
 use crate::geo::{Element, Point2, Vec2};
-use crate::ir::cycle::layers::{Blank, Layers, Segmentation};
+use crate::ir::cycle::layers::{Blank, LEAST_DIP, Layers, Relief, Segmentation};
 use crate::ir::cycle::recess::Operation;
 use crate::lower::cycles::infeed;
 use crate::lower::cycles::track::{Failure, View};
@@ -73,7 +73,10 @@ impl<'l> Region<'l> {
         let edge = front.max(limits.near) - left.along - left.around;
         let reached = bare.highest(f64::NEG_INFINITY, edge + LEVEL);
         let floor = if reached == f64::NEG_INFINITY { start.y } else { reached }.max(limits.bottom);
-        if top <= floor + LEVEL {
+        // A contour that begins at the blank may have nothing but relief cuts; finishing follows what is there.
+        let above = top > floor + LEVEL;
+        let floor = floor.min(top);
+        if !above && layers.operation == Operation::Rough && layers.relief == Relief::Left {
             return Err(no_blank());
         }
         if front < limits.near - LEVEL && blank.highest(front, limits.near) > floor + LEVEL {
@@ -93,9 +96,19 @@ impl<'l> Region<'l> {
         if limits.bottom.is_finite() {
             rough = rough.raised(limits.bottom);
         }
-        let levels = levels(layers, &contour, &left, top, floor)?;
+        let levels = if above { levels(layers, &contour, &left, top, floor)? } else { vec![top] };
+        if !above && layers.operation != Operation::Finish {
+            let begin = rough.first_above(floor - 3.0 * LEVEL, f64::NEG_INFINITY).unwrap_or(start.x);
+            if rough.dips(Point2::new(begin, floor), top, LEAST_DIP).is_empty() {
+                return Err(no_blank());
+            }
+        }
+        check_chips(layers, end.x - front, &levels)?;
         let behind = rough.mirrored();
-        let finished = Profile::new(&contour, Grown { along: 0.0, up: -nose, disc: nose });
+        let mut finished = Profile::new(&contour, Grown { along: 0.0, up: -nose, disc: nose });
+        if limits.bottom.is_finite() {
+            finished = finished.raised(limits.bottom);
+        }
         Ok(Region {
             layers,
             view,
@@ -136,7 +149,7 @@ impl<'l> Region<'l> {
 
     /// Where the cycle begins and ends.
     pub fn home(&self) -> Point2 {
-        self.view.point(self.layers.home) - self.to_tip()
+        self.view.point(self.layers.parked()) - self.to_tip()
     }
 
     /// Greatest height in front of the nose.
@@ -194,6 +207,17 @@ impl Limits {
         let (bottom, top) = seen(infeed, &|v| view.height(v));
         Limits { near, far, bottom, top }
     }
+}
+
+/// All cuts together are interrupted no more often than cuts may be.
+fn check_chips(layers: &Layers, length: f64, levels: &[f64]) -> Result<(), Failure> {
+    let Some(chips) = layers.chips else { return Ok(()) };
+    let count = infeed::steps(length, chips.every).saturating_mul(levels.len() as u64);
+    if layers.operation == Operation::Finish || count <= MOST_CUTS {
+        return Ok(());
+    }
+    let message = format!("the cuts are interrupted {count} times, more than {MOST_CUTS}");
+    Err(Failure::new(codes::G3040, message, "program a longer way between the interruptions"))
 }
 
 fn check_nose(layers: &Layers, view: &View) -> Result<(), Failure> {

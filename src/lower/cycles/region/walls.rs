@@ -1,6 +1,6 @@
 //! How far the walls are, and where there is most room between them.
 
-use crate::geo::{Element, Point2, Vec2, arc, distance};
+use crate::geo::{Element, Point2, Vec2, arc, distance, left};
 
 /// Distance of `p` from an element.
 pub fn to_element(p: Point2, element: &Element) -> f64 {
@@ -137,7 +137,8 @@ pub fn roomiest(low: Point2, high: Point2, room: impl Fn(Point2) -> f64) -> Opti
     squares.retain(|(_, room)| room + reach(half) >= highest.1);
     squares.sort_by(|a, b| before(&a.0, &b.0));
     let climbs = squares.iter().take(MOST_CLIMBS).map(|(p, _)| climbed(*p, half, &room));
-    Some(climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest))
+    let found = climbs.into_iter().find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest);
+    Some(slid(found, half, &room))
 }
 
 /// Squares along a side at first.
@@ -152,17 +153,32 @@ fn before(a: &Point2, b: &Point2) -> core::cmp::Ordering {
     a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
 }
 
-/// From `p` to where no step leads to more room, with steps from `step` down.
+/// Along a ridge to its point with the smallest coordinates.
+fn slid((mut p, known): (Point2, f64), half: f64, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
+    for unit in [Vec2::x(), Vec2::y()] {
+        let mut step = half;
+        while step > 1e-9 {
+            if room(p - unit * step) >= known - EQUAL / 2.0 {
+                p -= unit * step;
+            } else {
+                step /= 2.0;
+            }
+        }
+    }
+    (p, room(p))
+}
+
+/// From `p` to where no step leads to more room, with steps from `step` down. A step goes along an axis, and then across it to where there is
+/// most: so it follows a ridge, however flat it is.
 fn climbed(mut p: Point2, mut step: f64, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
-    const DIRECTIONS: usize = 24;
     let mut best = room(p);
-    while step > 1e-9 {
-        let around = (0..DIRECTIONS).map(|i| {
-            let angle = core::f64::consts::TAU * i as f64 / DIRECTIONS as f64;
-            p + crate::geo::turned(Vec2::new(step, 0.0), angle)
+    while step > FINEST_STEP {
+        let around = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)].map(|(x, y)| {
+            let along = Vec2::new(x, y) * step;
+            most_across(p + along, left(along), room)
         });
-        let found = around.map(|q| (q, room(q))).fold((p, best), |a, b| if b.1 > a.1 { b } else { a });
-        if found.1 > best {
+        let found = around.into_iter().fold((p, best), |a, b| if b.1 > a.1 { b } else { a });
+        if found.1 > best + LEAST_GAIN * step {
             (p, best) = found;
         } else {
             step /= 2.0;
@@ -170,3 +186,25 @@ fn climbed(mut p: Point2, mut step: f64, room: &impl Fn(Point2) -> f64) -> (Poin
     }
     (p, best)
 }
+
+/// The point with most room from `q - reach` to `q + reach`.
+fn most_across(q: Point2, reach: Vec2, room: &impl Fn(Point2) -> f64) -> (Point2, f64) {
+    let (mut low, mut high) = (-1.0, 1.0);
+    for _ in 0..THIRDS {
+        let third = (high - low) / 3.0;
+        if room(q + reach * (low + third)) < room(q + reach * (high - third)) {
+            low += third;
+        } else {
+            high -= third;
+        }
+    }
+    let found = q + reach * f64::midpoint(low, high);
+    (found, room(found))
+}
+
+/// Shortest step of a climb, mm.
+const FINEST_STEP: f64 = 1e-8;
+/// Gains below this part of a step are none.
+const LEAST_GAIN: f64 = 1e-6;
+/// How often a way across is cut by a third.
+const THIRDS: usize = 24;

@@ -1,5 +1,6 @@
 //! The cycles of CYCL DEF: one row each, one file a family.
 
+pub(super) mod bores;
 pub(super) mod call;
 mod defined;
 pub(super) mod drilling;
@@ -8,6 +9,7 @@ mod named;
 pub(super) mod patterns;
 pub(super) mod pockets;
 mod tapping_in_steps;
+pub(super) mod threads;
 pub(super) mod transformations;
 
 use core::fmt;
@@ -156,8 +158,16 @@ impl Row {
     }
 }
 
-const FAMILIES: &[&[Row]] =
-    &[drilling::ROWS, tapping_in_steps::ROWS, pockets::ROWS, patterns::ROWS, transformations::ROWS, named::ROWS];
+const FAMILIES: &[&[Row]] = &[
+    drilling::ROWS,
+    tapping_in_steps::ROWS,
+    pockets::ROWS,
+    bores::ROWS,
+    threads::ROWS,
+    patterns::ROWS,
+    transformations::ROWS,
+    named::ROWS,
+];
 
 /// All cycles that are known, family by family.
 pub(super) fn rows() -> impl Iterator<Item = &'static Row> {

@@ -111,7 +111,7 @@ impl CycleCall<'_, '_> {
         if allowance.around != 0.0 && allowance.axes != Vec2::zeros() {
             self.own_way("`FAL` is left beside `FALX` and `FALZ`");
         }
-        let feeds = self.feeds_95(operation)?;
+        let feeds = self.removal_feeds(operation, [FF1, FF3])?;
         let chips = self.chips_95();
         let nose = self.nose_of_edge()?;
         let extent = Extent::of(&contour);
@@ -123,7 +123,7 @@ impl CycleCall<'_, '_> {
         };
         let entry = lift + along + allowance.around;
         let (cut, depth) = side.place(near);
-        let layers = Layers {
+        let mut layers = Layers {
             contour,
             into: side.into,
             along: side.along,
@@ -142,6 +142,7 @@ impl CycleCall<'_, '_> {
             feeds,
             home: side.point(cut - side.along * entry, depth + side.out() * (up + allowance.around + lift)),
         };
+        self.plunge_feed(&mut layers, FF2)?;
         let by_tip = keys.rough_by_tip.unwrap_or(self.job.settings.control.sinumerik.model == "802d");
         if by_tip && operation != Operation::Finish && nose.radius > 0.0 {
             return self.rough_by_tip(layers);
@@ -151,6 +152,13 @@ impl CycleCall<'_, '_> {
 
     /// Roughing by the programmed tip, finishing with the nose.
     fn rough_by_tip(&mut self, layers: Layers) -> Outcome {
+        // The tip stands for the nose only where it lies ahead of it and below.
+        let ahead = layers.into.unit() + layers.side_of_cuts();
+        if layers.nose.tip != ahead {
+            let what = "the tip of the tool does not lie ahead of its nose and inwards, so roughing takes the nose radius into account";
+            self.own_way(what);
+            return self.send_layers(layers);
+        }
         if !layers.reliefs().is_empty() || layers.leans_over() {
             let what = "the contour falls, so roughing takes the nose radius into account: its tip alone would cut into the part";
             self.own_way(what);
@@ -166,15 +174,20 @@ impl CycleCall<'_, '_> {
         Ok(())
     }
 
-    fn feeds_95(&mut self, operation: Operation) -> Outcome<LayerFeeds> {
-        // A feed that the kind of machining does not use is not asked for.
-        let rough = if operation == Operation::Finish { None } else { Some(self.mill_feed(FF1)?) };
-        let finish = if operation == Operation::Rough { None } else { Some(self.mill_feed(FF3)?) };
-        let given = rough.or(finish);
-        let Some(any) = given else { return self.kind_fault(VARI, "1 to 12") };
-        let plunge =
-            if self.args.or_zero(FF2) > 0.0 || self.st.feed.word().is_some() { self.mill_feed(FF2)? } else { any };
-        Ok(LayerFeeds { rough: rough.unwrap_or(any), plunge, finish: finish.unwrap_or(any) })
+    /// Feeds of roughing and finishing; one that the kind of machining does not use is not asked for.
+    fn removal_feeds(&mut self, operation: Operation, [rough, finish]: [Key; 2]) -> Outcome<LayerFeeds> {
+        let first = self.mill_feed(if operation == Operation::Finish { finish } else { rough })?;
+        let last = if operation == Operation::RoughAndFinish { self.mill_feed(finish)? } else { first };
+        Ok(LayerFeeds { rough: first, plunge: first, finish: last })
+    }
+
+    /// The feed into relief cuts, where there are some.
+    fn plunge_feed(&mut self, layers: &mut Layers, key: Key) -> Outcome {
+        let cuts = layers.relief == Relief::Cut && layers.operation != Operation::Finish;
+        if cuts && !layers.reliefs().is_empty() {
+            layers.feeds.plunge = self.mill_feed(key)?;
+        }
+        Ok(())
     }
 
     /// A dwell after each part of a long cut.
@@ -223,7 +236,8 @@ impl CycleCall<'_, '_> {
         let most = self.infeed(D, operation)?;
         let keys = self.job.settings.cycles.layers.clone();
         let nose = self.nose_of_edge()?;
-        let feeds = self.feeds_952(operation)?;
+        // Alone, finishing has the feed of roughing.
+        let feeds = self.removal_feeds(operation, if operation == Operation::Finish { [F, F] } else { [F, FS] })?;
         let blank = self.blank_952(&contour, side, blank)?;
         let (cut, depth) = self.outermost(&contour, side, &blank);
         let clearance = Some(self.magnitude(SC)).filter(|way| *way > 0.0).unwrap_or(keys.blank_offset);
@@ -232,7 +246,7 @@ impl CycleCall<'_, '_> {
             _ => depth + side.out() * clearance,
         };
         let every = self.magnitude(DI);
-        let layers = Layers {
+        let mut layers = Layers {
             contour,
             into: side.into,
             along: side.along,
@@ -244,13 +258,14 @@ impl CycleCall<'_, '_> {
             trace: Trace::Level,
             chips: (every > 0.0).then_some(ChipBreaking { every, by: Interruption::Retract(INTERRUPTION) }),
             relief,
-            limits: self.limits_952(),
+            limits: self.limits_952(side)?,
             operation,
             finish_backwards: false,
             clearance: Clearance { lift: keys.release, entry: keys.blank_offset },
             feeds,
             home: side.point(cut - side.along * keys.blank_offset, out),
         };
+        self.plunge_feed(&mut layers, FR)?;
         self.send_layers(layers)
     }
 
@@ -266,12 +281,6 @@ impl CycleCall<'_, '_> {
 
     fn digits_952(&mut self) -> Outcome {
         let args = self.args;
-        for place in 7..10 {
-            if args.digit(AMODE, place) > 0 || args.digit(GMODE, place + 1) > 0 {
-                let key = if args.digit(AMODE, place) > 0 { AMODE } else { GMODE };
-                return self.not_built(key, &format!("the digits of `{}` from the eighth on", args.written(key)));
-            }
-        }
         if args.digit(AMODE, 3) == 1 && args.or_zero(U1) != 0.0 {
             return self.not_built(U1, "the further allowance `_U1`");
         }
@@ -293,14 +302,6 @@ impl CycleCall<'_, '_> {
             return Allowance { axes: Vec2::zeros(), around: self.magnitude(U) };
         }
         Allowance { axes: Vec2::new(self.magnitude(UZ), self.magnitude(UX)), around: 0.0 }
-    }
-
-    fn feeds_952(&mut self, operation: Operation) -> Outcome<LayerFeeds> {
-        let rough = self.mill_feed(F)?;
-        let plunge = if self.args.or_zero(FR) > 0.0 { self.mill_feed(FR)? } else { rough };
-        let combined = operation == Operation::RoughAndFinish && self.args.or_zero(FS) > 0.0;
-        let finish = if combined { self.mill_feed(FS)? } else { rough };
-        Ok(LayerFeeds { rough, plunge, finish })
     }
 
     fn blank_952(&mut self, contour: &[Element], side: Side, blank: Option<Vec<Element>>) -> Outcome<Blank> {
@@ -339,15 +340,25 @@ impl CycleCall<'_, '_> {
         }
     }
 
-    fn limits_952(&self) -> Limits {
+    fn limits_952(&self, side: Side) -> Outcome<Limits> {
         let args = self.args;
         if args.digit(GMODE, 3) != 1 {
-            return Limits::default();
+            return Ok(Limits::default());
+        }
+        // XA is the smaller diameter and ZA lies in front: alone, on other sides, it is open which of both borders it is.
+        let usual = side.into == Towards::MinusX && side.along < 0.0;
+        for (a, b, names) in [(4, 6, "XA and XB"), (5, 7, "ZA and ZB")] {
+            if !usual && args.digit(GMODE, a) != args.digit(GMODE, b) {
+                return self.not_built(
+                    GMODE,
+                    &format!("one of the limits {names} without the other one on this side of the part"),
+                );
+            }
         }
         self.own_way("what stands outside of the limits is taken as not in the way of the tool");
         let given =
             |key: Key, place: u32| (args.digit(GMODE, place) == 1).then(|| self.length_of(args, key).unwrap_or(0.0));
         let radius = |v: Option<f64>| v.map(|v| v / 2.0);
-        Limits { z: [given(ZA, 5), given(ZB, 7)], x: [radius(given(XA, 4)), radius(given(XB, 6))] }
+        Ok(Limits { z: [given(ZA, 5), given(ZB, 7)], x: [radius(given(XA, 4)), radius(given(XB, 6))] })
     }
 }

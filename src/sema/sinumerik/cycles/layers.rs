@@ -2,13 +2,15 @@
 //!
 //! Source: M 1, 2 and 9 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::layers::{Layers, Relief};
 use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
+
+use nalgebra::Vector3;
 
 use super::super::Outcome;
 use super::super::compensation::nose_of;
@@ -108,7 +110,7 @@ impl CycleCall<'_, '_> {
         let written = self.st.system.number(&format!("$TC_DP2[{number},{edge}]"));
         let listed = || self.active_tool().and_then(|tool| tool.orientation).filter(|_| edge == 1).map(f64::from);
         match written.or_else(listed).and_then(nose_of) {
-            Some(way) => Ok(Nose { radius, tip: Vec2::zeros() - way }),
+            Some(way) => Ok(Nose { radius, tip: self.in_frame(Vec2::zeros() - way)? }),
             None => {
                 let message =
                     format!("{}: the position of the cutting edge of tool {number} D{edge} is not known", args.name());
@@ -118,6 +120,31 @@ impl CycleCall<'_, '_> {
                 self.fail_help(codes::S2201.alarm(61000), args.span, message, &help)
             }
         }
+    }
+
+    /// The angle of the flank of the active edge, degrees; on the control 0 is "not known".
+    fn clearance_angle(&self) -> Option<f64> {
+        let number = self.st.tool.active()?;
+        let edge = self.st.tool.edge_or_first();
+        let written = self.st.system.number(&format!("$TC_DP24[{number},{edge}]"));
+        let listed = || self.active_tool().and_then(|tool| tool.clearance).filter(|_| edge == 1);
+        written.or_else(listed).filter(|angle| *angle > 0.0)
+    }
+
+    /// A direction of the tool along Z and X as the programmed frame sees it: no frame turns the tool.
+    fn in_frame(&self, way: Vec2) -> Outcome<Vec2> {
+        let linear = self.st.ctx.frame.linear();
+        let seen = linear.transpose() * Vector3::new(way.y, 0.0, way.x);
+        let whole = seen.map(|v| v.round());
+        let straight = (seen - whole).norm() < 1e-9 && whole.y == 0.0 && whole.abs().max() <= 1.0;
+        if straight && (linear * whole - Vector3::new(way.y, 0.0, way.x)).norm() < 1e-9 {
+            return Ok(Vec2::new(whole.z, whole.x));
+        }
+        let message = format!(
+            "{}: under a frame that turns the part by an angle the nose of the tool lies beside the path that would be printed",
+            self.args.name()
+        );
+        self.fail_help(codes::S9015, self.args.span, message, "cancel ROT before the cycle")
     }
 
     /// The kind of machining from a digit: 1 roughing, 2 finishing, 3 both.
@@ -156,12 +183,31 @@ impl CycleCall<'_, '_> {
             if layers.relief == Relief::Left {
                 let message = format!("{}: the relief cut from {shown} is left standing", args.name());
                 self.note_once(codes::S8210, args.span, message);
+            } else if let Some(angle) = self.clearance_angle() {
+                let steepest = layers.steepest_fall();
+                if steepest > angle + 1e-6 {
+                    let message = format!(
+                        "the relief cut from {shown} falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"
+                    );
+                    let help = "take a tool with a larger clearance angle (`[tools.N] clearance`, $TC_DP24), or leave the relief to a groove cycle";
+                    return self.cycle_fault(args.span, 61604, &message, help);
+                }
             } else {
                 let message = format!(
                     "{}: relief cut from {shown}: whether the flank of the tool clears its falling side is not checked",
                     args.name()
                 );
                 self.note_once(codes::S8211, args.span, message);
+            }
+        }
+        if layers.points_back() {
+            let message = format!(
+                "{}: the cutting edge points back, against the way of the cuts: the body of such a tool runs ahead of its nose",
+                args.name()
+            );
+            if self.job.diags.first_text(codes::S8213, &message) {
+                let found = Diagnostic::new(codes::S8213, self.loc(args.span), message);
+                self.report(found.help("check the edge position in the tool data, and the direction of the cycle"));
             }
         }
         if layers.leans_over() && layers.operation != Operation::Finish {

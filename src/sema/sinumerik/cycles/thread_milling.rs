@@ -5,7 +5,7 @@
 use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault};
+use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault, Turns, Ways};
 use crate::ir::cycle::{Cycle, Family, ThreadMilling};
 
 use super::super::Outcome;
@@ -51,8 +51,11 @@ impl CycleCall<'_, '_> {
             pitch,
             left_hand,
             counter_clockwise,
-            teeth,
+            turns: if teeth == 1 { Turns::Continuous } else { Turns::Strips(teeth) },
             rests,
+            ways: Ways::of_half_a_pitch(pitch, mill.feeds.plane),
+            before: Vec::new(),
+            after: Vec::new(),
         })
     }
 
@@ -78,8 +81,11 @@ impl CycleCall<'_, '_> {
             pitch,
             left_hand,
             counter_clockwise,
-            teeth: 1,
+            turns: Turns::Continuous,
             rests: vec![0.0],
+            ways: Ways::of_half_a_pitch(pitch, mill.feeds.plane),
+            before: Vec::new(),
+            after: Vec::new(),
         })
     }
 
@@ -159,7 +165,8 @@ impl CycleCall<'_, '_> {
                 format!("the infeed `_MID` (argument {}) is so small that its passes do not end", self.args.place(MID));
             return self.cycle_fault(self.args.span_of(MID), 61019, &message, "give a larger infeed");
         }
-        Ok((1..=count).map(|k| depth - way * k as f64 / count as f64).collect())
+        let rest = |k: usize| if k == count { allowance } else { depth - way * k as f64 / count as f64 };
+        Ok((1..=count).map(rest).collect())
     }
 
     fn mill_thread(&mut self, thread: ThreadMilling) -> Outcome {
@@ -176,7 +183,9 @@ impl CycleCall<'_, '_> {
     fn thread_milling_fault(&self, fault: ThreadMillingFault) -> Outcome {
         let (key, alarm, help): (Key, _, _) = match fault {
             ThreadMillingFault::Mill(fault) => return self.mill_fault(&NAMES, fault),
-            ThreadMillingFault::Cutter => (DIATH, 61105, "take a smaller cutter"),
+            ThreadMillingFault::Cutter | ThreadMillingFault::Way | ThreadMillingFault::Hole(_) => {
+                (DIATH, 61105, "take a smaller cutter")
+            }
             ThreadMillingFault::Pitch | ThreadMillingFault::TooMany => {
                 (super::arguments::PIT, 61001, "check the pitch and the infeed")
             }

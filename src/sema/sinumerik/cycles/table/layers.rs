@@ -15,6 +15,23 @@ const fn either(place: u32, unknown: &'static str) -> Digit {
     Digit { place, most: 1, unknown }
 }
 
+/// No digit has a known meaning.
+const RESERVED: Digits = Digits { known: &[], other: "", doubt: None };
+
+/// Which limits of CYCLE952 are given, and whether they are valid.
+const LIMITS: Digits = Digits {
+    known: &[either(3, ""), either(4, ""), either(5, ""), either(6, ""), either(7, "")],
+    other: "",
+    doubt: None,
+};
+
+/// How the blank counts; above the thousands stands what calls have stored without meaning.
+const BLANK_MODE: Digits = Digits {
+    known: &[either(1, ""), either(2, ""), either(3, ""), either(4, ""), either(5, ""), either(6, "")],
+    other: "",
+    doubt: None,
+};
+
 /// 0 absolute or a radius, 1 incremental or a chamfer.
 const CORNER_MODE: Digits = Digits {
     known: &[
@@ -53,7 +70,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 dwell("DT", "dwell to break the chip").unsigned().default("0"),
                 length("DAM", "way after which the chip is broken").unsigned().default("0"),
                 length("_VRT", "lift").unsigned().default("1 mm"),
-                number("_GMODE", "").without_effect("reserved"),
+                digits("_GMODE", &RESERVED, "reserved: 0").default("0"),
                 PLANE,
             ],
         },
@@ -125,12 +142,12 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_DI", "way after which the chip is broken").unsigned().default("0"),
                 length("_SC", "safety distance").unsigned(),
                 count("_DN", "number of the second edge").without_effect("grooving only"),
-                number("_GMODE", "thousands 1: the limits are valid; above them: XA, ZA, XB, ZB are given").default("0"),
+                digits("_GMODE", &LIMITS, "thousands 1: the limits are valid; above them: XA, ZA, XB, ZB are given").default("0"),
                 PLANE,
-                number("_AMODE", "tens and hundreds 1: `_XD` and `_ZD` count from the contour; thousands 1: `_U1` is valid")
+                digits("_AMODE", &BLANK_MODE, "tens and hundreds 1: `_XD` and `_ZD` count from the contour; thousands 1: `_U1` is valid")
                     .default("0"),
-                number("_PK", "").without_effect("grooving only"),
-                number("_DCH", "").without_effect("its meaning is not known"),
+                number("_PK", "reserved: 0 or 1, as calls have it").rule(Rule::OneOf(0, 1)).default("0"),
+                number("_DCH", "reserved: 0").rule(Rule::OneOf(0, 0)).default("0"),
                 feed("_FS", "feed of finishing, after roughing").rule(FEED).default("that of roughing"),
             ],
         },

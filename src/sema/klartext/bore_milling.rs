@@ -1,0 +1,131 @@
+//! Cycle 208: its parameters become a [`BoreMilling`].
+//!
+//! Source: F B1 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Deg;
+use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
+use crate::ir::cycle::{BoreMilling, Cycle};
+
+use super::cycles::DefinedCycle;
+use super::cycles::bores::{NOMINAL, TURN_INFEED};
+use super::cycles::call::Call;
+use super::cycles::drilling::{FEED, ROUGH_DIAMETER};
+use super::cycles::milling::{CLIMB, OVERLAP};
+use super::{Outcome, Reported, Run};
+
+/// What arithmetic may lose at a size, mm.
+const SAME: f64 = 1e-9;
+
+impl Run<'_> {
+    /// The cutter of a cycle that has one level; nothing where the depth is 0.
+    pub(super) fn round_cutter(&mut self, cycle: &DefinedCycle, call: Call, feeds: Feeds) -> Outcome<Option<Mill>> {
+        let radius = self.cutter_radius(cycle)?;
+        let heights = self.heights(cycle, call.shift)?;
+        let deep = self.depth_below(cycle)?;
+        if deep == 0.0 {
+            self.has_no_depth(cycle);
+            return Ok(None);
+        }
+        let heights = Heights {
+            retract: call.retract.height(&heights),
+            reference: heights.surface,
+            clearance: heights.clearance,
+            depth: heights.surface + deep,
+            step: 0.0,
+            division: Division::Even,
+            allowance: 0.0,
+        };
+        Ok(Some(Mill { plane: self.st.plane(), heights, radius, feeds }))
+    }
+
+    /// Cycle 208.
+    pub(super) fn bore_milling(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let options = self.job.settings.cycles.klartext;
+        let feed = self.cycle_feed(cycle, FEED, None)?;
+        let Some(mill) = self.round_cutter(cycle, call, Feeds { plane: feed, depth: feed })? else { return Ok(None) };
+        let pitch = self.above_zero(cycle, TURN_INFEED)?;
+        let size = self.above_zero(cycle, NOMINAL)? / 2.0;
+        let circles = self.circles_of_bore(cycle, size, mill.radius)?;
+        let climbs = if cycle.sets(CLIMB) { self.climbs(cycle)? } else { true };
+        let from = if options.helix_from_surface { mill.heights.reference } else { mill.heights.safe() };
+        let place = Place { at: self.call_point(cycle)?, turn: Deg(0.0) };
+        let bore = BoreMilling {
+            mill,
+            place,
+            circles,
+            pitch,
+            counter_clockwise: climbs,
+            from,
+            straight: options.straight_entry,
+        };
+        Ok(Some(Cycle::BoreMilling(self.sound(cycle, bore)?)))
+    }
+
+    /// Radii of the circles of the centre, from inside out.
+    fn circles_of_bore(&mut self, cycle: &DefinedCycle, size: f64, radius: f64) -> Outcome<Vec<f64>> {
+        let drilled = self.cycle_open_length(cycle, ROUGH_DIAMETER)? / 2.0;
+        if size < radius - SAME {
+            return self.tool_too_large(
+                cycle,
+                &format!("the hole has {} mm (Q335), and the tool {} mm", 2.0 * size, 2.0 * radius),
+            );
+        }
+        if drilled >= size {
+            let message = format!("the drilled hole Q342 = {} is not smaller than Q335", 2.0 * drilled);
+            return self.cycle_value(cycle, &message);
+        }
+        if size < radius + SAME {
+            return Ok(Vec::new());
+        }
+        let given = self.cycle_option(cycle, OVERLAP)? != 0.0;
+        // Radius of what one circle leaves in the middle.
+        let left = size - 2.0 * radius;
+        if !given && (left <= SAME || drilled > 0.0 && drilled >= left - SAME) {
+            return Ok(vec![size - radius]);
+        }
+        if !given && drilled == 0.0 {
+            return self.bore_too_wide(cycle, size, radius);
+        }
+        let width = if given { self.overlap(cycle, radius)? } else { radius };
+        // A helix in the solid leaves no core.
+        let width = if drilled < radius { width.min(radius) } else { width };
+        let base = drilled.max(radius);
+        let count = libm::ceil((size - base) / width - SAME).max(1.0);
+        if count == 1.0 {
+            return Ok(vec![size - radius]);
+        }
+        if !self.job.settings.cycles.klartext.bore_in_rings {
+            let message = format!(
+                "cycle 208: the hole of {} mm is milled in several circles (Q342, Q370), whose order is not documented",
+                2.0 * size
+            );
+            self.report(
+                Diagnostic::new(codes::K9040, self.here.origin.loc, message)
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("`[cycles] cycle_208_rings = true` mills them from inside out, as docs/cycles.md says"),
+            );
+            return Err(Reported);
+        }
+        if count > 1000.0 {
+            return self.cycle_value(cycle, "the overlap Q370 makes more than 1000 circles");
+        }
+        let step = (size - base) / count;
+        Ok((1..=count as u32).map(|i| base - radius + step * f64::from(i)).collect())
+    }
+
+    /// The control refuses a hole of more than two diameters of the tool.
+    fn bore_too_wide<T>(&mut self, cycle: &DefinedCycle, size: f64, radius: f64) -> Outcome<T> {
+        let message = format!(
+            "cycle 208: tool radius too small: the hole has {} mm (Q335), more than twice the tool of {} mm",
+            2.0 * size,
+            2.0 * radius
+        );
+        self.report(
+            Diagnostic::new(codes::K2942, self.here.origin.loc, message)
+                .also(cycle.loc, "the cycle is defined here")
+                .help("take a larger tool, or give the diameter that is drilled already by Q342"),
+        );
+        Err(Reported)
+    }
+}

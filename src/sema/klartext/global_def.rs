@@ -1,0 +1,201 @@
+//! GLOBAL DEF: values for the parameters that a later cycle takes by PREDEF.
+//!
+//! A cycle takes the value when it is defined. Source: K 4.4 (docs/sources.md).
+
+use crate::diag::codes;
+use crate::lexer::klartext::QRef;
+use crate::machine::Unit;
+use crate::parser::klartext::ast::Block;
+use crate::text::{Span, number::decimal};
+
+use super::{Outcome, Run};
+
+/// What GLOBAL DEF gives a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Given {
+    Number(f64),
+    /// FMAX or FAUTO.
+    Word(&'static str),
+}
+
+/// Parameters of GLOBAL DEF, by number of the Q parameter.
+#[derive(Debug, Default)]
+pub(super) struct Globals {
+    list: Vec<(u32, Given, Unit)>,
+}
+
+impl Globals {
+    pub fn get(&self, q: u32) -> Option<(Given, Unit)> {
+        self.list.iter().find(|(known, ..)| *known == q).map(|(_, given, unit)| (*given, *unit))
+    }
+
+    fn set(&mut self, q: u32, given: Given, unit: Unit) {
+        self.list.retain(|(known, ..)| *known != q);
+        self.list.push((q, given, unit));
+    }
+}
+
+/// A definition and the parameters that it has.
+const KNOWN: &[(u32, &[u32])] = &[
+    (100, &[200, 204, 253, 208]),
+    (105, &[256, 210, 211]),
+    (110, &[370, 351, 366]),
+    (111, &[2, 6, 7]),
+    (120, &[320, 260, 301]),
+];
+
+/// `Q200=+2`, where it stands, without blanks and comments.
+type Line = (String, Span);
+
+/// The words of a definition: its number and name, and its parameters.
+fn lines(code: &str, start: u32) -> Vec<Line> {
+    let mut list = Vec::new();
+    let mut at = 0;
+    for line in code.split_inclusive('\n') {
+        let bare = line.split(';').next().unwrap_or_default();
+        let mut from = 0;
+        for part in bare.split_inclusive('~') {
+            let text = part.trim_end_matches('~').trim();
+            if !text.is_empty() {
+                let lead = part.len() - part.trim_start().len();
+                let span = Span::at(start + (at + from + lead) as u32, text.len() as u32);
+                list.push((text.to_ascii_uppercase(), span));
+            }
+            from += part.len();
+        }
+        at += line.len();
+    }
+    list
+}
+
+impl Run<'_> {
+    pub(super) fn global_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let code = String::from_utf8_lossy(text.get(block.span.start as usize..).unwrap_or_default());
+        let words = split(lines(&code, block.span.start));
+        let Some((head, parameters)) = words.split_first() else { return Ok(()) };
+        let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
+        if number == Some(125) {
+            return self.fail_help(
+                codes::K9011,
+                head.1,
+                "GLOBAL DEF 125 decides where the tool goes between the places of a pattern, which is not supported",
+                "remove the block: the tool retracts to the 2nd set-up clearance",
+            );
+        }
+        let Some((number, takes)) = KNOWN.iter().find(|(known, _)| Some(*known) == number) else {
+            return self.fail_help(
+                codes::K2943,
+                head.1,
+                "the number of this GLOBAL DEF is not known",
+                "write 100 (general), 105 (drilling), 110 (pockets), 111 (contours) or 120 (probing)",
+            );
+        };
+        for (word, span) in parameters {
+            let (q, given) = self.global_parameter(word, *span)?;
+            if !takes.contains(&q) {
+                return self.fail_help(
+                    codes::K2943,
+                    *span,
+                    format!("GLOBAL DEF {number} has no parameter Q{q}"),
+                    "remove the word, or write it into the cycles themselves",
+                );
+            }
+            let unit = self.level().frame.unit;
+            self.globals.set(q, given, unit);
+        }
+        Ok(())
+    }
+
+    /// `Q200=+2`
+    fn global_parameter(&mut self, word: &str, span: Span) -> Outcome<(u32, Given)> {
+        let unreadable = |run: &Self| {
+            run.fail_help(
+                codes::K2943,
+                span,
+                format!("`{word}` is no parameter with its value"),
+                "write `Q200=+2`, each on a line of its own or behind `~`",
+            )
+        };
+        let Some((name, value)) = word.split_once('=') else { return unreadable(self) };
+        let Some(q) = name.trim().strip_prefix('Q').and_then(|digits| digits.parse().ok()) else {
+            return unreadable(self);
+        };
+        let value = value.trim();
+        match value {
+            "FMAX" | "MAX" => return Ok((q, Given::Word("FMAX"))),
+            "FAUTO" | "AUTO" => return Ok((q, Given::Word("FAUTO"))),
+            _ => {}
+        }
+        if let Some(parameter) = self.signed_parameter(value, span) {
+            return Ok((q, Given::Number(parameter?)));
+        }
+        let digits = value.strip_prefix(['+', '-']).unwrap_or(value);
+        match decimal(digits.as_bytes(), true) {
+            Some((number, len)) if len == digits.len() => {
+                Ok((q, Given::Number(if value.starts_with('-') { -number } else { number })))
+            }
+            _ => unreadable(self),
+        }
+    }
+
+    /// What a parameter that says PREDEF takes.
+    pub(super) fn predefined(&mut self, q: QRef, span: Span) -> Outcome<Given> {
+        let unit = self.level().frame.unit;
+        match self.globals.get(q.number) {
+            Some((given, of)) if of == unit => Ok(given),
+            Some(_) => self.fail_help(
+                codes::K2943,
+                span,
+                format!("the GLOBAL DEF with {q} stands in a program of another unit"),
+                "write the value in place of PREDEF",
+            ),
+            None => self.fail_help(
+                codes::K2944,
+                span,
+                format!("no GLOBAL DEF gives {q} a value"),
+                "write GLOBAL DEF in front of the cycle, or the value in place of PREDEF",
+            ),
+        }
+    }
+}
+
+/// Parameters that stand one after the other in a line.
+fn split(list: Vec<Line>) -> Vec<Line> {
+    let mut made: Vec<Line> = Vec::new();
+    for (text, span) in list {
+        let mut starts: Vec<usize> = text.match_indices('=').filter_map(|(at, _)| name_before(&text, at)).collect();
+        if starts.first() != Some(&0) {
+            starts.insert(0, 0);
+        }
+        for (i, from) in starts.iter().enumerate() {
+            let to = starts.get(i + 1).copied().unwrap_or(text.len());
+            let word = text[*from..to].trim_end();
+            if !word.is_empty() {
+                made.push((word.to_owned(), Span::at(span.start + *from as u32, word.len() as u32)));
+            }
+        }
+    }
+    made
+}
+
+/// Where the name begins that ends at the `=`.
+fn name_before(text: &str, equals: usize) -> Option<usize> {
+    let name = text[..equals].trim_end();
+    let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    (digits.len() < name.len() && digits.ends_with('Q')).then(|| digits.len() - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_definition() {
+        let code = "GLOBAL DEF 100 GENERAL ~\n  Q200=+2 ;SET-UP ~\n Q204=+50 Q253=+750 ~\n Q208=FMAX";
+        let words: Vec<String> = split(lines(code, 0)).into_iter().map(|(word, _)| word).collect();
+        assert_eq!(words, ["GLOBAL DEF 100 GENERAL", "Q200=+2", "Q204=+50", "Q253=+750", "Q208=FMAX"]);
+        let one: Vec<String> =
+            split(lines("GLOBAL DEF 105 DRILLING Q256=Q1 Q210 = 0", 4)).into_iter().map(|l| l.0).collect();
+        assert_eq!(one, ["GLOBAL DEF 105 DRILLING", "Q256=Q1", "Q210 = 0"]);
+    }
+}
