@@ -28,7 +28,7 @@ impl Unreachable {
 }
 
 impl SourceRule for Unreachable {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let block = read.block;
         // Where a branch ends, the other one goes on.
         let led_to = |what: &What| matches!(what, What::Label(_) | What::Begins | What::Ends | What::Branches);
