@@ -697,6 +697,7 @@ pub const CASES: &[(&str, &str, &str)] = &[
     ("CYCLE95", "DT", "machining/cycle95_chips"),
     ("CYCLE95", "DAM", "machining/cycle95_chips"),
     ("CYCLE95", "_VRT", "machining/cycle95_face"),
+    ("CYCLE95", "_GMODE", "machining/cycle95_geometry_code"),
     ("CYCLE95", "_DMODE", "machining/cycle95_other_plane"),
     ("CYCLE951", "_SPD", "machining/cycle951_with_transitions"),
     ("CYCLE951", "_SPL", "machining/cycle951_with_transitions"),
@@ -740,5 +741,7 @@ pub const CASES: &[(&str, &str, &str)] = &[
     ("CYCLE952", "_GMODE", "machining/cycle952_limits"),
     ("CYCLE952", "_DMODE", "machining/cycle952_other_plane"),
     ("CYCLE952", "_AMODE", "machining/cycle952_cylinder"),
+    ("CYCLE952", "_PK", "machining/cycle952_code_of_plunging"),
+    ("CYCLE952", "_DCH", "machining/cycle952_unknown_argument"),
     ("CYCLE952", "_FS", "machining/cycle952_face"),
 ];

@@ -18,7 +18,7 @@ const LATHE: &str = "T1 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\
 const GROOVES: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\n";
 
 /// A contour between labels, called by CYCLE62.
-const TURNED: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\nGOTOF OVER\nFROM:\nG1 X30 Z0\nZ-20\nX25 Z-25\nZ-35\nUPTO:\nX50\nOVER:\nCYCLE62(,2,\"FROM\",\"UPTO\")\n";
+const TURNED: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15\nGOTOF OVER\nFROM:\nG1 X30 Z1\nZ-20\nX25 Z-25\nZ-35\nUPTO: X50\nOVER:\nCYCLE62(,2,\"FROM\",\"UPTO\")\n";
 
 /// A cutter of 10 mm, and a contour between labels.
 const CUTTER: &str =
@@ -42,7 +42,7 @@ const CALLS: &[(&str, &str, &str, u32)] = &[
     ),
     (
         TURNED,
-        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0,1,0,0,20,2,80,-30,,,,,0,1,,#,2,110,1,0,0.1)",
+        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0,1,0,0,31,2,44,-30,,,,,0,1,,#,2,110,1,0,0.1)",
         "_GMODE",
         11_111_000,
     ),
@@ -54,7 +54,7 @@ const CALLS: &[(&str, &str, &str, u32)] = &[
     ),
     (
         TURNED,
-        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0.1,1,0,0,20,2,80,-30,,,,,0,1,,0,2,#,1,0,0.1)",
+        "CYCLE952(\"P\",,\"\",1101331,0.3,0.1,0,3,0,0,0.2,0.1,0.3,0.1,1,1,2,20,2,80,-30,,,,,0,1,,0,2,#,1,0,0.1)",
         "_AMODE",
         110,
     ),
@@ -170,7 +170,7 @@ const PLACES: u32 = 9;
 
 /// The moves and what is said.
 fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
-    let settings = if [LATHE, GROOVES].contains(&head) {
+    let settings = if [LATHE, GROOVES, TURNED].contains(&head) {
         settings(
             "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.2]\nwidth = 4.0\nradius = 0.2\norientation = 3\n",
         )

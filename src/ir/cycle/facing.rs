@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::geo::Point2;
-use crate::ir::Pos;
+use crate::ir::{Feed, Pos};
 
 use super::Family;
 use super::milling::{Mill, MillFault, Place, parts};
@@ -25,12 +25,26 @@ pub struct Facing {
     pub along: usize,
     /// To and fro; else all paths in one sense.
     pub alternates: bool,
+    pub links: Links,
     /// Greatest width of a cut; above 0, at most the diameter of the cutter.
     pub width: f64,
     pub overrun: Overrun,
     /// Sides of the face that are walls: of each axis the one towards minus, and the one towards plus.
     pub walls: [[bool; 2]; 2],
     pub kind: Kind,
+    /// The allowance is cut in a last level of its own at this feed.
+    pub last: Option<Feed>,
+}
+
+/// How the tool gets from path to path, and from level to level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Links {
+    /// To and fro at the feed of the plane; lifted paths, and levels, at rapid traverse from the first path on.
+    Usual,
+    /// To the next path at this feed; to and fro the next level begins where the one before ends.
+    At(Feed),
+    /// The same, and to and fro the tool turns inside the face, where it moves sideways at the feed of the plane.
+    Inside(Feed),
 }
 
 /// How far the cutter leaves the face, mm; 0 or more.
@@ -154,6 +168,36 @@ impl Facing {
             .collect()
     }
 
+    /// The paths of a level, where it is the `level`th one, from 0.
+    pub fn paths_of(&self, level: usize) -> Vec<[Point2; 2]> {
+        let mut paths = self.paths();
+        if let (Links::Inside(_), true) = (self.links, self.goes_back()) {
+            self.turn_inside(&mut paths);
+        }
+        if level % 2 == 1 && self.goes_back() && self.links != Links::Usual {
+            paths.reverse();
+            for path in &mut paths {
+                path.reverse();
+            }
+        }
+        paths
+    }
+
+    /// The tool turns inside as far as nothing stays between two paths at the end where they are not joined; but not at the
+    /// last turn, where a corner of the face would be left.
+    fn turn_inside(&self, paths: &mut [[Point2; 2]]) {
+        let radius = self.mill.radius;
+        let reach = libm::sqrt((radius * radius - self.width * self.width / 4.0).max(0.0));
+        let by = radius + self.overrun.ends + reach.min(self.size[self.along].abs() / 2.0);
+        for turn in 0..paths.len().saturating_sub(2) {
+            let [from, to] = paths[turn];
+            let along = (to - from) / crate::geo::length(to - from);
+            // A path that was made shorter keeps its direction.
+            paths[turn][1] = to - along * by;
+            paths[turn + 1][0] -= along * by;
+        }
+    }
+
     /// The cut along the wall, in the axes of the face; none where the paths end outside.
     pub fn along_wall(&self) -> Option<AlongWall> {
         let [cut, side] = self.ways();
@@ -184,7 +228,11 @@ impl Facing {
     /// The levels of the face.
     pub fn levels(&self) -> Vec<f64> {
         match self.kind {
-            Kind::Rough => self.mill.heights.levels(),
+            Kind::Rough => {
+                let mut levels = self.mill.heights.levels();
+                levels.extend(self.last.map(|_| self.mill.heights.depth));
+                levels
+            }
             Kind::Finish { .. } => vec![self.mill.heights.depth],
         }
     }
@@ -220,7 +268,9 @@ impl Family for Facing {
 
     /// Above the end of the last cut.
     fn leaves(&self, at: &mut Pos) {
-        let last = self.along_wall().map(|wall| wall.path).or_else(|| self.paths().last().copied());
+        let wall = self.along_wall().map(|wall| wall.path);
+        let level = self.levels().len().saturating_sub(1);
+        let last = wall.or_else(|| self.paths_of(level).last().copied());
         if let Some([_, end]) = last {
             self.mill.leaves_above(self.corner.point(end), at);
         }

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::geo::{Deg, Element, Point2, Vec2, arc};
-use crate::ir::Pos;
+use crate::ir::{Feed, Pos};
 
 use super::Family;
 use super::milling::{Mill, MillFault, Place, parts};
@@ -26,12 +26,34 @@ pub struct Spigot {
     pub counter_clockwise: bool,
     /// What is left on the wall.
     pub allowance: f64,
-    /// How far the blank reaches along the first axis, from the middle.
-    pub blank: f64,
+    pub blank: Blank,
     /// Greatest width of a cut; one circuit without it.
     pub width: Option<f64>,
     /// Down to the floor, not only to its allowance.
     pub finishes_floor: bool,
+    pub rough: bool,
+    pub finish: Option<Finish>,
+}
+
+/// What is cut behind roughing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Finish {
+    pub wall: bool,
+    pub floor: bool,
+    pub feed: Feed,
+    /// Greatest infeed in depth along the wall; 0 for one cut.
+    pub step: f64,
+}
+
+/// What stands around the finished outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blank {
+    /// How far it reaches along the first axis, from the middle.
+    pub reach: f64,
+    /// How far it stands out beyond the outline where that is most; 0 or less for not at all.
+    pub stock: f64,
+    /// Beside it the tool goes down so far away.
+    pub aside: f64,
 }
 
 /// The finished outline about its middle.
@@ -203,9 +225,14 @@ impl Round {
 impl Spigot {
     /// Distances of the circuits from the finished outline, from outside in.
     pub fn distances(&self) -> Vec<f64> {
-        let innermost = self.allowance + self.mill.radius;
+        self.distances_to(self.allowance)
+    }
+
+    /// The same, down to this allowance.
+    pub fn distances_to(&self, allowance: f64) -> Vec<f64> {
+        let innermost = allowance + self.mill.radius;
         let Some(width) = self.width else { return vec![innermost] };
-        let way = (self.blank - self.shape.least()).max(0.0);
+        let way = self.blank.stock.max(0.0);
         let count = parts(way, width);
         (0..count).rev().map(|j| innermost + way * j as f64 / count as f64).collect()
     }
@@ -213,8 +240,9 @@ impl Spigot {
     /// Where the tool goes down, beside the blank, on the first axis.
     pub fn entry(&self) -> Point2 {
         let outermost = self.distances().first().map_or(0.0, |distance| self.shape.reach() + distance);
-        let clear = self.blank + self.mill.radius + self.mill.heights.clearance;
-        let x = if clear > outermost + SAME { clear } else { outermost + 2.0 * self.mill.heights.clearance };
+        let Blank { reach, aside, .. } = self.blank;
+        let clear = reach + self.mill.radius + aside;
+        let x = if clear > outermost + SAME { clear } else { outermost + 2.0 * aside };
         Point2::new(x, 0.0)
     }
 
@@ -231,7 +259,8 @@ impl Family for Spigot {
         self.mill.check().map_err(SpigotFault::Mill)?;
         let unsigned = |v: f64| v >= 0.0 && v.is_finite();
         let positive = |v: f64| v > 0.0 && v.is_finite();
-        if !unsigned(self.allowance) || !unsigned(self.blank) {
+        let Blank { reach, stock, aside } = self.blank;
+        if ![self.allowance, reach, aside].into_iter().all(unsigned) || !stock.is_finite() {
             return Err(SpigotFault::Number);
         }
         match self.shape {
@@ -246,7 +275,7 @@ impl Family for Spigot {
         }
         match self.width {
             Some(width) if width <= 0.0 || width > 2.0 * self.mill.radius + SAME => Err(SpigotFault::Width),
-            Some(width) if self.blank / width > MOST_CIRCUITS => Err(SpigotFault::TooManyCircuits),
+            Some(width) if stock.max(reach) / width > MOST_CIRCUITS => Err(SpigotFault::TooManyCircuits),
             Some(_) | None => Ok(()),
         }
     }
@@ -257,7 +286,11 @@ impl Family for Spigot {
             Shape::Rectangle { .. } => 9.0,
             Shape::Polygon { edges, .. } => 2.0 * f64::from(edges) + 1.0,
         };
-        (elements + 2.0) * self.distances().len() as f64 * self.levels().len() as f64
+        let circuits = self.distances().len() as f64;
+        let finishing = self.finish.map_or(0.0, |finish| {
+            circuits + self.mill.heights.levels_to(self.mill.heights.depth, finish.step).len() as f64
+        });
+        (elements + 2.0) * (circuits * self.levels().len() as f64 + finishing)
     }
 
     /// Above where it went down.

@@ -91,6 +91,11 @@ impl<'a> Cutter<'a> {
         self.height.is_none_or(|at| (at - height) * self.mill.heights.outward() > NOTHING)
     }
 
+    /// Does the tool stand below `height`?
+    pub fn is_below(&self, height: f64) -> bool {
+        self.height.is_some_and(|at| (at - height) * self.mill.heights.outward() < -NOTHING)
+    }
+
     /// How every milling cycle ends a place.
     pub fn retract(&mut self) {
         self.lift(self.mill.heights.retract);

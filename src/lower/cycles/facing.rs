@@ -1,7 +1,8 @@
 //! Face milling: path beside path, level by level; between the paths outside of the face, or over what is cut.
 
 use crate::diag::codes;
-use crate::ir::cycle::facing::Kind;
+use crate::ir::Feed;
+use crate::ir::cycle::facing::{Kind, Links};
 use crate::ir::cycle::{Facing, Family};
 
 use super::cutter::Cutter;
@@ -18,6 +19,11 @@ impl Expand for Facing {
         let feed = self.mill.feeds.plane;
         let mut cutter = Cutter::new(&self.mill, self.corner, start, out);
         cutter.approach(*first);
+        if let Links::At(link) | Links::Inside(link) = self.links {
+            self.levels_at(link, &mut cutter);
+            cutter.retract();
+            return Ok(());
+        }
         let mut above = self.mill.heights.safe();
         for level in self.levels() {
             for (at, [from, to]) in paths.iter().enumerate() {
@@ -57,5 +63,33 @@ impl Expand for Facing {
         }
         cutter.retract();
         Ok(())
+    }
+}
+
+impl Facing {
+    /// Levels whose paths are reached at a feed of their own.
+    fn levels_at(&self, link: Feed, cutter: &mut Cutter<'_>) {
+        let heights = &self.mill.heights;
+        let levels = self.levels();
+        for (number, level) in levels.iter().copied().enumerate() {
+            let last = self.last.filter(|_| number + 1 == levels.len());
+            let feed = last.unwrap_or(self.mill.feeds.plane);
+            let sideways = if matches!(self.links, Links::Inside(_)) { feed } else { link };
+            for (at, [from, to]) in self.paths_of(number).iter().enumerate() {
+                match (self.goes_back(), at, number) {
+                    (true, 0, _) => cutter.line(*from, link),
+                    (true, ..) => cutter.line(*from, sideways),
+                    (false, 0, 0) => {}
+                    (false, ..) => {
+                        // The way back leads over the next path, which stands as the level before left it.
+                        let ground = if number > 0 { levels[number - 1] } else { heights.reference };
+                        cutter.lift(heights.above_cleared(ground));
+                        cutter.line(*from, link);
+                    }
+                }
+                cutter.plunge(level);
+                cutter.line(*to, feed);
+            }
+        }
     }
 }

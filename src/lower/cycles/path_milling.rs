@@ -172,6 +172,10 @@ impl Tool<'_> {
     fn down(&mut self, free: f64, level: f64) {
         let heights = &self.path.mill.heights;
         let floor = if self.path.approach.spatial { heights.above(level) } else { level };
+        // A way in space begins above its level, also where the tool was not lifted: else it would cut deeper than the level.
+        if self.path.approach.spatial && self.cutter.is_below(floor) {
+            self.go(None, Some(floor), Way::Rapid);
+        }
         let stop = if (floor - free) * heights.outward() > 0.0 { floor } else { free };
         if self.cutter.is_above(stop) {
             self.go(None, Some(stop), Way::Rapid);

@@ -2,6 +2,7 @@
 
 use crate::diag::codes;
 use crate::geo::{Element, Point2};
+use crate::ir::Feed;
 use crate::ir::cycle::{Family, Spigot};
 
 use super::cutter::Cutter;
@@ -21,19 +22,21 @@ impl Expand for Spigot {
         let feed = self.mill.feeds.plane;
         let mut cutter = Cutter::new(&self.mill, self.place, start, out);
         cutter.approach(entry);
-        for level in self.levels() {
-            cutter.plunge(level);
-            for circuit in &circuits {
-                let beside = Point2::new((entry.x + circuit.start.x) / 2.0, 0.0);
-                let has_room = entry.x - circuit.start.x > LEAST_APPROACH;
-                // The semicircle meets the circuit in its own direction.
-                if has_room {
-                    cutter.arc(circuit.start, beside, !self.counter_clockwise, feed);
-                }
-                cutter.follow(&circuit.elements, feed);
-                if has_room {
-                    cutter.arc(entry, beside, !self.counter_clockwise, feed);
-                }
+        if self.rough {
+            self.go_round(&mut cutter, &self.levels(), &circuits, feed);
+        }
+        if let Some(finish) = &self.finish {
+            let heights = &self.mill.heights;
+            if finish.wall {
+                cutter.lift(heights.safe());
+                let levels = heights.levels_to(heights.rough_floor(), finish.step);
+                self.go_round(&mut cutter, &levels, &[self.at(self.mill.radius)], finish.feed);
+            }
+            if finish.floor {
+                cutter.lift(heights.safe());
+                let allowance = if finish.wall { 0.0 } else { self.allowance };
+                let circuits: Vec<Circuit> = self.distances_to(allowance).into_iter().map(|far| self.at(far)).collect();
+                self.go_round(&mut cutter, &[heights.depth], &circuits, finish.feed);
             }
         }
         cutter.retract();
@@ -48,6 +51,26 @@ struct Circuit {
 }
 
 impl Spigot {
+    /// All circuits of each level.
+    fn go_round(&self, cutter: &mut Cutter<'_>, levels: &[f64], circuits: &[Circuit], feed: Feed) {
+        let entry = self.entry();
+        for level in levels {
+            cutter.plunge(*level);
+            for circuit in circuits {
+                let beside = Point2::new((entry.x + circuit.start.x) / 2.0, 0.0);
+                let has_room = entry.x - circuit.start.x > LEAST_APPROACH;
+                // The semicircle meets the circuit in its own direction.
+                if has_room {
+                    cutter.arc(circuit.start, beside, !self.counter_clockwise, feed);
+                }
+                cutter.follow(&circuit.elements, feed);
+                if has_room {
+                    cutter.arc(entry, beside, !self.counter_clockwise, feed);
+                }
+            }
+        }
+    }
+
     fn at(&self, distance: f64) -> Circuit {
         let mut elements = self.shape.circuit(distance);
         if !self.counter_clockwise {

@@ -367,7 +367,7 @@ impl Run<'_> {
             }
             Some(Defined::Machining { cycle, .. }) if cycle.row().nature.runs() => {
                 let cycle = Rc::clone(cycle);
-                let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far });
+                let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far, placed: false });
                 if result.is_err() {
                     let drills = cycle.row().nature.drilling().is_some();
                     self.st.lose(if drills { AxisSet::of(self.st.axis()) } else { AxisSet::MAIN });

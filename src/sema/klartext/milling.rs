@@ -332,6 +332,7 @@ impl Run<'_> {
 fn ends_anywhere(made: &Cycle) -> bool {
     match made {
         Cycle::Pocket(pocket) => pocket.home.is_none(),
+        Cycle::Spigot(_) | Cycle::Facing(_) => true,
         _ => false,
     }
 }

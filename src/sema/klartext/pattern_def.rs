@@ -348,7 +348,7 @@ impl Run<'_> {
             // The higher one of the clearances here and at the next place.
             let next = places.list.get(i + 1).and_then(|next| next.clearance);
             let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
-            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height) })?;
+            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height), placed: true })?;
         }
         self.m_at_end(w)
     }

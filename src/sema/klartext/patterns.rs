@@ -54,7 +54,7 @@ impl Run<'_> {
             self.rapid_in_plane(*place);
             let last = i + 1 == places.len();
             let retract = if near && !last { Retract::Near } else { Retract::Far };
-            self.run_cycle(&cycle, Call { shift: 0.0, retract })?;
+            self.run_cycle(&cycle, Call { shift: 0.0, retract, placed: true })?;
         }
         Ok(())
     }
@@ -199,7 +199,7 @@ impl Run<'_> {
         }
         self.st.polar.forget_last();
         self.send(&end, Path::straight(feed));
-        self.run_cycle(cycle, Call { shift, retract: Retract::Far })?;
+        self.run_cycle(cycle, Call { shift, retract: Retract::Far, placed: true })?;
         self.m_at_end(&w)
     }
 }

@@ -30,7 +30,7 @@ impl Run<'_> {
         let corner = self.corner_of(cycle, mill.radius)?;
         let turn = Deg(self.cycle_option(cycle, TURN)?);
         let start = self.call_point(cycle)?;
-        let to_middle = self.from_position(cycle, half)?;
+        let to_middle = self.way_to_middle(cycle, half)?;
         let place = Place { at: Place { at: start, turn }.point(to_middle), turn };
         let width = self.overlap(cycle, mill.radius)?;
         let pocket = self.pocket(cycle, mill, asked, Shape::Rectangle { half, corner }, (place, width))?;
@@ -85,6 +85,9 @@ impl Run<'_> {
         let angle = self.cycle_number(cycle, START_ANGLE)?;
         let start = self.call_point(cycle)?;
         let (center, first) = match self.choice(cycle, POSITION, 3)? {
+            0 if call.placed => {
+                return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a centre of its own (Q367=0)");
+            }
             0 => (Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?), angle),
             2 => (start - Deg(angle).unit() * radius, angle - sweep / 2.0),
             other => {
@@ -114,7 +117,7 @@ impl Run<'_> {
     }
 
     /// From the place of the call to the middle, by Q367.
-    pub(super) fn from_position(&mut self, cycle: &DefinedCycle, half: [f64; 2]) -> Outcome<Point2> {
+    pub(super) fn way_to_middle(&mut self, cycle: &DefinedCycle, half: [f64; 2]) -> Outcome<Point2> {
         let [x, y] = half;
         let (x, y) = match self.choice(cycle, POSITION, 4)? {
             0 => (0.0, 0.0),

@@ -291,12 +291,12 @@ impl Run<'_> {
             Procedure::Refused(Refusal { what, code }) => {
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
-                self.fail_help(
-                    code,
-                    call.span,
-                    format!("{name} ({what}) is not supported"),
-                    "replace it by plain moves, or compile the program without it",
-                )
+                let mut help = super::cycles::instead(&name).to_owned();
+                if code.id == codes::S9005.id {
+                    help +=
+                        &format!("; or say what runs instead: `[programs] {name} = {{ file = \"stubs/{name}.SPF\" }}`");
+                }
+                self.fail_help(code, call.span, format!("{name} ({what}) is not supported"), &help)
             }
         }
     }

@@ -6,6 +6,7 @@ mod faces;
 mod grooves;
 mod klartext_bores;
 mod klartext_pockets;
+mod klartext_studs;
 mod layers;
 mod milled_threads;
 pub mod milling;

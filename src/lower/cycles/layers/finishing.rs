@@ -151,7 +151,7 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
         let touches = || profile.first_about(last.to() - Vec2::new(0.0, nose), stop.x);
         if stop.y > end.y + LEVEL { touches().unwrap_or(stop) } else { stop }
     };
-    if region.least.is_finite() && start.y < region.least {
+    if region.least.is_finite() && first.from().y < region.least - LEVEL {
         match profile.first_above(region.least, start.x) {
             Some(x) => start = Point2::new(x, region.least),
             // All of it lies outside of the limits.
@@ -163,6 +163,10 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
     }
     if end.x > region.far {
         end = Point2::new(region.far, profile.height(region.far));
+    }
+    if limited && end.x < start.x - LEVEL {
+        // Nothing of it lies inside of the limits.
+        return Ok(Path { start, legs: Vec::new() });
     }
     if levels {
         let highest = profile.highest(start.x, end.x).max(end.y).max(start.y);

@@ -154,7 +154,13 @@ impl<'l> Region<'l> {
 
     /// Greatest height in front of the nose.
     pub fn highest_before(&self, x: f64) -> f64 {
-        self.rough.highest(f64::NEG_INFINITY, x - LEVEL).min(self.top())
+        self.highest_between(f64::NEG_INFINITY, x - LEVEL)
+    }
+
+    /// Greatest height on the way from one place to another, which may be higher than the blank and the area.
+    pub fn highest_between(&self, a: f64, b: f64) -> f64 {
+        let high = self.rough.highest(a.min(b), a.max(b));
+        if high < WALL / 2.0 { high } else { self.top() }
     }
 
     /// Does a way of the programmed point keep out of the blank and of what lies below it?

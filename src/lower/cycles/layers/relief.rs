@@ -55,6 +55,11 @@ impl Cutter<'_> {
             let up = region.behind.climb(seen, (before + layers.clearance.lift).min(dip.rim));
             let rim = up.last().map_or(start, |leg| Point2::new(-leg.to().x, leg.to().y));
             self.rapid_y(self.at.y.max(air));
+            let over = region.highest_between(self.at.x, rim.x);
+            if over > self.at.y - LEVEL && rim.x > self.at.x {
+                // What is higher than the blank or than the area.
+                self.rapid_y(over + layers.clearance.lift);
+            }
             self.rapid_x(rim.x);
             self.rapid_y(before + layers.clearance.lift);
             self.line(rim, layers.feeds.plunge);

@@ -6,6 +6,8 @@ pub(in super::super) struct Call {
     /// Lifts the surface, in mm.
     pub shift: f64,
     pub retract: Retract,
+    /// By a pattern, or by CYCL CALL POS: at a place of its own.
+    pub placed: bool,
 }
 
 /// Where the tool goes behind a hole of a pattern.

@@ -4,10 +4,12 @@ pub(super) mod bores;
 pub(super) mod call;
 mod defined;
 pub(super) mod drilling;
+pub(super) mod faces;
 pub(super) mod milling;
 mod named;
 pub(super) mod patterns;
 pub(super) mod pockets;
+pub(super) mod studs;
 mod tapping_in_steps;
 pub(super) mod threads;
 pub(super) mod transformations;
@@ -162,6 +164,8 @@ const FAMILIES: &[&[Row]] = &[
     drilling::ROWS,
     tapping_in_steps::ROWS,
     pockets::ROWS,
+    studs::ROWS,
+    faces::ROWS,
     bores::ROWS,
     threads::ROWS,
     patterns::ROWS,

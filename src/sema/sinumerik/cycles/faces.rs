@@ -3,7 +3,7 @@
 //! Source: M 7.1 and 7.2 (docs/sources.md).
 
 use crate::geo::Deg;
-use crate::ir::cycle::facing::{FacingFault, Kind, Overrun};
+use crate::ir::cycle::facing::{FacingFault, Kind, Links, Overrun};
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::{Cycle, Facing, Family};
 
@@ -90,7 +90,19 @@ impl CycleCall<'_, '_> {
         let kind = if unit == 1 { Kind::Rough } else { Kind::Finish { lift: self.lift(&mill, &overrun) } };
         let width = self.width(MIDA, mill.radius)?;
         let along = usize::from(tens % 2 == 0);
-        let face = Facing { mill, corner, size, along, alternates: tens > 2, width, overrun, walls, kind };
+        let face = Facing {
+            mill,
+            corner,
+            size,
+            along,
+            alternates: tens > 2,
+            links: Links::Usual,
+            width,
+            overrun,
+            walls,
+            kind,
+            last: None,
+        };
         if let Err(fault) = face.check() {
             return self.face_fault(fault);
         }

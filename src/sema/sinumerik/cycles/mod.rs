@@ -47,6 +47,7 @@ use crate::sema::run::{Site, Where};
 
 pub(super) use alarms::meaning as alarm_meaning;
 pub(super) use called_contours::{ContourCall, Contours, MOST_ELEMENTS};
+pub(super) use table::instead;
 pub use table::signatures;
 pub(super) use table::{find, rows};
 

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::spigot::{MOST_EDGES, Shape, SpigotFault, Starts};
+use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, Starts};
 use crate::ir::cycle::{Cycle, Family, Spigot};
 use crate::machine::options::cycles::{MultiEdgeStart, SpigotSize};
 
@@ -159,7 +159,10 @@ impl CycleCall<'_, '_> {
         // The finishing cut takes the allowance off.
         let allowance = if finishes_floor { 0.0 } else { self.magnitude(FAL) };
         let counter_clockwise = self.goes_counter_clockwise(Around::Outside)?;
-        let spigot = Spigot { mill, place, shape, counter_clockwise, allowance, blank, width, finishes_floor };
+        let blank = Blank { reach: blank, stock: blank - shape.least(), aside: mill.heights.clearance };
+        let (rough, finish) = (true, None);
+        let spigot =
+            Spigot { mill, place, shape, counter_clockwise, allowance, blank, width, finishes_floor, rough, finish };
         if let Err(fault) = spigot.check() {
             return self.spigot_fault(fault);
         }

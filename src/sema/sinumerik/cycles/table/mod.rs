@@ -20,6 +20,8 @@ use super::super::{Outcome, Run};
 use super::arguments::Arguments;
 use super::call::CycleCall;
 
+pub(in super::super) use named::instead;
+
 /// A cycle: what a call gives, and what is done with it.
 #[derive(Debug)]
 pub(in super::super) struct Cycle {

@@ -9,6 +9,20 @@ const fn named(name: &'static str, what: &'static str) -> Cycle {
     Cycle { signature: Signature { name, what, status, source: "", parameters: &[] }, work: Work::Nothing }
 }
 
+/// What does the work of a cycle that is refused.
+pub(in super::super::super) fn instead(name: &str) -> &'static str {
+    match name {
+        "CYCLE60" => "its glyphs are those of the control: engrave by the plain moves of a CAM system",
+        "CYCLE73" | "CYCLE74" | "CYCLE75" => {
+            "describe the outline and the islands for CYCLE62 and mill them by CYCLE63"
+        }
+        "CYCLE78" => "drill by CYCLE81 or CYCLE83 and mill the thread by CYCLE70",
+        "CYCLE899" => "mill the open slot by CYCLE72 along its outline, or by plain moves",
+        "CYCLE950" => "call the contours by CYCLE62 and cut them by CYCLE952",
+        _ => "replace it by plain moves, or compile the program without it",
+    }
+}
+
 const MEASURING: &str = "measuring cycle";
 
 pub(super) const ROWS: &[Cycle] = &[

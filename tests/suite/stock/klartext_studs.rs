@@ -1,0 +1,192 @@
+//! Cycles 230, 232, 256 and 257 with sizes at random: the properties of docs/cycles.md, column by column.
+
+use partc::internals::machine::Settings;
+
+use super::super::damage::Dice;
+use super::milling::{Cut, EXACT, Stock, track_of};
+use super::pockets::{FINISH, PLUNGE, ROUGH, number};
+
+/// From path to path of a face.
+const LINK: f64 = 700.0;
+
+/// What a program has to leave: the height at a place, where that is promised.
+struct Case<'a> {
+    text: String,
+    radius: f64,
+    step: f64,
+    low: [f64; 2],
+    high: [f64; 2],
+    /// Height that has to be reached, and the lowest one that may be.
+    wanted: Box<dyn Fn([f64; 2]) -> (f64, f64) + 'a>,
+    /// Feeds of ways along the tool axis, in the plane.
+    feeds: (&'a [f64], &'a [f64]),
+}
+
+impl Case<'_> {
+    fn judge(&self, shift: f64) -> Result<(), String> {
+        let cuts =
+            track_of("klartext", &self.text, &Settings::default()).map_err(|codes| format!("refused: {codes:?}"))?;
+        let cell = self.radius / 5.0;
+        let mut stock = Stock::new(self.low.map(|v| v - shift * cell), self.high, cell);
+        for cut in &cuts {
+            let met = stock.cut(cut, self.radius);
+            if cut.is_rapid() && met.depth > EXACT {
+                return Err(format!("rapid traverse through {:?}: {cut:?}", met.at));
+            }
+            if !cut.is_vertical() && met.depth > self.step + EXACT {
+                return Err(format!("an infeed of {}: {cut:?}", met.depth));
+            }
+            self.feed(cut)?;
+        }
+        for (p, top) in stock.columns() {
+            let (wanted, least) = (self.wanted)(p);
+            if top > wanted + EXACT || top < least - EXACT {
+                return Err(format!("the column at {p:?} ends at {top}, not at {wanted} to {least}"));
+            }
+        }
+        if let Some(last) = cuts.last().filter(|last| last.to[2] != 10.0) {
+            return Err(format!("ends below the 2nd set-up clearance: {last:?}"));
+        }
+        Ok(())
+    }
+
+    fn feed(&self, cut: &Cut) -> Result<(), String> {
+        let known = if cut.is_vertical() { self.feeds.0 } else { self.feeds.1 };
+        match cut.feed {
+            Some(feed) if !known.contains(&feed) => Err(format!("at the wrong feed: {cut:?}")),
+            _ => Ok(()),
+        }
+    }
+}
+
+fn program(radius: f64, at: [f64; 2], calls: &[String]) -> String {
+    let mut text = format!("BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL CALL 1 Z S3000\nL Z+50 R0 FMAX M3\n");
+    for call in calls {
+        text += &format!("CYCL DEF {call}\nL X{:+} Y{:+} R0 FMAX M99\n", at[0], at[1]);
+    }
+    text + "M30\nEND PGM P MM\n"
+}
+
+/// Distance of `p` from a rectangle with round corners, below 0 inside.
+fn beside([x, y]: [f64; 2], half: [f64; 2], corner: f64) -> f64 {
+    let q = [x.abs() - half[0] + corner, y.abs() - half[1] + corner];
+    q[0].max(0.0).hypot(q[1].max(0.0)) + q[0].max(q[1]).min(0.0) - corner
+}
+
+fn stud(dice: &mut Dice) -> Case<'static> {
+    let radius = number(dice, 1.0, 10.0);
+    let depth = number(dice, 1.0, 12.0);
+    let step = number(dice, depth / 5.0, depth * 1.2);
+    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
+    let (wall, floor) = (some(dice, 0.5 * radius), some(dice, 0.4 * depth));
+    let round = dice.roll(2) == 0;
+    let mut half = [number(dice, 1.0, 25.0), number(dice, 1.0, 25.0)];
+    if round {
+        half[1] = half[0];
+    }
+    let corner = if round { half[0] } else { number(dice, 0.0, half[0].min(half[1])) };
+    let more = number(dice, 0.0, 20.0);
+    let raw = if round { [half[0] + more; 2] } else { [half[0] + more, half[1] + number(dice, 0.0, 20.0)] };
+    let turn = if round { number(dice, 0.0, 359.0) } else { number(dice, -90.0, 90.0) };
+    let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
+    let climb = if dice.roll(2) == 0 { 1 } else { -1 };
+    let overlap = number(dice, 0.3, 1.999);
+    let asked: &[u32] = [&[0][..], &[1], &[1, 2]][dice.roll(3)];
+    let own = if round {
+        format!("257 NAME Q223={:.4} Q222={:.4} Q376={turn}", 2.0 * half[0], 2.0 * raw[0])
+    } else {
+        format!(
+            "256 NAME Q218={:.4} Q424={:.4} Q219={:.4} Q425={:.4} Q220={corner} Q224={turn}",
+            2.0 * half[0],
+            2.0 * raw[0],
+            2.0 * half[1],
+            2.0 * raw[1]
+        )
+    };
+    let call = |q215: &u32| {
+        // Finishing starts from what roughing left.
+        format!(
+            "{own} Q215={q215} Q368={wall:.4} Q207={ROUGH} Q351={climb} Q201={:.4} Q202={step:.4} Q206={PLUNGE} Q200=2 Q203=0 Q204=10 Q370={overlap} Q369={floor:.4} Q338=0 Q385={FINISH}",
+            -depth
+        )
+    };
+    let text = program(radius, at, &asked.iter().map(call).collect::<Vec<_>>());
+    let finishes = asked != [1];
+    let left = if finishes { 0.0 } else { wall };
+    let ends = if finishes { -depth } else { -depth + floor };
+    // The stud and the blank in the turned frame of the stud.
+    let (sin, cos) = turn.to_radians().sin_cos();
+    let wanted = move |[x, y]: [f64; 2]| {
+        let (dx, dy) = (x - at[0], y - at[1]);
+        let p = [dx * cos + dy * sin, dy * cos - dx * sin];
+        let away = beside(p, half, corner);
+        let in_blank = if round { p[0].hypot(p[1]) < raw[0] } else { p[0].abs() < raw[0] && p[1].abs() < raw[1] };
+        if away < left - EXACT {
+            (0.0, 0.0)
+        } else if away < left + EXACT || !in_blank {
+            (0.0, -depth)
+        } else {
+            (ends, ends)
+        }
+    };
+    let reach = raw[0].hypot(raw[1]) + 1.0;
+    let (low, high) = (at.map(|v| v - reach), at.map(|v| v + reach));
+    let wanted = Box::new(wanted);
+    let step = if finishes { f64::MAX } else { step };
+    Case { text, radius, step, low, high, wanted, feeds: (&[PLUNGE], &[ROUGH, FINISH]) }
+}
+
+fn face(dice: &mut Dice) -> Case<'static> {
+    let radius = number(dice, 2.0, 12.0);
+    let depth = number(dice, 1.0, 8.0);
+    let step = number(dice, depth / 4.0, depth * 1.2);
+    let floor = if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, 0.4 * depth) };
+    let size = [0, 1].map(|_| number(dice, 3.0, 80.0) * if dice.roll(2) == 0 { 1.0 } else { -1.0 });
+    let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
+    let own = format!(
+        "232 NAME Q389={} Q225={} Q226={} Q227=0 Q386={:.4} Q218={:.4} Q219={:.4} Q202={step:.4} Q369={floor:.4} Q370={} Q207={ROUGH} Q385={FINISH} Q253={LINK} Q200=2 Q357={} Q204=10",
+        dice.roll(3),
+        at[0],
+        at[1],
+        -depth,
+        size[0],
+        size[1],
+        number(dice, 0.3, 1.999),
+        number(dice, 0.0, 5.0)
+    );
+    let text = program(radius, [0.0; 2], &[own]);
+    let low = [0, 1].map(|i| at[i].min(at[i] + size[i]));
+    let high = [0, 1].map(|i| at[i].max(at[i] + size[i]));
+    let wanted = move |p: [f64; 2]| {
+        let inside = (0..2).all(|i| p[i] > low[i] + EXACT && p[i] < high[i] - EXACT);
+        if inside { (-depth, -depth) } else { (0.0, -depth) }
+    };
+    let step = step.max(floor);
+    Case { text, radius, step, low, high, wanted: Box::new(wanted), feeds: (&[LINK], &[LINK, ROUGH, FINISH]) }
+}
+
+fn judge_many(usual: u64, random: impl Fn(&mut Dice) -> Case<'static>) {
+    let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
+    let (count, seed) = (from("PARTC_POCKETS", usual), from("PARTC_POCKETS_SEED", 1));
+    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+    let mut bad = Vec::new();
+    for _ in 0..count {
+        let shift = dice.roll(100) as f64 / 100.0;
+        let case = random(&mut dice);
+        if let Err(why) = case.judge(shift) {
+            bad.push(format!("{why}\n{}", case.text));
+        }
+    }
+    bad.sort_by_key(String::len);
+    assert!(bad.is_empty(), "{} of {count} fail, such as\n{}", bad.len(), bad[..bad.len().min(4)].join("\n\n"));
+}
+
+#[test]
+fn klartext_studs_at_random() {
+    judge_many(100, stud);
+}
+
+#[test]
+fn klartext_faces_at_random() {
+    judge_many(100, face);
+}
