@@ -89,8 +89,17 @@ pub(super) struct Check {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Write comments into the programs that suppress the warnings found now; notes, too, with `--fail-on note`
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["fix", "diff"])]
     pub add_ignores: bool,
+    /// Mend what rules can mend, where what the program does stays the same
+    #[arg(long)]
+    pub fix: bool,
+    /// Show what `--fix` would change, and write nothing; exit code 1 if there is something
+    #[arg(long)]
+    pub diff: bool,
+    /// With `--fix` or `--diff`: number blocks anew, too
+    #[arg(long)]
+    pub unsafe_fixes: bool,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]

@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::diag::{Diagnostic, Severity};
 use crate::dialect::Dialect;
 use crate::driver::Session;
+use crate::lint::fix::Fix;
 use crate::machine::Settings;
 use crate::text::{FileId, Files, Memory, Opened, Span};
 
@@ -57,8 +58,13 @@ impl Program {
     /// The session of a check of this text.
     pub(super) fn check(&self, text: &[u8]) -> Session {
         let session = self.session(text);
-        session.check(self.dialect, &self.settings, &*self.files);
+        self.fixes(&session);
         session
+    }
+
+    /// Checks the text of the session, and gives what would mend some of the findings.
+    pub(super) fn fixes(&self, session: &Session) -> Vec<Fix> {
+        session.check(self.dialect, &self.settings, &*self.files)
     }
 
     /// What this text of the program does, and how many errors it has.

@@ -8,19 +8,18 @@ use crate::lint::ends::Ends;
 use crate::text::{FileId, Span};
 
 use super::Trouble;
-use super::args::{Common, Findings};
+use super::args::Common;
 use super::edit::{Edit, Program, apply, ignorable, write};
 
 /// Most times that a program is checked again: one check keeps a few hundred findings only.
 const MOST_ROUNDS: usize = 100;
 
-/// Writes the comments, and says how many.
+/// Writes the comments for what is at least so bad, and says how many.
 ///
 /// # Errors
 /// The program cannot be read or written.
-pub(super) fn add(path: &Path, common: &Common, findings: &Findings) -> Result<usize, Trouble> {
+pub(super) fn add(path: &Path, common: &Common, least: Severity) -> Result<usize, Trouble> {
     let program = Program::read(path, common)?;
-    let least = findings.fail_on.of_findings().min(Severity::Warning);
     let before = program.does(&program.text);
     let mut text = program.text.clone();
     let mut added = 0;

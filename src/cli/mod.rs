@@ -4,6 +4,7 @@ mod args;
 mod config;
 mod disk;
 mod edit;
+mod fix;
 mod golden;
 mod ignores;
 mod inputs;

@@ -7,21 +7,23 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use crate::diag::Severity;
 use crate::dialect::{self, Dialect};
 use crate::driver::Session;
 use crate::emit::LineMap;
 use crate::ir::Origin;
 use crate::machine::Settings;
-use crate::text::decode::escaped_json;
+use crate::text::decode::{escaped_json, harmless_lines};
 use crate::text::{FileId, Span};
 
 use super::args::{Check, Common, Compile, Trace};
 use super::disk::{IncludeRoots, file_name, open_main};
 use super::inputs::{Input, inputs};
+use super::listing::print;
 use super::output::{Destination, MAP_MARK, Made, Progress, is_foreign, set_aside};
 use super::pool::in_order;
 use super::report::{Look, Presented, Reporter, Stdout, counted};
-use super::{Exit, Trouble, config, ignores};
+use super::{Exit, Trouble, config, fix, ignores};
 
 /// A program with everything that is needed to run it.
 pub(super) struct Loaded {
@@ -268,17 +270,22 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
         reporter.say("partc: no part program lies in the folders that are named");
     }
     let (look, inputs) = (reporter.look(), found.list);
-    if args.add_ignores {
-        for input in &inputs {
-            match ignores::add(&input.path, &args.common, &args.findings) {
-                Ok(0) => {}
-                Ok(added) => reporter.say(&format!(
-                    "{}: {} written",
-                    input.path.display(),
-                    counted(added as u32, "suppression", "suppressions")
-                )),
-                Err(trouble) => reporter.trouble(trouble),
-            }
+    if args.diff {
+        return show_fixes(args, &inputs, reporter);
+    }
+    for input in inputs.iter().filter(|_| args.add_ignores || args.fix) {
+        let name = input.path.display();
+        let changed = if args.fix {
+            let fixed = fix::fix(&input.path, &args.common, fix::Mode::Write, args.unsafe_fixes);
+            fixed.map(|fixed| counted(fixed.made as u32, "change", "changes"))
+        } else {
+            let least = args.findings.fail_on.of_findings().min(Severity::Warning);
+            ignores::add(&input.path, &args.common, least).map(|n| counted(n as u32, "suppression", "suppressions"))
+        };
+        match changed {
+            Ok(what) if what.starts_with("0 ") => {}
+            Ok(what) => reporter.say(&format!("{name}: {what} written")),
+            Err(trouble) => reporter.trouble(trouble),
         }
     }
     let work = |input: &Input| {
@@ -294,6 +301,25 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
         }
     });
     reporter.finish()
+}
+
+/// `partc check --diff`
+fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<Exit, Trouble> {
+    let mut changes = false;
+    for input in inputs {
+        match fix::fix(&input.path, &args.common, fix::Mode::Show, args.unsafe_fixes) {
+            Ok(fixed) => {
+                changes |= fixed.made > 0;
+                print(harmless_lines(&fixed.diff).as_bytes())?;
+            }
+            Err(trouble) => reporter.trouble(trouble),
+        }
+    }
+    Ok(match (reporter.troubles().is_empty(), changes) {
+        (false, _) => Exit::Usage,
+        (true, true) => Exit::Errors,
+        (true, false) => Exit::Clean,
+    })
 }
 
 /// A file whose extension or content some dialect knows.

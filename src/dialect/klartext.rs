@@ -14,6 +14,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     check_form: klartext::check_form,
     check_unexecuted: Some(klartext::check_unexecuted),
     comment: ["; ", "[", "]", ""],
+    numbers_by_one: true,
     survey: klartext::survey,
     cycles: klartext::cycle_signatures,
 };

@@ -34,6 +34,8 @@ pub struct Dialect {
     pub check_unexecuted: Option<fn(&Job<'_>)>,
     /// A comment at the end of a block with a list in brackets: what stands in front of it, around the list, and behind it.
     pub comment: [&'static str; 4],
+    /// Are its blocks numbered 0, 1, 2, not by tens?
+    pub numbers_by_one: bool,
     /// Leads rules on source text through a file.
     pub survey: Survey,
     /// What each of its cycles takes, built or not.

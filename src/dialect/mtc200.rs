@@ -14,6 +14,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     check_form: mtc200::check_form,
     check_unexecuted: None,
     comment: ["; ", "[", "]", ""],
+    numbers_by_one: false,
     survey: mtc200::survey,
     cycles: Vec::new,
 };

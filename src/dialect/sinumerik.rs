@@ -14,6 +14,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     check_form: sinumerik::check_form,
     check_unexecuted: Some(sinumerik::check_unexecuted),
     comment: ["; ", "[", "]", ""],
+    numbers_by_one: false,
     survey: sinumerik::survey,
     cycles: sinumerik::cycle_signatures,
 };

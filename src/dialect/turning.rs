@@ -14,6 +14,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     check_form: turning::check_form,
     check_unexecuted: None,
     comment: ["[", "(", ")", "]"],
+    numbers_by_one: true,
     survey: turning::survey,
     cycles: turning::cycle_signatures,
 };

@@ -79,7 +79,7 @@ impl Policy {
             return;
         }
         for (code, loc) in unused {
-            let message = format!("nothing is found here that {} ({}) would suppress", code.id, code.name);
+            let message = format!("{} ({}) is not found here, so nothing is suppressed", code.id, code.name);
             diags.push(Diagnostic::new(codes::P8001, loc, message).help("remove it"));
         }
     }

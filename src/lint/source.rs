@@ -1,5 +1,6 @@
 //! The walk of rules over the blocks of a program, whether they run or not.
 
+use crate::diag::Diagnostic;
 use crate::sema::Job;
 use crate::sema::run::survey::{Surveyed, Visitor, Wanted, What};
 use crate::text::{Loc, Span};
@@ -55,6 +56,19 @@ impl std::fmt::Debug for Told<'_> {
     }
 }
 
+/// Most changes that are proposed at once.
+const MOST_FIXES: usize = 10_000;
+
+impl Told<'_> {
+    /// Takes a finding with what mends it.
+    pub fn found_with(&mut self, found: Diagnostic, fix: Fix) {
+        self.say.found(found);
+        if self.fixes.len() < MOST_FIXES {
+            self.fixes.push(fix);
+        }
+    }
+}
+
 /// Leads the rules through the blocks.
 pub struct Reader<'a> {
     pub rules: Vec<Box<dyn SourceRule + 'a>>,
@@ -93,6 +107,14 @@ impl Visitor for Reader<'_> {
     }
 }
 
+/// Bytes of a block that are looked at for the words of a blank.
+const HEAD: usize = 40;
+
+fn begins_with_blank(text: &[u8]) -> bool {
+    let head = &text[..text.len().min(HEAD)];
+    head.windows(3).any(|word| word.eq_ignore_ascii_case(b"BLK") || word.eq_ignore_ascii_case(b"BEG"))
+}
+
 /// Finds the blank that a program describes.
 #[derive(Debug, Default)]
 pub struct FindsBlank {
@@ -109,7 +131,7 @@ impl FindsBlank {
 impl Visitor for FindsBlank {
     fn wanted(&self) -> Wanted<'_> {
         // `BLK FORM`, and the unit in `BEGIN PGM`.
-        Wanted { letter: Some(b'K'), is: &|text| text.len() < 200 }
+        Wanted { letter: Some(b'B'), is: &begins_with_blank }
     }
 
     fn items(&self) -> bool {

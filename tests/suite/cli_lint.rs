@@ -98,7 +98,7 @@ fn a_comment_suppresses_a_finding_of_its_block_or_of_the_next() {
     let alone = |comment: &str| WARNED.replace("2 CC", &format!("{comment}\n; of the pole\n2 CC"));
     assert_eq!(check(&alone("; partc: ignore[K2102]")), [""; 0]);
     assert_eq!(check(&alone("5 ; partc: ignore[K2102]")), [""; 0]);
-    assert_eq!(check(&(WARNED.to_owned() + "; partc: ignore-file[K2102]\n")), [""; 0]);
+    assert_eq!(check(&WARNED.replace("4 END", "; partc: ignore-file[K2102]\n4 END")), [""; 0]);
     // It holds for compile, too, and for what makes a run fail.
     folder.write("W.H", &warned_with("; partc: ignore[K2102]"));
     folder.run(&["compile", "W.H", "--fail-on", "warning"]).exits(0).quietly();
@@ -124,7 +124,12 @@ fn every_language_has_its_comment() {
     let folder = Folder::new("lint_languages");
     for (name, text, code, comment) in [
         ("A.MPF", SINUMERIK, "S8001", " ; partc: ignore[S8001]"),
-        ("A.npg", "%NPG\nN10 G00 X0 Y0 Z5\nN20 G01 X10 F100 S100 M3\n", "M1009", " (partc: ignore[M1009])"),
+        (
+            "A.npg",
+            "%NPG\n%NPG\nN10 G90 G00 X0 Y0 Z5\nN20 G01 X10 F100 S100 M3\nN30 RET\n",
+            "M8005",
+            " (partc: ignore[M8005])",
+        ),
         (
             "A.nc",
             "%A.nc\n[test]\nN1 G26 S500\nN2 G97 S1000 M3\nN3 G0 X50 Z2\nN4 M30\n",
@@ -172,13 +177,13 @@ fn comments_for_all_that_is_found_now() {
 #[test]
 fn a_million_suppressions_and_hostile_ones() {
     let folder = Folder::new("lint_hostile");
-    let many = "; partc: ignore[K2102]\n".repeat(50_000);
+    let many = "; partc: ignore[K2102]\n".repeat(20_000);
     folder.write("W.H", &WARNED.replace("2 CC", &(many + "2 CC")));
     assert_eq!(found(&folder, &["W.H"]), [""; 0]);
     // In a loop, with as many in one block.
-    let one = ";partc:ignore[K2102]".repeat(1_000);
+    let one = ";partc:ignore[K2102]".repeat(20_000);
     let text = format!(
-        "0 BEGIN PGM W MM\n1 L X+10 Y+0 Z+0 R0 F300\n2 LBL 1\n3 CC X+0 {one}\n4 C X+10 Y+0 DR+\n5 CALL LBL 1 REP 999\n6 END PGM W MM\n"
+        "0 BEGIN PGM W MM\n1 L X+10 Y+0 Z+0 R0 F300\n2 LBL 1\n3 CC X+0 {one}\n4 C X+10 Y+0 DR+\n5 CALL LBL 1 REP 99\n6 END PGM W MM\n"
     );
     folder.write("W.H", &text);
     folder.run(&["check", "W.H"]).exits(0);
@@ -221,4 +226,41 @@ fn the_documentation_lists_every_rule() {
         fs::write(&path, &made).expect("the documentation");
     }
     assert!(found == made, "{} is not up to date: {UPDATE}=1 writes it", path.display());
+}
+
+const REDUNDANT: &str = "G0 X0 Y0 Z5\nG1 X5 F100\nG1 Y5 F100\nG1 Y5 Z4\nM30";
+
+#[test]
+fn what_does_not_change_the_motion_is_mended() {
+    let folder = Folder::new("lint_fix").with(&[("A.MPF", REDUNDANT)]);
+    folder.write("partc.toml", "[lint]\nselect = [\"all\"]\n");
+    let before = folder.run(&["trace", "A.MPF"]).exits(0).out;
+    // Shown first, and nothing is written.
+    let shown = folder.run(&["check", "A.MPF", "--diff"]).exits(1).out;
+    assert!(shown.contains("-G1 Y5 F100\n") && shown.contains("+ Y5\n"), "{shown}");
+    assert_eq!(folder.read("A.MPF"), REDUNDANT);
+    let ran = folder.run(&["check", "A.MPF", "--fix"]).exits(0);
+    assert!(ran.err.contains("A.MPF: 4 changes written"), "{}", ran.err);
+    let after = folder.read("A.MPF");
+    assert_eq!(after, "G0 X0 Y0 Z5\nG1 X5 F100\n Y5\n Y5 Z4\nM30\n");
+    assert_eq!(folder.run(&["trace", "A.MPF"]).exits(0).out, before);
+    folder.run(&["check", "A.MPF", "--diff"]).exits(0).quietly();
+    // What is suppressed or not selected stays, and so does a program with an error.
+    folder.write("B.MPF", &REDUNDANT.replace("F100\nG1 Y5 Z4", "F100 ; partc: ignore[L2008]\nG1 Y5 Z4"));
+    folder.run(&["check", "B.MPF", "--fix", "--select", "L2008"]);
+    assert!(folder.read("B.MPF").contains("G1 Y5 F100 ;") && folder.read("B.MPF").ends_with("Y5 Z4\nM30"));
+    folder.write("C.MPF", &REDUNDANT.replace("M30", "G1 X=UNKNOWN_WORD\nM30"));
+    folder.run(&["check", "C.MPF", "--fix"]).exits(1);
+    assert!(folder.read("C.MPF").starts_with(&REDUNDANT[..40]));
+}
+
+#[test]
+fn block_numbers_and_useless_comments_are_mended_on_request() {
+    let text = "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+5 R0 F300 ; partc: ignore[K2102]\n1 L X+10\n/5 L X+12\n0 L X+20\n9 END PGM A MM\n";
+    let folder = Folder::new("lint_numbers").with(&[("A.H", text)]);
+    folder.run(&["check", "A.H", "--fix"]).exits(0);
+    assert_eq!(folder.read("A.H"), text.replace(" ; partc: ignore[K2102]", ""));
+    folder.run(&["check", "A.H", "--fix", "--unsafe-fixes", "--select", "default,L2005"]).exits(0);
+    let wanted = "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+5 R0 F300\n2 L X+10\n/5 L X+12\n4 L X+20\n5 END PGM A MM\n";
+    assert_eq!(folder.read("A.H"), wanted);
 }

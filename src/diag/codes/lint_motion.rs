@@ -21,8 +21,7 @@ lost. A last tool that is put in for the next part, tool 0, and tools that only 
 
 L1005 Warning "tool-called-again" "tool that is in the spindle is called again"
 "The same tool is called twice and nothing moves between the two calls. The second call was meant for another tool, or is left over; on machines without a \
-check the changer puts the tool away and fetches it again. `partc check --fix` removes a block that holds nothing but this call where the program \
-does the same without it."
+check the changer puts the tool away and fetches it again."
 
 L1006 Warning "rapid-into-blank" "rapid move ends inside the blank"
 "A move at rapid traverse ends inside the blank that BLK FORM describes, deeper than anything was cut before. At rapid traverse the tool does not cut: it \

@@ -20,8 +20,8 @@ parameters that the control reads itself (Q100 to Q1999 of Klartext cycles), are
 
 L2005 Note off "block-number-order" "block number is not larger than the one before"
 "The number of a block is smaller than, or the same as, that of the block before it. Blocks were moved or joined from two programs. Controls run them in the order \
-in which they stand; a search for a block number finds the wrong one. Said once. Off by default; `partc check --fix` numbers Klartext anew, where \
-nothing jumps to a number."
+in which they stand; a search for a block number finds the wrong one. Said once. Off by default; `partc check --fix --unsafe-fixes` numbers the blocks \
+anew where nothing jumps to a number."
 
 L2006 Warning "label-alike" "two labels differ in upper and lower case only"
 "Two labels have the same letters in different case. Controls differ in whether they tell them apart, so a call may lead to the wrong one on another \

@@ -8,7 +8,9 @@ use crate::text::{Loc, Span};
 
 #[derive(Debug, Default)]
 pub(super) struct LineEndMissing {
-    last: Option<(Loc, u32, bool)>,
+    /// Its words, and the offset behind it.
+    last: Option<(Loc, u32)>,
+    /// Lines end in CR LF.
     windows: bool,
     size: u64,
 }
@@ -23,15 +25,16 @@ impl SourceRule for LineEndMissing {
     fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let (block, site) = (read.block, &read.block.site);
         let end = site.at + block.text.len() as u32;
-        self.windows |= site.lines == 1 && self.last.is_some_and(|(_, last, _)| site.at.saturating_sub(last) > 1);
-        self.last = Some((read.words(), end, block.is_empty));
+        self.windows |= site.lines == 1 && self.last.is_some_and(|(_, last)| site.at.saturating_sub(last) > 1);
+        self.last = Some((read.words(), end));
     }
 
     fn finish(&mut self, told: &mut Told<'_>) {
-        let Some((loc, end, _)) = self.last.filter(|(_, end, _)| u64::from(*end) >= self.size) else { return };
+        let Some((loc, end)) = self.last.filter(|(_, end)| u64::from(*end) >= self.size) else { return };
         let found = Diagnostic::new(codes::L2011, loc, "the last block has no line end");
-        told.say.found(found.help("end the line"));
+        let found = found.help("end the line");
         let text = if self.windows { b"\r\n".to_vec() } else { b"\n".to_vec() };
-        told.fixes.push(Fix { code: codes::L2011, span: Span::at(end, 0), text, is_unsafe: false });
+        let fix = Fix::new(&found, Span::at(end, 0), text);
+        told.found_with(found, fix);
     }
 }

@@ -9,7 +9,6 @@ use crate::sema::run::survey::What;
 pub(super) struct NumberOrder {
     last: Option<u32>,
     said: bool,
-    jumps: bool,
 }
 
 impl NumberOrder {
@@ -21,9 +20,6 @@ impl NumberOrder {
 impl SourceRule for NumberOrder {
     fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
         let block = read.block;
-        self.jumps |= block.items.iter().any(|item| {
-            matches!(&item.what, What::Uses(name) if name.starts_with('N')) || item.what == What::UsesUnknown
-        });
         let Some(number) = block.number else { return };
         if block.items.iter().any(|item| item.what == What::Begins) {
             self.last = None;

@@ -46,8 +46,9 @@ impl SourceRule for RedundantWord {
                 let loc = read.loc(item.span);
                 let shown = readable(item.span.of(block.text)).into_owned();
                 let found = Diagnostic::new(codes::L2008, loc, format!("`{shown}` holds already"));
-                told.say.found(found.help("remove the word"));
-                told.fixes.push(Fix::removal(codes::L2008, loc.span, block.text, block.site.at));
+                let found = found.help("remove the word");
+                let fix = Fix::removal(&found, block.text, block.site.at);
+                told.found_with(found, fix);
             }
         }
     }

@@ -34,8 +34,9 @@ impl MotionRule for StartWithoutSpeed {
         }
     }
 
-    fn finish(&mut self, _: &Machine, say: Say<'_>) {
-        if let Some(start) = self.waits {
+    fn finish(&mut self, machine: &Machine, say: Say<'_>) {
+        // Where no tool was called, this is a part of another program.
+        if let Some(start) = self.waits.filter(|_| machine.tool.is_some()) {
             let message = "the spindle starts, and no speed was given before";
             say.about(codes::L1002, &start, message, "program S with the tool, or beside M3");
         }

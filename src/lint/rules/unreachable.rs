@@ -1,15 +1,24 @@
 //! A block can never run.
 
+use rustc_hash::FxHashSet;
+
 use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
+/// Most blocks that are remembered.
+const MOST: usize = 1000;
+
 #[derive(Debug, Default)]
 pub(super) struct Unreachable {
     after: Option<Loc>,
-    numbers: bool,
+    /// First blocks behind jumps, with the numbers that a jump further down may lead to.
+    found: Vec<(Option<u32>, Diagnostic)>,
+    /// Numbers that jumps lead to.
+    numbers: FxHashSet<String>,
+    unknown: bool,
 }
 
 impl Unreachable {
@@ -19,24 +28,36 @@ impl Unreachable {
 }
 
 impl SourceRule for Unreachable {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let block = read.block;
-        if block.items.iter().any(|item| matches!(item.what, What::Label(_) | What::Begins | What::Ends))
-            || block.number.is_some_and(|_| self.numbers)
-        {
+        // Where a branch ends, the other one goes on.
+        let led_to = |what: &What| matches!(what, What::Label(_) | What::Begins | What::Ends | What::Branches);
+        if block.items.iter().any(|item| led_to(&item.what)) {
             self.after = None;
         }
-        if let Some(jump) = self.after.filter(|_| !block.is_empty && !block.is_bad) {
+        if let Some(jump) = self.after.filter(|_| !block.is_empty && !block.is_bad && self.found.len() < MOST) {
             self.after = None;
             let found = Diagnostic::new(codes::L2002, read.words(), "this block can never run")
                 .also(jump, "the program goes on elsewhere here");
-            told.say.found(found.help("remove it, or give it a label that something jumps to"));
+            self.found.push((block.number, found.help("remove it, or give it a label that something jumps to")));
         }
-        if let Some(item) = block.items.iter().find(|item| item.what == What::Leaves)
-            && !block.skip
-        {
-            self.after = Some(read.loc(item.span));
+        for item in block.items {
+            match &item.what {
+                What::Leaves if !block.skip => self.after = Some(read.loc(item.span)),
+                What::Uses(name) if name.starts_with('N') => {
+                    self.numbers.insert(name.clone());
+                }
+                What::UsesUnknown => self.unknown = true,
+                _ => {}
+            }
         }
-        self.numbers |= block.items.iter().any(|item| matches!(&item.what, What::Uses(name) if name.starts_with('N')));
+    }
+
+    fn finish(&mut self, told: &mut Told<'_>) {
+        for (number, found) in self.found.drain(..).filter(|_| !self.unknown) {
+            if number.is_none_or(|number| !self.numbers.contains(&format!("N{number}"))) {
+                told.say.found(found);
+            }
+        }
     }
 }
