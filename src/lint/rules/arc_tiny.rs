@@ -8,12 +8,12 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
 /// Smallest radius that is nothing special, mm.
 const SMALLEST: f64 = 0.005;
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct ArcTiny;
 
 impl ArcTiny {
     pub(super) fn new(_: &Setup<'_>) -> ArcTiny {
-        ArcTiny::default()
+        ArcTiny
     }
 }
 

@@ -4,12 +4,12 @@ use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct CommentIsCode;
 
 impl CommentIsCode {
     pub(super) fn new(_: &Setup<'_>) -> CommentIsCode {
-        CommentIsCode::default()
+        CommentIsCode
     }
 }
 

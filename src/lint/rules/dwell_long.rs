@@ -7,12 +7,12 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup};
 /// Longest dwell that is nothing special, seconds.
 const LONGEST: f64 = 60.0;
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct DwellLong;
 
 impl DwellLong {
     pub(super) fn new(_: &Setup<'_>) -> DwellLong {
-        DwellLong::default()
+        DwellLong
     }
 }
 

@@ -4,12 +4,12 @@ use crate::diag::codes;
 use crate::ir::{Function, Origin};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup};
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct DwellZero;
 
 impl DwellZero {
     pub(super) fn new(_: &Setup<'_>) -> DwellZero {
-        DwellZero::default()
+        DwellZero
     }
 }
 

@@ -4,12 +4,12 @@ use crate::diag::codes;
 use crate::ir::{Function, Origin, Side};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup};
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct OffsetCompensated;
 
 impl OffsetCompensated {
     pub(super) fn new(_: &Setup<'_>) -> OffsetCompensated {
-        OffsetCompensated::default()
+        OffsetCompensated
     }
 }
 

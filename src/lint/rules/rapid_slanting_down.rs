@@ -3,12 +3,12 @@
 use crate::diag::codes;
 use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step, TINY};
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct RapidSlantingDown;
 
 impl RapidSlantingDown {
     pub(super) fn new(_: &Setup<'_>) -> RapidSlantingDown {
-        RapidSlantingDown::default()
+        RapidSlantingDown
     }
 }
 

@@ -6,12 +6,12 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
 /// Farthest retract at feed that is nothing special, mm.
 const FAR: f64 = 50.0;
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct SlowRetract;
 
 impl SlowRetract {
     pub(super) fn new(_: &Setup<'_>) -> SlowRetract {
-        SlowRetract::default()
+        SlowRetract
     }
 }
 

@@ -8,12 +8,12 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup};
 /// Fastest speed that is nothing special, rev/min.
 const FASTEST: f64 = 100_000.0;
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct SpeedHuge;
 
 impl SpeedHuge {
     pub(super) fn new(_: &Setup<'_>) -> SpeedHuge {
-        SpeedHuge::default()
+        SpeedHuge
     }
 }
 

@@ -4,12 +4,12 @@ use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Unfinished;
 
 impl Unfinished {
     pub(super) fn new(_: &Setup<'_>) -> Unfinished {
-        Unfinished::default()
+        Unfinished
     }
 }
 
