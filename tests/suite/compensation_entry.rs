@@ -44,7 +44,7 @@ fn refused(program: &(&str, &str, &str), from: &str, to: &str, radius: Option<&s
 fn a_way_shorter_than_the_known_radius_is_refused() {
     for program in PROGRAMS {
         let turning = program.1 == "heidenhain-turning";
-        let (near, at, far) = if turning { ("44.9999", "45", "46") } else { ("-4.9999", "-5", "-6") };
+        let (near, at, far) = if turning { ("44.99", "45", "46") } else { ("-4.99", "-5", "-6") };
         let name = program.1;
         assert!(refused(program, "-4.9999", far, Some("5.0")), "{name}: a short way to the contour");
         assert!(refused(program, "-5", far, Some("5.0")), "{name}: a way as long as the radius");

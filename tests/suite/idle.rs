@@ -2,8 +2,13 @@
 
 use super::common::{check_klartext, check_program};
 
+/// What the language says; lint rules have tests of their own.
 fn codes(text: &str) -> Vec<(u32, &'static str)> {
-    check_klartext(text).iter().map(|found| (found.label.loc.line, found.code.id)).collect()
+    check_klartext(text)
+        .iter()
+        .map(|found| (found.label.loc.line, found.code.id))
+        .filter(|(_, code)| !code.starts_with('L'))
+        .collect()
 }
 
 #[test]
@@ -99,6 +104,7 @@ const SIEMENS: &str = "%_N_T_MPF\n\
 fn sinumerik_blocks_that_do_not_run_are_looked_at() {
     let found: Vec<(u32, &str)> = check_program("sinumerik", "T.MPF", SIEMENS)
         .iter()
+        .filter(|found| !found.code.id.starts_with('L'))
         .map(|found| (found.label.loc.line, found.code.id))
         .collect();
     let expected = [

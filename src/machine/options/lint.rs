@@ -11,7 +11,8 @@ pub const KEYS: &[Key] = &[
         "select",
         Kind::Texts,
         "findings that are reported: codes, beginnings of codes, names, default, all",
-        |s, v| put(&mut s.lint.all.select, Some(selectors(v)?)),
+        // The default is what holds without the key.
+        |s, v| put(&mut s.lint.all.select, Some(selectors(v)?).filter(|list| *list != [Selector::Default])),
     )
     .or(r#"["default"]"#),
     key("ignore", Kind::Texts, "findings that are not reported; what is an error cannot be ignored", |s, v| {

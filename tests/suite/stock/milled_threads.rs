@@ -30,7 +30,7 @@ struct Case {
 }
 
 impl Case {
-    fn from_middle(&self, p: [f64; 3]) -> f64 {
+    fn distance_of(&self, p: [f64; 3]) -> f64 {
         (p[0] - self.at[0]).hypot(p[1] - self.at[1])
     }
 
@@ -38,7 +38,7 @@ impl Case {
         let cuts = track(&self.text, settings).map_err(|codes| format!("refused: {codes:?}"))?;
         let mut helices: Vec<&Cut> = Vec::new();
         for cut in &cuts {
-            let ways = (0..=24).map(|i| self.from_middle(cut.at(f64::from(i) / 24.0)));
+            let ways = (0..=24).map(|i| self.distance_of(cut.at(f64::from(i) / 24.0)));
             let (least, most) = ways.fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(v), b.max(v)));
             let below = cut.from[2].min(cut.to[2]) < 0.0;
             if !below {
@@ -110,7 +110,7 @@ impl Case {
     }
 
     fn radius_of(&self, cut: &Cut) -> f64 {
-        self.from_middle(cut.from)
+        self.distance_of(cut.from)
     }
 }
 

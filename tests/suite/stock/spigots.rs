@@ -174,7 +174,7 @@ fn random(dice: &mut Dice) -> Case {
             let edges = 3 + dice.roll(8);
             let size = number(dice, 2.0, 30.0);
             let half = std::f64::consts::PI / edges as f64;
-            let apothem = if edges % 2 == 0 { size / 2.0 } else { size / half.tan() / 2.0 };
+            let apothem = if edges.is_multiple_of(2) { size / 2.0 } else { size / half.tan() / 2.0 };
             let around = apothem * number(dice, 1.0, 1.8) / half.cos();
             let width = number(dice, 0.3 * radius, 2.0 * radius);
             for (unit, feed) in calls {
