@@ -33,8 +33,8 @@ for text in json.load(sys.stdin):
 
 /// Words that it passes over, or takes for something else.
 const NOT_KNOWN: &[&str] = &[
-    "G41", "G42", "ANG=", "RND", "CHR=", "CHF=", "CYCLE", "HOLES", "MCALL", "G70", "G25", "G26", "G53", "G58", "G59",
-    "G11", "G[", "DEFINE",
+    "G41", "G42", "ANG=", "RND", "CHR=", "CHF=", "CYCLE", "POCKET", "SLOT", "LONGHOLE", "HOLES", "MCALL", "G70", "G25",
+    "G26", "G53", "G58", "G59", "G11", "G[", "DEFINE",
 ];
 /// Programs in which it is wrong by the manuals.
 const WRONG: &[(&str, &str)] = &[
