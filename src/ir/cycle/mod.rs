@@ -16,6 +16,7 @@ pub mod pocket;
 pub mod recess;
 pub mod region;
 pub mod roughing;
+pub mod ruled;
 pub mod spigot;
 pub mod thread;
 pub mod thread_milling;
@@ -40,6 +41,7 @@ pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
 pub use roughing::Roughing;
+pub use ruled::Ruled;
 pub use spigot::Spigot;
 pub use thread::Thread;
 pub use thread_milling::ThreadMilling;
@@ -92,6 +94,7 @@ macro_rules! families {
             LongHole(crate::ir::cycle::LongHole),
             Region(crate::ir::cycle::Region),
             Facing(crate::ir::cycle::Facing),
+            Ruled(crate::ir::cycle::Ruled),
             Spigot(crate::ir::cycle::Spigot),
             PathMilling(crate::ir::cycle::PathMilling),
             ThreadMilling(crate::ir::cycle::ThreadMilling),

@@ -19,6 +19,7 @@ pub mod pocket;
 pub mod recess;
 pub mod region;
 pub mod roughing;
+pub mod ruled;
 #[cfg(test)]
 mod simulate;
 pub mod slope;

@@ -167,7 +167,7 @@ impl Region {
     fn helix_arm(&self, room: f64, least: f64) -> f64 {
         match self.insertion {
             Insertion::Helix { radius, .. } => radius.min(room - least).min(self.mill.radius).max(0.0),
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => 0.0,
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } | Insertion::Strokes { .. } => 0.0,
         }
     }
 
