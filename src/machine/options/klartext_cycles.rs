@@ -39,7 +39,30 @@ pub const KEYS: &[Key] = &[
         },
     )
     .or(r#""refuse""#),
+    key(
+        "pattern_program",
+        Kind::Choice(&["refuse", "shift", "position"]),
+        "HEIDENHAIN: what the places of CYCL CALL PAT are to the program of cycle 12: datum shifts, or where the tool goes in front of it",
+        |s, v| {
+            s.cycles.klartext.pattern_program = match text(v) {
+                "shift" => Some(PatternProgram::Shift),
+                "position" => Some(PatternProgram::Position),
+                _ => None,
+            };
+            Ok(())
+        },
+    )
+    .or(r#""refuse""#),
 ];
+
+/// What a place of a pattern is to the program of cycle 12.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PatternProgram {
+    /// A further datum shift.
+    Shift,
+    /// Where the tool goes in front of the program.
+    Position,
+}
 
 /// What the radius of a thread mill touches on an outside thread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,4 +84,6 @@ pub struct KlartextCycles {
     pub bore_in_rings: bool,
     /// `None` refuses outside threads.
     pub outside_thread: Option<OutsideThread>,
+    /// What a place of a pattern is to the program of cycle 12; refused without it.
+    pub pattern_program: Option<PatternProgram>,
 }
