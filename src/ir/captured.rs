@@ -2,7 +2,7 @@
 
 use crate::geo::{Element, Plane, Point2, distance};
 
-use super::Origin;
+use super::{Origin, Side};
 
 /// Ends this close are one point, in mm: stored contours are rounded to three decimals.
 const CLOSED: f64 = 0.002;
@@ -16,6 +16,8 @@ pub struct Captured {
     pub plane: Plane,
     /// End of the first move: how the tool comes there is not part of the contour.
     pub start: Point2,
+    /// The side that all its moves have; `None` where it changes.
+    pub side: Option<Side>,
     /// In the order of travel, each from where the one before ends.
     pub pieces: Vec<CapturedElement>,
 }

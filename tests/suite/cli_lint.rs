@@ -279,7 +279,7 @@ fn words_stay_where_something_else_may_hold() {
     assert_eq!(redundant(&jump.replace("GOTOB N100", "R2=1")), 2);
     // The limits of G25 and G26 are no speed; another kind of feed wants its F again.
     assert_eq!(redundant("S1000 M3\nG0 X0 Y0 Z5\nS1000 G1 X5 F100\nG25 S1000\nM30\n"), 0);
-    assert_eq!(redundant("S1000 M3\nG1 X0 Y0 Z5 F100\nG95 G1 X5 F100\nG94 X6 F100\nX7 F100\nM30\n"), 1);
+    assert_eq!(redundant("S1000 M3\nG1 X0 Y0 Z5 F100\nG95 G1 X5 F100\nG94 X6 F100\nX7 F100\nM30\n"), 2);
     assert_eq!(redundant("G1 X0 Y0 Z5 F100\nG93 X5 F10\nX6 F10\nX7 F10\nM30\n"), 0);
 }
 
