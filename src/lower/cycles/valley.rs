@@ -1,6 +1,7 @@
 //! A groove as a recessing tool sees it: between two walls that fall to one floor.
 
-use crate::geo::wall::{Leg, NoWall, Wall, quarters};
+use crate::geo::profile::{Leg, mirrored as in_mirror};
+use crate::geo::wall::{NoWall, Wall, quarters};
 use crate::geo::{Element, Point2, Vec2, left};
 
 use super::track::View;

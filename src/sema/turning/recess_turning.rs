@@ -160,7 +160,7 @@ impl Run<'_> {
     }
 
     /// A feed of the cycle in the mode in force.
-    fn own_feed(&self, w: &Words, letter: u8, active: Feed) -> Outcome<Feed> {
+    pub(super) fn own_feed(&self, w: &Words, letter: u8, active: Feed) -> Outcome<Feed> {
         let Some(num) = w.get(letter) else { return Ok(active) };
         Ok(active.with_value(self.above_zero(num, "a feed")?))
     }

@@ -100,6 +100,6 @@ impl Run<'_> {
 
     /// Threads and holes leave the surfaces as they are.
     pub(super) fn cycle_cuts(&mut self, cycle: &Cycle) {
-        self.st.cut |= matches!(cycle, Cycle::Roughing(_) | Cycle::Finishing(_));
+        self.st.cut |= matches!(cycle, Cycle::Layers(_) | Cycle::Finishing(_));
     }
 }
