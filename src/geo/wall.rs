@@ -18,6 +18,9 @@ const SAME_HEIGHT: f64 = 1e-7;
 /// Height of the wall above its chain, mm above everything.
 const HIGH: f64 = 1e5;
 
+/// A nose that touches an upright wall is beside it, mm.
+const BESIDE: f64 = 1e-9;
+
 /// A wall as a nose of some radius sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
@@ -65,6 +68,11 @@ impl Wall {
     /// Least x of the nose centre when its lowest point is at height `y`.
     pub fn touch(&self, y: f64) -> f64 {
         self.outline.first_above(y, f64::NEG_INFINITY).map_or(f64::NEG_INFINITY, |x| -x)
+    }
+
+    /// Least height of the nose with its centre at `x`; below everything beyond the foot of the wall.
+    pub fn height(&self, x: f64) -> f64 {
+        self.outline.height(-x - BESIDE)
     }
 
     /// The way down from height `top` to `bottom`: where it starts, and its legs. x is the nose centre, y its

@@ -57,7 +57,8 @@ impl Layers {
         let along = sense_of_cuts(contour, into, home)?;
         let (first, last) = (contour.first()?.from(), contour.last()?.to());
         let way = (into.cutting_coordinate(last) - into.cutting_coordinate(first)) * along;
-        let falls = (into.depth_coordinate(last) - into.depth_coordinate(first)) * (into.unit().x + into.unit().y) > 0.0;
+        let falls =
+            (into.depth_coordinate(last) - into.depth_coordinate(first)) * (into.unit().x + into.unit().y) > 0.0;
         // An upright contour begins at its deeper end.
         let turned = way < 0.0 || (way == 0.0 && falls);
         Some(Layers {

@@ -4,8 +4,8 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2, cross, left};
-use crate::ir::cycle::Cycle;
 use crate::ir::Feed;
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;

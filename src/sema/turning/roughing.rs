@@ -4,10 +4,10 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2};
+use crate::ir::cycle::Cycle;
 use crate::ir::cycle::layers::{Allowance, Blank, Layers, Relief, Trace};
 use crate::ir::cycle::roughing::{Corner, Nose};
 use crate::ir::cycle::turning::Towards;
-use crate::ir::cycle::Cycle;
 use crate::machine::{Axis, RecessDepth};
 
 use super::chain::Coord;
@@ -196,7 +196,8 @@ impl Run<'_> {
         };
         if !plunges || !falls {
             if falls || layers.leans_over() {
-                let message = format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
+                let message =
+                    format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
                 self.report(Diagnostic::new(codes::T2026, self.here.origin.loc, message));
             }
             return Ok(layers);
@@ -223,9 +224,12 @@ impl Run<'_> {
             ),
             Some(_) => Ok(()),
             None => {
-                let message = format!("G{number} cuts falling parts: whether the flank of the tool clears them is not checked");
+                let message =
+                    format!("G{number} cuts falling parts: whether the flank of the tool clears them is not checked");
                 let found = Diagnostic::new(codes::T2031, self.here.origin.loc, message);
-                self.report(found.help("give the clearance angle of the tool in partc.toml: `[tools.N] clearance = 30`"));
+                self.report(
+                    found.help("give the clearance angle of the tool in partc.toml: `[tools.N] clearance = 30`"),
+                );
                 Ok(())
             }
         }

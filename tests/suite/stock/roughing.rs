@@ -3,7 +3,9 @@
 use core::fmt::Write;
 
 use super::layers::{chance, contour, real, zero};
-use super::removal::{Blank, Language, Made, PLUNGE, Part, Piece, ROUGH, Side, Step, Tally, UNLIMITED, made, run, steps, top};
+use super::removal::{
+    Blank, Language, Made, PLUNGE, Part, Piece, ROUGH, Side, Step, Tally, UNLIMITED, made, run, steps, top,
+};
 use super::turning::P;
 use crate::damage::Dice;
 

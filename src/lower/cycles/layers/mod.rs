@@ -23,8 +23,8 @@ use crate::geo::{Plane, Point2, Vec2};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::layers::{Blank, Layers};
-use crate::ir::cycle::roughing::Corner;
 use crate::ir::cycle::recess::Operation;
+use crate::ir::cycle::roughing::Corner;
 
 use super::infeed::steps as infeed_steps;
 use super::track::{Failure, Strokes, Track, View};
