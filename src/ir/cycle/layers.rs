@@ -229,7 +229,7 @@ impl Layers {
     }
 
     /// The contour with the cuts towards +x and the infeed towards -y.
-    fn seen(&self) -> Vec<Element> {
+    pub(super) fn seen(&self) -> Vec<Element> {
         let out = -(self.into.unit().x + self.into.unit().y);
         let (along, radial) = (self.along, self.into.is_radial());
         let point = |p: Point2| {

@@ -1,5 +1,6 @@
 //! What cycles of stock removal share that begin at a corner of the stock, and the nose of their tools.
 
+use crate::geo::profile::{Grown, Profile};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::{Feed, Pos};
 
@@ -93,6 +94,25 @@ impl Layers {
         Layers::from_corner(&contour, into, home, most, lift, feed)
     }
 
+    /// Greatest height of stock, on the infeed axis, that roughing from a corner leaves between two places of the cutting axis; `None`
+    /// where its cuts do not pass all of it.
+    pub fn leaves_standing(&self, from: f64, to: f64) -> Option<f64> {
+        let chain = self.seen();
+        let (near, far) = ((from * self.along).min(to * self.along), (from * self.along).max(to * self.along));
+        let begin = self.into.cutting_coordinate(self.home) * self.along;
+        let end = chain.last()?.to().x;
+        let axes = if self.into.is_radial() { self.allowance.axes } else { self.allowance.axes.yx() };
+        // The nose leaves a fillet in front of a wall, and the allowance.
+        let beyond = far + axes.x + self.allowance.around + 2.0 * self.nose.radius;
+        if !matches!(self.blank, Blank::Corner(_)) || near < begin || beyond > end {
+            return None;
+        }
+        let steps = if self.trace == Trace::None { self.most } else { 0.0 };
+        let high = Profile::new(&chain, Grown::default()).highest(f64::NEG_INFINITY, beyond);
+        let out = -(self.into.unit().x + self.into.unit().y);
+        Some((high + axes.y + self.allowance.around + steps) * out)
+    }
+
     /// Where a cycle leaves the tool that stays where its cuts begin.
     pub(super) fn leaves_beside(&self, at: &mut Pos) {
         let (infeed, cutting) = self.into.axes();
@@ -131,5 +151,21 @@ mod tests {
         assert_eq!((side(2.0, 25.0), side(-22.0, 25.0), side(-10.0, 25.0)), (Some(-1.0), Some(1.0), None));
         let upright = lines(&[(0.0, 30.0), (0.0, 40.0)]);
         assert_eq!(sense_of_cuts(&upright, Towards::MinusX, Point2::new(0.0, 25.0)), None);
+    }
+
+    #[test]
+    fn what_roughing_leaves_standing() {
+        let contour = lines(&[(0.0, 30.0), (-20.0, 30.0), (-20.0, 40.0), (-50.0, 40.0)]);
+        let home = Point2::new(2.0, 25.0);
+        let layers = Layers::from_corner(&contour, Towards::MinusX, home, 2.0, 1.0, Feed::PerRevolution(0.2));
+        let mut layers = layers.expect("beside the contour");
+        layers.allowance.axes = Vec2::new(0.1, 0.3);
+        layers.trace = Trace::Last;
+        let left = |layers: &Layers, from, to| layers.leaves_standing(from, to);
+        assert_eq!(left(&layers, -15.0, -5.0), Some(15.3));
+        assert_eq!((left(&layers, -5.0, -19.95), left(&layers, -45.0, -30.0)), (Some(20.3), Some(20.3)));
+        assert_eq!((left(&layers, -49.95, -30.0), left(&layers, -5.0, 3.0)), (None, None));
+        layers.trace = Trace::None;
+        assert_eq!(left(&layers, -15.0, -5.0), Some(17.3));
     }
 }
