@@ -274,7 +274,8 @@ fn words_stay_where_something_else_may_hold() {
         found(&folder, &["A.MPF"]).iter().filter(|found| found.starts_with("L2008")).count()
     };
     // Behind a jump to a block number another G may hold than the block before says.
-    let jump = "N10 G0 X0 Y0 Z5\nN20 G1 X5 F100\nN100 G1 X6 F100\nN105 G0 X50\nN110 R1=R1+1\nN120 IF R1==1 GOTOB N100\nM30\n";
+    let jump =
+        "N10 G0 X0 Y0 Z5\nN20 G1 X5 F100\nN100 G1 X6 F100\nN105 G0 X50\nN110 R1=R1+1\nN120 IF R1==1 GOTOB N100\nM30\n";
     assert_eq!(redundant(jump), 0);
     assert_eq!(redundant(&jump.replace("GOTOB N100", "R2=1")), 2);
     // The limits of G25 and G26 are no speed; another kind of feed wants its F again.

@@ -245,7 +245,11 @@ impl Run<'_> {
                     format!(
                         "cycle {}: climb {} defined for M3, and the spindle turns by M4",
                         cycle.number,
-                        if cycle.gives_q(q) { format!("and up-cut milling ({q}) are") } else { "milling is".to_owned() }
+                        if cycle.gives_q(q) {
+                            format!("and up-cut milling ({q}) are")
+                        } else {
+                            "milling is".to_owned()
+                        }
                     ),
                 )
                 .also(cycle.loc, "the cycle is defined here")
