@@ -101,7 +101,7 @@ pub(super) fn apply(text: &[u8], edits: &[Edit]) -> Vec<u8> {
 
 /// Replaces the program in one step.
 pub(super) fn write(path: &Path, text: &[u8]) -> Result<(), Trouble> {
-    let written = Pending::create(path).and_then(|mut file| {
+    let written = Pending::replace(path).and_then(|mut file| {
         file.write_all(text)?;
         file.commit()
     });

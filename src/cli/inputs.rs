@@ -34,6 +34,8 @@ impl Input {
 #[derive(Debug, Default)]
 pub(super) struct Inputs {
     pub list: Vec<Input>,
+    /// The programs of the other shards.
+    pub others: Vec<Input>,
     pub troubles: Vec<Trouble>,
 }
 
@@ -60,7 +62,7 @@ pub(super) fn inputs(paths: &[PathBuf], many: &Many, takes: &dyn Fn(&Path) -> bo
         }
     }
     if let Some(shard) = many.shard {
-        found.list.retain(|input| is_in(shard, &input.path));
+        (found.list, found.others) = found.list.into_iter().partition(|input| is_in(shard, &input.path));
     }
     Ok(found)
 }

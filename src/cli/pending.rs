@@ -40,6 +40,17 @@ impl Pending {
         Ok(Pending { file, hidden: Some(hidden), target })
     }
 
+    /// The same in the place of a file that is changed: one that is protected stays, and so do its owner and its names.
+    pub(super) fn replace(target: &Path) -> io::Result<Pending> {
+        let older = fs::metadata(target)?;
+        if older.permissions().readonly() {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "is write-protected; nothing was written"));
+        }
+        let pending = Pending::create(target)?;
+        keep_owner(&pending.file, &older)?;
+        Ok(pending)
+    }
+
     pub(super) fn file(&mut self) -> &mut File {
         &mut self.file
     }
@@ -112,6 +123,26 @@ pub(super) fn behind_links(path: &Path) -> io::Result<PathBuf> {
         path = folder_of(&path).join(fs::read_link(&path)?);
     }
     Err(io::Error::other("links lead in circles"))
+}
+
+/// Gives the new file the owner of the old one.
+#[cfg(unix)]
+fn keep_owner(file: &File, older: &fs::Metadata) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt as _, fchown};
+    let own = file.metadata()?;
+    if older.nlink() > 1 {
+        return Err(io::Error::other("has several names (hard links), and only one would change; nothing was written"));
+    }
+    if (own.uid(), own.gid()) == (older.uid(), older.gid()) {
+        return Ok(());
+    }
+    let kept = fchown(file, Some(older.uid()), Some(older.gid()));
+    kept.map_err(|error| io::Error::new(error.kind(), "belongs to another user or group; nothing was written"))
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &fs::Metadata) -> io::Result<()> {
+    Ok(())
 }
 
 fn folder_of(path: &Path) -> &Path {

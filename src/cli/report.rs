@@ -22,6 +22,8 @@ use super::{Exit, Trouble, say};
 
 /// Characters in a line on the terminal.
 const WIDTH: usize = 100;
+/// Slower work, of many small programs, shows no speed, MB/s.
+const SLOWEST: f64 = 0.1;
 /// Work shorter than this shows neither progress nor speed.
 const QUIET: Duration = Duration::from_secs(1);
 
@@ -322,11 +324,8 @@ impl Reporter {
         }
         let counts = format!("{}, {}", counted(errors, "error", "errors"), counted(warnings, "warning", "warnings"));
         let time = self.started.elapsed();
-        let speed = if time > QUIET {
-            format!(", {:.1} MB/s", self.bytes as f64 / 1e6 / time.as_secs_f64())
-        } else {
-            String::new()
-        };
+        let speed = self.bytes as f64 / 1e6 / time.as_secs_f64();
+        let speed = if time > QUIET && speed >= SLOWEST { format!(", {speed:.1} MB/s") } else { String::new() };
         Some(if self.programs < 2 { counts } else { format!("{} programs, {counts}{speed}", self.programs) })
     }
 

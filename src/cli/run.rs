@@ -87,7 +87,8 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     if found.list.is_empty() && found.troubles.is_empty() && args.many.shard.is_none() {
         return Err("no part program lies in the folders that are named".to_owned());
     }
-    different_outputs(args, &found.list)?;
+    // Shards write to one place: all of them refuse the same.
+    different_outputs(args, found.list.iter().chain(&found.others))?;
     if let Some(folder) = &args.out_dir {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
@@ -126,7 +127,8 @@ pub(super) fn is_output(path: &Path) -> bool {
 }
 
 /// Each input needs an output of its own.
-fn different_outputs(args: &Compile, inputs: &[Input]) -> Result<(), Trouble> {
+fn different_outputs<'i>(args: &Compile, inputs: impl Iterator<Item = &'i Input>) -> Result<(), Trouble> {
+    let inputs: Vec<&Input> = inputs.collect();
     if inputs.len() < 2 {
         return Ok(());
     }

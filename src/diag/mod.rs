@@ -143,6 +143,8 @@ struct Inner {
     dropped: u32,
     /// As many are kept, where it is more than usual.
     room: usize,
+    /// The run has met an error.
+    failed: bool,
     /// The first so many were found in the form of the program; true for those that its run met, too.
     form: Vec<bool>,
 }
@@ -161,6 +163,9 @@ impl Diags {
     /// Takes a finding. The same code at the same place is counted, not repeated.
     pub fn push(&self, mut found: Diagnostic) {
         let key = (found.code.id, found.label.loc);
+        if found.code.severity == Severity::Error {
+            self.inner.borrow_mut().failed = true;
+        }
         if self.is_repeated(key, found.call) {
             return;
         }
@@ -222,6 +227,17 @@ impl Diags {
     pub fn begin_run(&self) {
         let inner = &mut *self.inner.borrow_mut();
         inner.form = vec![false; inner.list.len()];
+        inner.failed = false;
+    }
+
+    /// Has the run met an error, also one that the form of the program had shown before?
+    pub fn has_failed(&self) -> bool {
+        self.inner.borrow().failed
+    }
+
+    /// Was there such a finding?
+    pub fn any(&self, is: impl Fn(&Diagnostic) -> bool) -> bool {
+        self.inner.borrow().list.iter().any(is)
     }
 
     /// Findings that were counted and not kept.

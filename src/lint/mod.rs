@@ -38,14 +38,14 @@ impl<'a> Checks<'a> {
     /// Looks for what rules want to know before the program runs.
     pub fn new(
         settings: &'a Settings,
-        sources: &Sources,
+        sources: &'a Sources,
         survey: Survey,
         policy: &'a Policy,
         diags: &'a Diags,
     ) -> Checks<'a> {
         let mut blank = FindsBlank::default();
         lead(sources, FileId(0), survey, &mut blank);
-        let setup = Setup { settings, blank: blank.blank(), size: sources.size(FileId(0)) };
+        let setup = Setup { settings, blank: blank.blank(), size: sources.size(FileId(0)), sources };
         Checks { setup, policy, diags }
     }
 

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, Diags};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Corner, CtxRef, Load};
@@ -12,6 +12,7 @@ use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::motion::{self, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{Axis, MachineKind, Settings};
+use crate::text::Sources;
 
 /// A cuboid in workpiece coordinates, mm: least and greatest corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +29,7 @@ pub struct Setup<'a> {
     pub blank: Option<Blank>,
     /// Bytes of the main program.
     pub size: u64,
+    pub sources: &'a Sources,
 }
 
 impl Setup<'_> {
@@ -115,6 +117,15 @@ impl Step<'_> {
         self.way(self.tool_axis())
     }
 
+    /// Does it go straight away from the part, along the tool axis? Behind a change nobody knows where it begins; a height
+    /// above the blank is enough then.
+    pub fn retracts(&self, blank: Option<Blank>) -> bool {
+        let axis = self.tool_axis();
+        let above = |blank: Blank| self.to.get(axis).is_some_and(|to| to > blank.max[axis.index()]);
+        let up = self.rise().map_or_else(|| blank.is_some_and(above), |rise| rise > TINY);
+        self.is_line() && up && !self.goes_sideways()
+    }
+
     /// Does it move an axis of the working plane?
     pub fn goes_sideways(&self) -> bool {
         let (first, second, _) = self.mv.plane.axes();
@@ -149,6 +160,19 @@ impl<'d> Say<'d> {
     pub fn found(&self, found: Diagnostic) {
         self.diags.push(found);
     }
+
+    /// Does the block read a variable of which it was said already that nothing has set it?
+    pub fn reads_unset(&self, block: &str) -> bool {
+        self.diags.any(|found| {
+            found.code.id == codes::S2025.id
+                && found.message.split(' ').next().is_some_and(|name| {
+                    let name = name.trim_matches('`');
+                    block
+                        .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+                        .any(|word| word.eq_ignore_ascii_case(name))
+                })
+        })
+    }
 }
 
 /// A rule over what the program does. Each method sees the machine as it was before.
@@ -161,7 +185,8 @@ pub trait MotionRule {
     fn finish(&mut self, _: &Machine, _: Say<'_>) {}
 }
 
-/// The rules and what they share.
+/// The rules and what they share. Behind an error of the run a block is missing: they would go on with a wrong machine, and
+/// are asked no more.
 pub struct Watch<'a> {
     rules: Vec<Box<dyn MotionRule + 'a>>,
     machine: Machine,
@@ -201,7 +226,7 @@ impl<'a> Watch<'a> {
         let of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
         let step = Step { mv, from: &self.machine.at, to, origin, of_cycle };
         let say = Say::to(self.diags);
-        for rule in &mut self.rules {
+        for rule in self.rules.iter_mut().filter(|_| !self.diags.has_failed()) {
             rule.movement(&step, &self.machine, say);
         }
         let last = if step.is_rapid() || mv.machine { Last::Rapid } else { Last::Cut };
@@ -215,7 +240,7 @@ impl<'a> Watch<'a> {
 
     fn function(&mut self, function: &Function, origin: &Origin) {
         let say = Say::to(self.diags);
-        for rule in &mut self.rules {
+        for rule in self.rules.iter_mut().filter(|_| !self.diags.has_failed()) {
             rule.function(function, &self.machine, origin, say);
         }
         let machine = &mut self.machine;

@@ -158,6 +158,11 @@ fn read(text: &[u8], at: usize, end: usize) -> Said {
         };
     }
     let Some(close) = memchr::memchr(closing, behind) else { return Said::Unreadable(whole) };
+    // A reason stands behind two dashes, another comment behind its sign.
+    let rest = behind[close + 1..].trim_ascii();
+    if !(rest.is_empty() || rest.starts_with(b"--") || matches!(rest[0], b';' | b')' | b']')) {
+        return Said::Unreadable(whole);
+    }
     let mut from = at + MARK.len() + blanks + name.len() + open + 1;
     let mut list = Vec::new();
     for part in behind[open + 1..close].split(|b| *b == b',') {
@@ -238,7 +243,14 @@ mod tests {
     #[test]
     fn what_is_no_suppression_is_told_from_what_is_a_wrong_one() {
         assert!(said("see partc: ignore[K8022]").is_empty());
-        for wrong in ["partc: ignore[K8022", "partc: ignroe[K8022]", "partc: ignores[K8022]", "partc:"] {
+        for wrong in [
+            "partc: ignore[K8022] [K8023]",
+            "partc: ignore[K8022], L1",
+            "partc: ignore[K8022",
+            "partc: ignroe[K8022]",
+            "partc: ignores[K8022]",
+            "partc:",
+        ] {
             assert!(matches!(&said(wrong)[..], [Said::Unreadable(_)]), "{wrong}");
         }
         for bare in ["partc: ignore", "partc: ignore -- later", "partc: ignore[]"] {

@@ -14,6 +14,8 @@ use super::sources::{FileId, Sources};
 
 /// Bytes read at a time.
 pub(super) const CHUNK: usize = 256 * 1024;
+/// Least room for reading.
+const LEAST_ROOM: usize = 4096;
 /// Longest logical block; a longer one is reported and left out.
 pub const MAX_BLOCK: usize = 1 << 20;
 
@@ -431,10 +433,13 @@ impl Cursor {
         self.base += self.pos as u64;
         self.end -= self.pos;
         self.pos = 0;
-        if self.window.len() < self.end + CHUNK {
-            self.window.resize(self.end + CHUNK, 0);
-        }
         let at = self.base + self.end as u64;
+        // A small file takes no room for a large one. A byte more tells where it ends.
+        let left = sources.size(self.file).saturating_sub(at).saturating_add(1);
+        let room = usize::try_from(left).map_or(CHUNK, |left| left.clamp(LEAST_ROOM, CHUNK));
+        if self.window.len() < self.end + room {
+            self.window.resize(self.end + room, 0);
+        }
         let n = sources.read_at(self.file, at, &mut self.window[self.end..])?;
         self.hash.update(&self.window[self.end..self.end + n]);
         self.holes.look(&self.window[self.end..self.end + n], at);

@@ -51,6 +51,15 @@ pub fn readable(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
+/// A word for a message. One of a character that shows nothing is called by its number.
+pub fn named(bytes: &[u8]) -> String {
+    let word = readable(bytes);
+    match bytes {
+        [byte] if byte.is_ascii_control() => format!("a control character (U+{byte:04X})"),
+        _ => format!("`{word}`"),
+    }
+}
+
 /// A whole text whose lines are kept.
 #[cfg(feature = "cli")]
 pub fn readable_lines(bytes: &[u8]) -> String {

@@ -309,3 +309,99 @@ fn what_cannot_be_mended_is_said() {
     assert_eq!(text.matches("partc:").count(), text.matches("L1011").count(), "{text}");
     assert!(!found(&folder, &["D.nc"]).iter().any(|found| found.starts_with("L1011")), "{text}");
 }
+
+/// As Klartext reads it: F of TOOL CALL is that of F AUTO.
+const TOOL_FEED: &str = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S2000 F100\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n3 L Z-1 F200\n4 L X+5 F200\n\
+5 L Z+50 FMAX\n6 TOOL CALL 2 Z S2000 F200\n7 L X+0 Z+5 FMAX M3\n8 L Z-1\n9 L X+5 F200 M8\n10 L Z+50 FMAX M30\n11 END PGM A MM\n";
+
+#[test]
+fn words_of_a_tool_call_are_not_modal() {
+    let folder = Folder::new("lint_tool_feed").with(&[("A.H", TOOL_FEED)]);
+    folder.run(&["check", "A.H", "--select", "L2008", "--fix"]).exits(0);
+    assert_eq!(folder.read("A.H"), TOOL_FEED.replace("4 L X+5 F200", "4 L X+5"));
+}
+
+#[test]
+fn a_block_number_that_a_jump_names_leads_to_blocks_behind_the_end() {
+    let folder = Folder::new("lint_behind_end");
+    let behind = |text: &str| {
+        folder.write("A.MPF", text);
+        found(&folder, &["A.MPF", "--select", "L2003"])
+    };
+    let text = "N10 G0 X0 Y0 Z5\nN20 IF R1==1 GOTOF N200\nN40 M30\nN200 G0 X9\nN210 M30\n";
+    assert_eq!(behind(text), [""; 0]);
+    assert_eq!(behind(&text.replace("GOTOF N200", "GOTOF N210")), ["L2003 warning"]);
+}
+
+#[test]
+fn rules_look_at_what_the_tool_does() {
+    let folder = Folder::new("lint_truth");
+    let check = |name: &str, text: &str| {
+        folder.write(name, text);
+        let all = found(&folder, &[name, "--select", "default,L1025,L2012"]);
+        all.into_iter().filter(|found| found.starts_with('L')).collect::<Vec<_>>()
+    };
+    // A retract at feed is no cut, with the tool before the first one and with the spindle off.
+    let up = "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-40\n2 BLK FORM 0.2 X+100 Y+100 Z+0\n3 L Z+60 R0 F2000 M5\n4 TOOL CALL 2 Z S2500\n\
+5 L X+1 Y+1 Z+2 R0 FMAX M3\n6 L Z-1 F50\n7 L Z+6 F2000\n8 M5\n9 L Z+60 R0 F2000\n10 END PGM A MM\n";
+    assert_eq!(check("A.H", up), [""; 0]);
+    assert_eq!(check("A.H", &up.replace("9 L Z+60", "9 L X+60")), ["L1001 warning"]);
+    // What nothing sets is said once, not as a dwell that takes no time.
+    let dwell = "T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG4 F=R5\nG4 F=R5\nG1 X1 F100\nG0 Z50\nM30\n";
+    assert_eq!(check("B.MPF", dwell), [""; 0]);
+    assert_eq!(check("B.MPF", &dwell.replacen("=R5", "0", 1)), ["L1011 warning"]);
+    // A speed of 0 is nothing as long as nothing cuts.
+    let speed = "T1 M6\nS0 M3\nG0 X0 Y0 Z5\nG1 Z-5 F300\nG0 Z50\nM30\n";
+    assert_eq!(check("C.MPF", speed), ["L1017 warning"]);
+    assert_eq!(check("C.MPF", &speed.replace("Z5\n", "Z5 S100\n")), [""; 0]);
+    let tool = "0 BEGIN PGM P MM\n1 TOOL CALL 1 Z S0\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n3 L Z-1 F100\n4 L Z+50 FMAX M30\n5 END PGM P MM\n";
+    assert_eq!(check("C.H", tool), ["L1017 warning"]);
+    // The plane of a language that says it with its moves only.
+    let plane = "N1 G90 T1 M6\nN2 S1000 M3\nN3 G0 X0 Y0 Z5\nN4 G18\nN5 G1 Z-1 F100\nN6 G0 Z50\nN7 M30\n";
+    assert_eq!(check("D.dat", plane), ["L1025 note"]);
+    assert_eq!(check("D.dat", &plane.replace("N6 G0", "N6 G17 G0")), [""; 0]);
+    assert_eq!(check("E.H", "0 BEGIN PGM P MM\n1 L X+0.1234567 Y+0 Z+5 R0 F300 M30\n2 END PGM P MM\n"), ["L2012 note"]);
+}
+
+#[test]
+fn rules_stop_where_a_block_is_missing() {
+    let text = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S2000\n2 L X+0 Y+0 Z+5 R0 FMAX\n3 CALL PGM NOTHERE\n4 L X+10 Y+10 Z+5 FMAX M3\n\
+5 L Z-1 F100 M5\n6 L X+20\n7 L Z+50 FMAX M30\n8 END PGM A MM\n";
+    let folder = Folder::new("lint_stop").with(&[("A.H", text)]);
+    assert_eq!(found(&folder, &["A.H"]), ["P0101 error"]);
+    folder.write("A.H", &text.replace("3 CALL PGM NOTHERE\n", ""));
+    assert_eq!(found(&folder, &["A.H"]), ["L1001 warning"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_protected_program_is_not_changed() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let folder = Folder::new("lint_protected").with(&[("A.MPF", REDUNDANT), ("B.MPF", REDUNDANT)]);
+    fs::set_permissions(folder.0.join("A.MPF"), fs::Permissions::from_mode(0o444)).expect("rights");
+    let ran = folder.run(&["check", "A.MPF", "--select", "L2008", "--fix"]).exits(2);
+    assert!(ran.err.contains("A.MPF: is write-protected"), "{}", ran.err);
+    fs::hard_link(folder.0.join("B.MPF"), folder.0.join("C.MPF")).expect("a link");
+    let ran = folder.run(&["check", "B.MPF", "--select", "L2008", "--fix"]).exits(2);
+    assert!(ran.err.contains("hard links"), "{}", ran.err);
+    assert_eq!((folder.read("A.MPF").as_str(), folder.read("B.MPF").as_str()), (REDUNDANT, REDUNDANT));
+}
+
+#[test]
+fn small_texts_are_right() {
+    let folder = Folder::new("lint_texts")
+        .with(&[("E.H", ""), ("C.H", "0 BEGIN PGM A MM\n1 L X+\u{2} Y+0 R0 F100\n2 END PGM A MM\n")]);
+    let ran = folder.run(&["check", "E.H", "--format", "concise"]).exits(1);
+    assert!(!ran.err.contains("times"), "{}", ran.err);
+    let ran = folder.run(&["check", "C.H", "--format", "concise"]).exits(1);
+    assert!(ran.err.contains("a control character (U+0002) has no place"), "{}", ran.err);
+    // Nothing behind a suppression is read over.
+    folder.write("W.H", &warned_with("; partc: ignore[K2102], [L1001]"));
+    assert_eq!(found(&folder, &["W.H"]), ["K2102 warning", "P8004 warning"]);
+    // An archive head takes no comment.
+    let archive = "%_N_AA1_MPF\nG0 X1 Y0 Z0\nM30\n%_N_BB1_MPF\nG0 X2\nM30\n";
+    folder.write("A.MPF", archive);
+    let ran = folder.run(&["check", "A.MPF", "--add-ignores"]).exits(2);
+    assert!(ran.err.contains("take no comments"), "{}", ran.err);
+    assert_eq!(folder.read("A.MPF"), archive);
+}

@@ -215,6 +215,16 @@ fn shards_share_the_programs() {
 }
 
 #[test]
+fn shards_refuse_two_programs_with_one_output() {
+    let folder = Folder::new("shards_outputs").with(&[("in/A.H", PART), ("in/A.MPF", "G0 X1 Y1 Z1\nM30\n")]);
+    for shard in ["1/3", "2/3", "3/3"] {
+        let ran = folder.run(&["compile", "in", "--out-dir", "out", "--shard", shard]).exits(2);
+        assert!(ran.err.contains("would both be written to"), "{}", ran.err);
+    }
+    assert!(!folder.has("out"));
+}
+
+#[test]
 fn a_report_replaces_no_program() {
     let folder = folder("spared");
     for args in [

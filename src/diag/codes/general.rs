@@ -94,6 +94,6 @@ tool goes another way than the blocks do, such as a rounding that was made small
 
 P8004 Warning "suppression-unreadable" "suppression that cannot be read"
 "A comment begins with `partc:` and goes on with something else than `ignore[CODE, …]` or `ignore-file[CODE, …]`, perhaps with `-- reason` \
-behind it; or a bracket is not closed. Nothing is suppressed by it."
+behind it; or a bracket is not closed, or something else stands behind it. Nothing is suppressed by it."
 
 }

@@ -5,7 +5,7 @@ super::codes! { LINT_MOTION:
 L1001 Warning "spindle-off" "tool cuts while the spindle stands"
 "A move at feed begins while the spindle stands: it was stopped, or nothing has started it since the first tool came. The tool breaks, or the part is \
 pushed out of its clamping. Start the spindle (M3, M4) before the tool touches the part. Said once for each time that the spindle stands; a program \
-without any tool change and without any spindle word is taken for a part of another one."
+without any tool change and without any spindle word is taken for a part of another one. A retract along the tool axis is no cut."
 
 L1002 Warning "spindle-without-speed" "spindle starts and no speed was given"
 "M3 or M4 comes before any S word. The control starts the spindle at the speed that the program before has left, or not at all. Program S with the \
@@ -21,7 +21,8 @@ lost. A last tool that is put in for the next part, tool 0, and tools that only 
 
 L1005 Warning "tool-called-again" "tool that is in the spindle is called again"
 "The same tool is called twice and nothing moves between the two calls. The second call was meant for another tool, or is left over; on machines without a \
-check the changer puts the tool away and fetches it again."
+check the changer puts the tool away and fetches it again. TOOL CALL of a HEIDENHAIN control with the number of the tool in the spindle, and T of HEIDENHAIN \
+turning, change nothing then, and nothing is said."
 
 L1006 Warning "rapid-into-blank" "rapid move ends inside the blank"
 "A move at rapid traverse ends inside the blank that BLK FORM describes, deeper than anything was cut before. At rapid traverse the tool does not cut: it \
@@ -41,7 +42,8 @@ L1010 Note off "cut-without-coolant" "tool cuts without coolant where others hav
 once for each tool."
 
 L1011 Warning "dwell-zero" "dwell takes no time"
-"A dwell of 0 seconds does nothing, and some controls read 0 as another value. A parameter was not set, or a digit is missing."
+"A dwell of 0 seconds does nothing, and some controls read 0 as another value. A parameter was not set, or a digit is missing. \
+Where S2025 has said already that nothing sets the variable, it is not said again."
 
 L1012 Warning "dwell-long" "dwell takes more than a minute"
 "A dwell of more than 60 seconds is most often one in other units: `G4 F500` waits 500 seconds on a SINUMERIK, not milliseconds. With the tool on the part it \
@@ -64,13 +66,13 @@ L1016 Warning "feed-huge" "feed is larger than tools take"
 instead of G94), or a decimal point is missing. Threads are cut with their lead and are not meant. Said once for each feed."
 
 L1017 Warning "speed-huge" "spindle speed is zero, or higher than spindles turn"
-"A spindle is to turn at 0, or at more than 100,000 revolutions per minute. A parameter was not set, a decimal point is missing, or a cutting speed was \
+"A tool cuts at a speed of 0, or a spindle is to turn at more than 100,000 revolutions per minute. A parameter was not set, a decimal point is missing, or a cutting speed was \
 written as a speed. What the machine really reaches is for its own limits."
 
 L1018 Warning "change-at-feed-end" "tool is changed, or the program ends, where the last cut ended"
 "The last move before a tool change or before the end of the program was a cutting move: the tool still stands where it cut. Some machines retract by \
 themselves, others turn the changer or open the door with the tool in the part, and the next program starts with a rapid move out of it. \
-Retract before it."
+Retract before it. On lathes, whose tools leave the part in any direction, nothing is said."
 
 L1019 Note off "rapid-slanting-down" "rapid move goes down and sideways at once"
 "One block moves the tool down and sideways at rapid traverse. Controls move each axis as fast as it goes, so the way is no straight line, and a clamp that the \
@@ -110,7 +112,7 @@ boring tools it is right."
 
 L1029 Warning "stop-in-cut" "program stops where the last cut ended"
 "M0 stops the machine right behind a cutting move that did not lift the tool. The tool stays on the part, on many machines while the spindle runs down, and \
-leaves a mark or breaks at the start. Retract before the stop."
+leaves a mark or breaks at the start. Retract before the stop. On lathes nothing is said."
 
 L1030 Warning "offset-while-compensated" "work offset changes while radius compensation is on"
 "A work offset is selected while G41, G42, RL or RR holds. Where the compensated path goes between the two zeros is nobody's intention, and controls differ in \
@@ -118,11 +120,11 @@ it. End the compensation first."
 
 L1031 Warning "spindle-reversed" "spindle changes its sense where the last cut ended"
 "The spindle changes from M3 to M4, or back, while the tool stands where its last cut ended. It runs through standstill in the material. Retract before it; a tap \
-is driven by its cycle."
+is driven by its cycle. On lathes nothing is said."
 
 L1032 Warning "blank-untouched" "no move reaches the blank"
 "The program describes a blank, and all of its cuts are outside it. The blank stands elsewhere than the part, most often because one of them was moved to another \
-zero. The path does not depend on it; every simulation and `partc`'s own rules about the blank do."
+zero. A tool has a radius and a length: a cut within 100 mm of the blank counts as one that reaches it. The path does not depend on it; every simulation and `partc`'s own rules about the blank do."
 
 L1033 Warning "feed-outlier" "feed is far from the one before"
 "Two cuts of one tool that follow each other sideways differ in their feeds by a factor of more than 200. One of the two numbers has its decimal point in the \

@@ -33,7 +33,7 @@ are the most frequent reason why a part lacks something. Off by default."
 
 L2008 Note off "word-redundant" "word says what holds already"
 "A modal G function, an F or an S is programmed, and the same holds already from a block before. It does no harm. Off by default; `partc check --fix` removes it \
-where the program does the same without it."
+where the program does the same without it. F and S of a tool call are those of the tool, and no modal words."
 
 L2009 Warning "incremental-left-on" "program ends while G91 holds"
 "The last of G90 and G91 in the program is G91, and then comes its end. Where the control does not reset it, the next program starts with increments: a rapid move to a \

@@ -6,11 +6,18 @@ use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
+use super::unreachable::Targets;
+
+/// Most blocks that are remembered.
+const MOST: usize = 1000;
+
 #[derive(Debug, Default)]
 pub(super) struct BehindEnd {
     end: Option<Loc>,
-    said: bool,
     branches: bool,
+    /// First blocks behind ends, with the numbers that a jump may lead to.
+    found: Vec<(Option<u32>, Diagnostic)>,
+    targets: Targets,
 }
 
 impl BehindEnd {
@@ -20,22 +27,31 @@ impl BehindEnd {
 }
 
 impl SourceRule for BehindEnd {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let block = read.block;
+        self.targets.see(block);
         if block.items.iter().any(|item| matches!(item.what, What::Label(_) | What::Begins)) {
             self.end = None;
         }
         let ends = block.items.iter().find(|item| item.what == What::Ends);
-        if let Some(end) = self.end.filter(|_| !block.is_empty && !block.is_bad && ends.is_none() && !self.said) {
-            self.said = true;
+        let is_found = !block.is_empty && !block.is_bad && ends.is_none() && self.found.len() < MOST;
+        if let Some(end) = self.end.filter(|_| is_found) {
+            self.end = None;
             let found = Diagnostic::new(codes::L2003, read.words(), "this block stands behind the end of the program")
                 .also(end, "the program ends here");
-            told.say.found(found.help("remove it, or give it a label that something calls"));
+            self.found.push((block.number, found.help("remove it, or give it a label that something calls")));
         }
         // One that may be skipped, or stands in a branch, ends nothing for sure.
         if let Some(item) = ends.filter(|_| !block.skip && !self.branches) {
             self.end = Some(read.loc(item.span));
         }
         self.branches |= read.has(&What::Branches);
+    }
+
+    fn finish(&mut self, told: &mut Told<'_>) {
+        let mut found = self.found.drain(..);
+        if let Some((_, first)) = found.find(|(number, _)| !self.targets.may_be(*number)) {
+            told.say.found(first);
+        }
     }
 }

@@ -2,22 +2,23 @@
 
 use crate::diag::codes;
 use crate::ir::Origin;
-use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
+use crate::lint::motion::{Blank, Machine, MotionRule, Say, Setup, Step};
 
 #[derive(Debug, Default)]
 pub(super) struct CutBeforeTool {
     first: Option<Origin>,
+    blank: Option<Blank>,
 }
 
 impl CutBeforeTool {
-    pub(super) fn new(_: &Setup<'_>) -> CutBeforeTool {
-        CutBeforeTool::default()
+    pub(super) fn new(setup: &Setup<'_>) -> CutBeforeTool {
+        CutBeforeTool { blank: setup.blank, ..CutBeforeTool::default() }
     }
 }
 
 impl MotionRule for CutBeforeTool {
     fn movement(&mut self, step: &Step<'_>, machine: &Machine, _: Say<'_>) {
-        if machine.tool.is_none() && step.cuts() {
+        if machine.tool.is_none() && step.cuts() && !step.retracts(self.blank) {
             self.first.get_or_insert(*step.origin);
         }
     }

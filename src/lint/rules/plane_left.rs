@@ -3,7 +3,7 @@
 use crate::diag::codes;
 use crate::geo::Plane;
 use crate::ir::{Function, Origin};
-use crate::lint::motion::{Machine, MotionRule, Say, Setup};
+use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
 
 #[derive(Debug, Default)]
 pub(super) struct PlaneLeft {
@@ -21,6 +21,15 @@ impl MotionRule for PlaneLeft {
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, _: Say<'_>) {
         if let Function::Plane(plane) = function {
             self.last = (*plane != Plane::Xy).then_some(*origin);
+        }
+    }
+
+    // Not every language says the plane by itself.
+    fn movement(&mut self, step: &Step<'_>, _: &Machine, _: Say<'_>) {
+        if step.mv.plane == Plane::Xy {
+            self.last = None;
+        } else if !step.of_cycle {
+            self.last.get_or_insert(*step.origin);
         }
     }
 

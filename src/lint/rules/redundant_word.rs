@@ -5,7 +5,11 @@ use crate::lint::fix::Fix;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::{Surveyed, What};
+use crate::text::Span;
 use crate::text::decode::readable;
+
+/// M functions up to here are spindle, coolant, stop and change.
+const LAST_PLAIN_M: f64 = 69.0;
 
 /// Most findings that wait for the end of the program.
 const MOST_WAITING: usize = 1 << 20;
@@ -40,7 +44,8 @@ impl SourceRule for RedundantWord {
             what => *what == What::UsesUnknown,
         });
         let breaks = |what: &What| !matches!(what, What::Word { .. });
-        if self.jumps || block.skip || block.is_bad || block.items.iter().any(|item| breaks(&item.what)) {
+        let breaks = block.items.iter().any(|item| breaks(&item.what) || gives_meaning(&item.what));
+        if self.jumps || block.skip || block.is_bad || breaks {
             self.modal = Modal::default();
             return;
         }
@@ -62,7 +67,7 @@ impl SourceRule for RedundantWord {
                 _ => None,
             };
             let Some(place) = place else { continue };
-            if place.replace(value) == Some(value) && !is_alone(block) && self.waiting.len() < MOST_WAITING {
+            if place.replace(value) == Some(value) && !is_alone(block, item.span) && self.waiting.len() < MOST_WAITING {
                 let loc = read.loc(item.span);
                 let shown = readable(item.span.of(block.text)).into_owned();
                 let found = Diagnostic::new(codes::L2008, loc, format!("`{shown}` holds already"));
@@ -107,9 +112,17 @@ fn is_number(name: &str) -> bool {
     name.strip_prefix('N').is_some_and(|digits| digits.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// A block of this word alone says something to people.
-fn is_alone(block: &Surveyed<'_>) -> bool {
-    block.items.len() < 2
+/// A block of this word alone says something to people. The name of a function beside it moves nothing.
+fn is_alone(block: &Surveyed<'_>, word: Span) -> bool {
+    let (words, text) = (block.words, block.text);
+    let before = Span { start: words.start, end: word.start.max(words.start) };
+    let after = Span { start: word.end.min(words.end), end: words.end };
+    ![before, after].iter().any(|part| part.of(text).iter().any(u8::is_ascii_digit))
+}
+
+/// An M function that gives F or S of its block another meaning: `M19 S90`, `M103 F50`, `M128 F1000`.
+fn gives_meaning(what: &What) -> bool {
+    matches!(*what, What::Word { letter: b'M', value } if value == 19.0 || value > LAST_PLAIN_M)
 }
 
 /// G94 and its like among the groups.

@@ -1,17 +1,18 @@
 //! The tool cuts while the spindle stands.
 
 use crate::diag::codes;
-use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step, Turning};
+use crate::lint::motion::{Blank, Machine, MotionRule, Say, Setup, Step, Turning};
 use crate::machine::axis::Axis;
 
 #[derive(Debug, Default)]
 pub(super) struct SpindleOff {
     said: bool,
+    blank: Option<Blank>,
 }
 
 impl SpindleOff {
-    pub(super) fn new(_: &Setup<'_>) -> SpindleOff {
-        SpindleOff::default()
+    pub(super) fn new(setup: &Setup<'_>) -> SpindleOff {
+        SpindleOff { blank: setup.blank, ..SpindleOff::default() }
     }
 }
 
@@ -21,7 +22,8 @@ impl MotionRule for SpindleOff {
             self.said = false;
             return;
         }
-        if step.cuts() && !step.of_cycle && !self.said && step.mv.axes.iter().any(Axis::is_main) {
+        let cuts = step.cuts() && !step.of_cycle && !step.retracts(self.blank);
+        if cuts && !self.said && step.mv.axes.iter().any(Axis::is_main) {
             self.said = true;
             say.about(
                 codes::L1001,

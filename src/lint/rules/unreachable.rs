@@ -5,7 +5,7 @@ use rustc_hash::FxHashSet;
 use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
-use crate::sema::run::survey::What;
+use crate::sema::run::survey::{Surveyed, What};
 use crate::text::Loc;
 
 /// Most blocks that are remembered.
@@ -16,9 +16,33 @@ pub(super) struct Unreachable {
     after: Option<Loc>,
     /// First blocks behind jumps, with the numbers that a jump further down may lead to.
     found: Vec<(Option<u32>, Diagnostic)>,
-    /// Numbers that jumps lead to.
+    targets: Targets,
+}
+
+/// The block numbers that jumps lead to.
+#[derive(Debug, Default)]
+pub(super) struct Targets {
     numbers: FxHashSet<String>,
     unknown: bool,
+}
+
+impl Targets {
+    pub(super) fn see(&mut self, block: &Surveyed<'_>) {
+        for item in block.items {
+            match &item.what {
+                What::Uses(name) if name.starts_with('N') => {
+                    self.numbers.insert(name.clone());
+                }
+                What::UsesUnknown => self.unknown = true,
+                _ => {}
+            }
+        }
+    }
+
+    /// May a jump lead to a block of this number?
+    pub(super) fn may_be(&self, number: Option<u32>) -> bool {
+        self.unknown || number.is_some_and(|number| self.numbers.contains(&format!("N{number}")))
+    }
 }
 
 impl Unreachable {
@@ -41,23 +65,14 @@ impl SourceRule for Unreachable {
                 .also(jump, "the program goes on elsewhere here");
             self.found.push((block.number, found.help("remove it, or give it a label that something jumps to")));
         }
-        for item in block.items {
-            match &item.what {
-                What::Leaves if !block.skip => self.after = Some(read.loc(item.span)),
-                What::Uses(name) if name.starts_with('N') => {
-                    self.numbers.insert(name.clone());
-                }
-                What::UsesUnknown => self.unknown = true,
-                _ => {}
-            }
+        self.targets.see(block);
+        if let Some(item) = block.items.iter().rfind(|item| item.what == What::Leaves && !block.skip) {
+            self.after = Some(read.loc(item.span));
         }
     }
 
     fn finish(&mut self, told: &mut Told<'_>) {
-        for (number, found) in self.found.drain(..).filter(|_| !self.unknown) {
-            if number.is_none_or(|number| !self.numbers.contains(&format!("N{number}"))) {
-                told.say.found(found);
-            }
-        }
+        let reached = self.found.drain(..).filter(|(number, _)| !self.targets.may_be(*number));
+        reached.for_each(|(_, found)| told.say.found(found));
     }
 }

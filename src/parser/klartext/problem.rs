@@ -5,7 +5,8 @@ use lalrpop_util::ParseError;
 use crate::diag::codes;
 use crate::lexer::klartext::Tok;
 use crate::machine::tree::did_you_mean;
-use crate::text::{Span, decode::readable};
+use crate::text::Span;
+use crate::text::decode::{named, readable};
 
 use super::build::Refusal;
 use super::cycle::{begins_line, dangling};
@@ -69,7 +70,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let span = whole_character(span, text);
     let word = readable(span.of(text)).into_owned();
     if tok == Tok::Bad {
-        return Problem::new(codes::K0001, span, format!("`{word}` has no place in a block"))
+        return Problem::new(codes::K0001, span, format!("{} has no place in a block", named(span.of(text))))
             .help("a comment starts with `;`");
     }
     if is_no_number(span.of(text)) {

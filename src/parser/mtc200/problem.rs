@@ -5,7 +5,8 @@ use lalrpop_util::ParseError;
 use crate::diag::codes;
 use crate::lexer::mtc200::Tok;
 use crate::parser::problem::Problem;
-use crate::text::{Span, decode::readable};
+use crate::text::Span;
+use crate::text::decode::{named, readable};
 
 use super::build::Refusal;
 
@@ -49,7 +50,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
                 .help("close it in the same block, or begin it with `;`");
         }
         Tok::Bad => {
-            return Problem::new(codes::M0001, span, format!("`{word}` has no place in a block"))
+            return Problem::new(codes::M0001, span, format!("{} has no place in a block", named(span.of(text))))
                 .help("a comment stands behind `;` or in brackets");
         }
         Tok::OtherVariable => {

@@ -5,7 +5,8 @@ use lalrpop_util::ParseError;
 use crate::diag::codes;
 use crate::lexer::sinumerik::Tok;
 use crate::parser::problem::Problem;
-use crate::text::{Span, decode::readable};
+use crate::text::Span;
+use crate::text::decode::{named, readable};
 
 use super::build::Refusal;
 
@@ -50,7 +51,8 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let word = readable(span.of(text)).into_owned();
     let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
     if tok == Tok::Bad {
-        let problem = Problem::new(codes::S0001, span, format!("`{word}` has no place in a block")).alarm(12080);
+        let problem =
+            Problem::new(codes::S0001, span, format!("{} has no place in a block", named(span.of(text)))).alarm(12080);
         return problem.help("a comment starts with `;`");
     }
     if tok == Tok::Open && before.last().is_none_or(|b| !b.is_ascii_alphanumeric() && *b != b'_') {

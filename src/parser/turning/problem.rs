@@ -5,7 +5,8 @@ use lalrpop_util::ParseError;
 use crate::diag::codes;
 use crate::lexer::turning::Tok;
 use crate::parser::problem::Problem;
-use crate::text::{Span, decode::readable};
+use crate::text::Span;
+use crate::text::decode::{named, readable};
 
 use super::build::Refusal;
 
@@ -37,7 +38,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let word = readable(span.of(text)).into_owned();
     let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
     if tok == Tok::Bad {
-        let problem = Problem::new(codes::T0001, span, format!("`{word}` has no place in a block"));
+        let problem = Problem::new(codes::T0001, span, format!("{} has no place in a block", named(span.of(text))));
         return problem.help("a comment stands in square brackets: [text]");
     }
     if before.last().is_some_and(u8::is_ascii_alphabetic) {

@@ -79,12 +79,23 @@ fn note(block: &Block, text: &[u8], notes: &mut Notes) {
         }
         Stmt::Begin { .. } => notes.add(What::Begins, block.span),
         Stmt::End { .. } => notes.add(What::Ends, block.span),
+        // F of TOOL CALL is that of F AUTO.
+        Stmt::ToolDef
+        | Stmt::ToolCall
+        | Stmt::Rounding
+        | Stmt::Chamfer
+        | Stmt::Approach
+        | Stmt::Cycle { .. }
+        | Stmt::CycleCall(_) => {
+            notes.add(What::OwnValues, block.span);
+        }
         _ => {}
     }
     for word in &block.words {
         let letter = match word.addr {
             Addr::Feed => b'F',
             Addr::Speed => b'S',
+            Addr::Axis { axis, .. } => axis.letter() as u8,
             Addr::M(number) => {
                 notes.word(b'M', f64::from(number), word.span);
                 if matches!(number, 2 | 30) {

@@ -29,6 +29,8 @@ pub enum What {
     Branches,
     /// A corner of the blank, the high one or the low one, in mm.
     BlankCorner { high: bool, at: [f64; 3] },
+    /// F and S of the block are for the tool, or for this block alone: no modal words.
+    OwnValues,
     /// A word with a letter and a literal: `G1`, `F200`.
     Word { letter: u8, value: f64 },
 }
