@@ -40,7 +40,6 @@ pub use path_milling::PathMilling;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
-pub use roughing::Roughing;
 pub use ruled::Ruled;
 pub use spigot::Spigot;
 pub use thread::Thread;
@@ -86,7 +85,6 @@ macro_rules! families {
             CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Layers(crate::ir::cycle::Layers),
-            Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),
