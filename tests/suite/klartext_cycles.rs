@@ -9,6 +9,32 @@ use super::common::{compile_bytes, settings};
 
 /// A Q parameter, a value, and another one that makes a difference.
 const VALUES: &[(u32, f64, f64)] = &[
+    (1, -20.0, -21.0),
+    (2, 1.0, 0.5),
+    (3, 0.5, 0.6),
+    (4, 0.3, 0.4),
+    (5, 0.0, 1.0),
+    (6, 2.0, 3.0),
+    (7, 50.0, 60.0),
+    (8, 0.0, 1.0),
+    (9, 1.0, -1.0),
+    (10, 5.0, 6.0),
+    (11, 150.0, 160.0),
+    (12, 500.0, 510.0),
+    (13, 1.0, 2.0),
+    (14, 0.0, 0.1),
+    (15, 1.0, 0.0),
+    (18, 0.0, 1.0),
+    (19, 0.0, 150.0),
+    (390, 1.0, 2.0),
+    (391, 1.0, 2.0),
+    (392, 4.0, 5.0),
+    (393, 90.0, 60.0),
+    (394, 5.0, 6.0),
+    (404, 0.0, 1.0),
+    (446, 0.01, 0.02),
+    (447, 10.0, 11.0),
+    (448, 2.0, 3.0),
     (200, 2.0, 3.0),
     (201, -20.0, -21.0),
     (202, 5.0, 6.0),
@@ -121,10 +147,13 @@ const OWN: &[(u32, u32, f64, f64)] = &[
     (241, 202, 30.0, 10.0),
     (212, 221, 0.5, 6.0),
     (214, 222, 50.0, 20.0),
+    (21, 13, 1.0, 9.0),
+    (22, 208, 99999.0, 300.0),
+    (23, 208, 99999.0, 300.0),
 ];
 
 /// A cycle, the parameter under test, and another one with the value that makes it count.
-const WITH: &[(u32, u32, u32, f64)] = &[(240, 201, 343, 0.0)];
+const WITH: &[(u32, u32, u32, f64)] = &[(240, 201, 343, 0.0), (270, 394, 390, 2.0)];
 
 /// The parts of the old cycles, by their kinds: a value and another one.
 const PARTS: &[(u32, u32, f64, f64)] = &[
@@ -176,7 +205,7 @@ fn cycles() -> Vec<(u32, &'static Signature)> {
         let number = cycle.name.strip_prefix("CYCL DEF ")?.parse().ok()?;
         Some((number, cycle))
     });
-    numbered.filter(|(number, _)| matches!(number, 1..=5 | 17 | 200..=246 | 248..=269)).collect()
+    numbered.filter(|(number, _)| matches!(number, 1..=5 | 17 | 20..=25 | 200..=246 | 248..=270)).collect()
 }
 
 /// The value of a parameter: `Other` for the one under test.
@@ -245,12 +274,31 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
 }
 
 /// A drill of 12 mm, or a cutter.
-const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\n";
+const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\n[tools.2]\nradius = 7.0\n";
+
+/// The definition among those of a pocket or a contour train.
+fn around_contour(number: u32, definition: &str) -> String {
+    let of = |other: u32| {
+        let found = cycles().into_iter().find(|(number, _)| *number == other).expect("a cycle along a contour");
+        self::definition(other, found.1, usize::MAX, Given::Plain)
+    };
+    let label = if matches!(number, 25 | 270) { 2 } else { 1 };
+    let contour = format!("CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL {label}\n");
+    match number {
+        25 => contour + &of(270) + definition + "CYCL CALL\n",
+        270 => contour + definition + &of(25) + "CYCL CALL\n",
+        20 => contour + definition + &of(22) + "CYCL CALL\n",
+        24 => contour + &of(20) + &of(22) + "CYCL CALL\n" + definition + "CYCL CALL\n",
+        _ => contour + &of(20) + definition + "CYCL CALL\n",
+    }
+}
 
 /// What is printed and what is said.
 fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {
     let mut program = "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 F200\nL X+0 Y+0 Z+40 R0 FMAX M3\n".to_owned();
-    if (220..=229).contains(&number) {
+    if (20..=25).contains(&number) || number == 270 {
+        program += &around_contour(number, &definition(number, cycle, at, given));
+    } else if (220..=229).contains(&number) {
         let drilling = cycles().into_iter().find(|(number, _)| *number == 200).expect("cycle 200");
         program += &definition(200, drilling.1, usize::MAX, Given::Plain);
         program += &definition(number, cycle, at, given);
@@ -258,7 +306,7 @@ fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>,
         program += &definition(number, cycle, at, given);
         program += "CYCL CALL\n";
     }
-    program += "L X+9 M30\nEND PGM T MM\n";
+    program += "L X+9 M30\nLBL 1\nL X-40 Y-30 RL\nL X+40\nL Y+30\nL X-40\nL Y-30\nLBL 0\nLBL 2\nL X-40 Y-30 RL\nL X+40\nLBL 0\nEND PGM T MM\n";
     let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &settings(TOOL), &NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     (moves, compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect())

@@ -12,6 +12,7 @@ pub mod layers;
 pub mod long_hole;
 pub mod milling;
 pub mod path_milling;
+pub mod pilot_holes;
 pub mod pocket;
 pub mod recess;
 pub mod region;
@@ -37,6 +38,7 @@ pub use grooving::Grooving;
 pub use layers::Layers;
 pub use long_hole::LongHole;
 pub use path_milling::PathMilling;
+pub use pilot_holes::PilotHoles;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
@@ -91,6 +93,7 @@ macro_rules! families {
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
             Region(crate::ir::cycle::Region),
+            PilotHoles(crate::ir::cycle::PilotHoles),
             Facing(crate::ir::cycle::Facing),
             Ruled(crate::ir::cycle::Ruled),
             Spigot(crate::ir::cycle::Spigot),

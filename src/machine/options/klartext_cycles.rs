@@ -63,7 +63,30 @@ pub const KEYS: &[Key] = &[
         |s, v| put(&mut s.cycles.klartext.rows_on_edges, is(v, "edge")),
     )
     .or(r#""radius""#),
+    key(
+        "pattern_program",
+        Kind::Choice(&["refuse", "shift", "position"]),
+        "HEIDENHAIN: what the places of CYCL CALL PAT are to the program of cycle 12: datum shifts, or where the tool goes in front of it",
+        |s, v| {
+            s.cycles.klartext.pattern_program = match text(v) {
+                "shift" => Some(PatternProgram::Shift),
+                "position" => Some(PatternProgram::Position),
+                _ => None,
+            };
+            Ok(())
+        },
+    )
+    .or(r#""refuse""#),
 ];
+
+/// What a place of a pattern is to the program of cycle 12.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PatternProgram {
+    /// A further datum shift.
+    Shift,
+    /// Where the tool goes in front of the program.
+    Position,
+}
 
 /// What the radius of a thread mill touches on an outside thread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,6 +114,8 @@ pub struct KlartextCycles {
     pub strokes_in_pairs: Option<bool>,
     /// The outer paths of cycle 230 lie on the sides of the face.
     pub rows_on_edges: bool,
+    /// What a place of a pattern is to the program of cycle 12; refused without it.
+    pub pattern_program: Option<PatternProgram>,
 }
 
 impl Default for KlartextCycles {
@@ -103,6 +128,7 @@ impl Default for KlartextCycles {
             old_overlap: 1.2,
             strokes_in_pairs: None,
             rows_on_edges: false,
+            pattern_program: None,
         }
     }
 }

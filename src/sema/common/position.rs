@@ -183,6 +183,13 @@ impl Position {
         self.start.touch(axes);
     }
 
+    /// The tool changes: where its tip is along this axis is not known.
+    pub fn forget_tip(&mut self, axis: Axis) {
+        self.start.change_tip(axis);
+        self.forget(AxisSet::of(axis));
+        self.not_lost(AxisSet::of(axis));
+    }
+
     /// Forgets where these axes are, but not the numbers that the program wrote last.
     pub fn forget_place(&mut self, axes: AxisSet) {
         self.forget_way();

@@ -36,6 +36,9 @@ impl Run<'_> {
         let mut read = Read::default();
         let number = self.open_cycle().number;
         let nature = find(number).nature;
+        if number == 14 && self.open_cycle().part.is_some_and(|part| part > 0) {
+            return self.contour_labels(block, text);
+        }
         for &word in &block.words {
             if !self.takes_cycle_word(nature, number, word, &read, text) {
                 return self.cycle_word(word.span, number);
@@ -211,11 +214,13 @@ impl Run<'_> {
             (Drilling(_), _) if drilling.is_some() => false,
             (Milling(_), _) if number < 20 => self.takes_in_old_pocket(number, word),
             (
-                Drilling(_) | Milling(_) | Machining | Pattern(_) | Data | Unknown | Preset,
+                Drilling(_) | Milling(_) | Machining | Pattern(_) | Setting(_) | Data | Unknown | Preset,
                 Addr::Assign(_) | Addr::AssignText(_),
             ) => true,
             // Refused where they are called, whatever they say.
             (Machining | Unknown, _) => true,
+            // The name of cycle 14.
+            (Setting(_), Addr::Name) => part == Some(0),
             (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
             (Tolerance, Addr::Name) => is_one_of(word, text, &["T", "HSC-MODE", "TA"]),
             (Tolerance, Addr::Value) => read.label.is_some(),

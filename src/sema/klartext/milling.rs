@@ -231,6 +231,12 @@ impl Run<'_> {
             -1.0 => false,
             other => return self.cycle_value(cycle, &format!("the kind of milling Q351 = {other} is not +1 or -1")),
         };
+        self.turns_by_m3(cycle, CLIMB)?;
+        Ok(climbs)
+    }
+
+    /// Climb and up-cut milling, by `q`, are defined for M3.
+    pub(super) fn turns_by_m3(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome {
         if self.st.spindle.turn() == Some(Turn::CounterClockwise) {
             self.report(
                 Diagnostic::new(
@@ -239,7 +245,11 @@ impl Run<'_> {
                     format!(
                         "cycle {}: climb {} defined for M3, and the spindle turns by M4",
                         cycle.number,
-                        if by_choice { "and up-cut milling (Q351) are" } else { "milling is" }
+                        if cycle.gives_q(q) {
+                            format!("and up-cut milling ({q}) are")
+                        } else {
+                            "milling is".to_owned()
+                        }
                     ),
                 )
                 .also(cycle.loc, "the cycle is defined here")
@@ -247,7 +257,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        Ok(climbs)
+        Ok(())
     }
 
     /// Width of a cut: Q370 radii.
@@ -332,7 +342,12 @@ impl Run<'_> {
 fn ends_anywhere(made: &Cycle) -> bool {
     match made {
         Cycle::Pocket(pocket) => pocket.home.is_none(),
-        Cycle::Spigot(_) | Cycle::Facing(_) | Cycle::Ruled(_) => true,
+        Cycle::Spigot(_)
+        | Cycle::Facing(_)
+        | Cycle::Ruled(_)
+        | Cycle::Region(_)
+        | Cycle::PilotHoles(_)
+        | Cycle::PathMilling(_) => true,
         _ => false,
     }
 }

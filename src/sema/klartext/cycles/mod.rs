@@ -2,6 +2,7 @@
 
 pub(super) mod bores;
 pub(super) mod call;
+pub(super) mod contours;
 mod defined;
 pub(super) mod drilling;
 pub(super) mod faces;
@@ -32,6 +33,7 @@ pub(super) use super::cycle_definition::What;
 
 use call::Call;
 
+use super::cycle_definition::Open;
 use super::{Outcome, Run};
 
 /// A cycle: what its definition gives, and what it does.
@@ -60,6 +62,8 @@ pub(super) enum Nature {
     Tolerance,
     Preset,
     /// Sets data that other cycles use.
+    Setting(SettingOf),
+    /// The same, for cycles that are refused.
     Data,
     /// Drills when called.
     Drilling(&'static Drilling),
@@ -74,6 +78,9 @@ pub(super) enum Nature {
 
 /// Makes the cycle where it is called; nothing where it does nothing.
 pub(super) type MillingOf = fn(&mut Run<'_>, &DefinedCycle, Call) -> Outcome<Option<Cycle>>;
+
+/// Keeps what the definition says.
+pub(super) type SettingOf = fn(&mut Run<'_>, &Open) -> Outcome;
 
 /// Makes the places of a pattern.
 pub(super) type PlacesOf = fn(&mut Run<'_>, &DefinedCycle) -> Outcome<Vec<Point2>>;
@@ -112,7 +119,8 @@ impl fmt::Display for Q {
 impl Nature {
     /// Does it act at once, so that what it says would be lost if it were not taken?
     pub fn acts(self) -> bool {
-        !self.is_machining() && !matches!(self, Nature::Pattern(_) | Nature::Data | Nature::Unknown)
+        !self.is_machining()
+            && !matches!(self, Nature::Pattern(_) | Nature::Setting(_) | Nature::Data | Nature::Unknown)
     }
 
     /// Does it run when it is called?
@@ -138,7 +146,7 @@ impl Row {
     pub fn has_parts(&self, number: u32) -> bool {
         match self.nature {
             Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Unknown => false,
-            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => number < 20,
+            Nature::Drilling(_) | Nature::Milling(_) | Nature::Setting(_) | Nature::Machining => number < 20,
             _ => true,
         }
     }
@@ -186,6 +194,7 @@ const FAMILIES: &[&[Row]] = &[
     faces::ROWS,
     bores::ROWS,
     threads::ROWS,
+    contours::ROWS,
     patterns::ROWS,
     transformations::ROWS,
     named::ROWS,

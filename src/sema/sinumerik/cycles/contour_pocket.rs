@@ -66,6 +66,8 @@ impl CycleCall<'_, '_> {
         Ok(Region {
             counter_clockwise: self.goes_counter_clockwise(Around::Inside)?,
             allowance: self.magnitude(UXY),
+            left: 0.0,
+            cleared: true,
             width: self.width(DXY, mill.radius)?,
             outline: Vec::new(),
             islands: Vec::new(),

@@ -492,6 +492,13 @@ impl CycleCall<'_, '_> {
     /// Says where the way down is another one than asked for.
     fn insertion_has_room(&self, pocket: &Pocket) {
         let straight = "the pocket has no room for it; a cutter that cannot plunge breaks";
+        let turns = pocket.shape.room(pocket.rough_distance()).least();
+        if pocket.strategy == Strategy::Helix && turns < SMALLEST_ARM / 2.0 {
+            self.says_once(
+                "there is no room for the helical turns: the tool goes straight down by the infeeds",
+                straight,
+            );
+        }
         match pocket.insertion {
             Insertion::Helix { radius, .. } if pocket.rough => {
                 let made = pocket.helix_radius(radius);
