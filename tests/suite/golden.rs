@@ -23,7 +23,7 @@ macro_rules! books {
 
 books! {
     errors_heidenhain_turning = "errors/heidenhain-turning":
-        G T0 T1 T200 T201 T202 T205 T207 T3 T8 T9;
+        G T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
         G G32 K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K29 K294 K295 K30 K8 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":

@@ -41,7 +41,6 @@ pub use pilot_holes::PilotHoles;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
-pub use roughing::Roughing;
 pub use spigot::Spigot;
 pub use thread::Thread;
 pub use thread_milling::ThreadMilling;
@@ -86,7 +85,6 @@ macro_rules! families {
             CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Layers(crate::ir::cycle::Layers),
-            Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),

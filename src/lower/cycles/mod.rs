@@ -18,10 +18,8 @@ pub mod path_milling;
 pub mod pocket;
 pub mod recess;
 pub mod region;
-pub mod roughing;
 #[cfg(test)]
 mod simulate;
-pub mod slope;
 pub mod spigot;
 pub mod thread;
 pub mod thread_milling;

@@ -15,5 +15,6 @@ mod paths;
 mod pockets;
 mod regions;
 mod removal;
+mod roughing;
 mod spigots;
 mod turning;

@@ -14,7 +14,6 @@ use crate::ir::cycle::{Family, Region};
 
 use super::cutter::Cutter;
 use super::pocket::{endless_strokes, strokes};
-use super::slope::reversed;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 use loops::{Area, Entry, Loop, Part};
@@ -351,7 +350,7 @@ impl Tool<'_> {
             }
             (Insertion::Sway { angle, .. }, Some(end)) => {
                 let there = Element::Line { from: begin, to: end };
-                let back = reversed(&there);
+                let back = there.reversed();
                 let strokes = strokes((from - to).abs(), there.length(), angle);
                 for stroke in 1..=strokes + 1 {
                     let done = stroke.min(strokes) as f64 / strokes as f64;
@@ -509,7 +508,7 @@ impl Loop {
         if as_it_runs {
             parts.collect()
         } else {
-            let mut turned: Vec<Element> = parts.map(|part| reversed(&part)).collect();
+            let mut turned: Vec<Element> = parts.map(|part| part.reversed()).collect();
             turned.reverse();
             turned
         }

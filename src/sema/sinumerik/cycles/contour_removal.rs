@@ -337,6 +337,7 @@ impl CycleCall<'_, '_> {
         match blank {
             Blank::Outline(list) => side.place(Extent::of(list).corners(side).0),
             Blank::On(by) => grown(*by),
+            Blank::Corner(_) => grown(Vec2::zeros()),
         }
     }
 
