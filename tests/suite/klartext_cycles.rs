@@ -124,6 +124,20 @@ const VALUES: &[(u32, f64, f64)] = &[
     (425, 60.0, 65.0),
     (437, 0.0, 1.0),
     (512, 300.0, 310.0),
+    (221, 0.5, 1.5),
+    (228, 100.0, 101.0),
+    (229, 20.0, 21.0),
+    (230, 6.0, 7.0),
+    (231, 100.0, 101.0),
+    (232, 60.0, 61.0),
+    (233, 4.0, 5.0),
+    (234, 10.0, 11.0),
+    (235, 60.0, 61.0),
+    (236, 3.0, 4.0),
+    (347, 0.0, 1.0),
+    (348, 0.0, 1.0),
+    (349, 0.0, 1.0),
+    (350, 0.0, 1.0),
 ];
 
 /// A cycle, a Q parameter, and the values that it has there.
@@ -131,6 +145,8 @@ const OWN: &[(u32, u32, f64, f64)] = &[
     (208, 342, 4.0, 30.0),
     (208, 370, 1.0, 0.5),
     (241, 202, 30.0, 10.0),
+    (212, 221, 0.5, 6.0),
+    (214, 222, 50.0, 20.0),
     (21, 13, 1.0, 9.0),
     (22, 208, 99999.0, 300.0),
     (23, 208, 99999.0, 300.0),
@@ -153,6 +169,33 @@ const PARTS: &[(u32, u32, f64, f64)] = &[
     (17, 1, 2.0, 3.0),
     (17, 2, -15.0, -16.0),
     (17, 3, 1.5, -1.5),
+    (3, 1, 2.0, 3.0),
+    (3, 2, -15.0, -16.0),
+    (3, 3, 10.0, 5.0),
+    (4, 1, 2.0, 3.0),
+    (4, 2, -15.0, -16.0),
+    (4, 3, 10.0, 5.0),
+    (5, 1, 2.0, 3.0),
+    (5, 2, -15.0, -16.0),
+    (5, 3, 10.0, 5.0),
+    (5, 4, 35.0, 36.0),
+];
+
+/// Words in the parts of the old cycles: a value and another one.
+const WORDS: &[(u32, u32, &str, f64, f64)] = &[
+    (3, 3, "F", 80.0, 90.0),
+    (3, 4, "X", 80.0, -80.0),
+    (3, 5, "Y", 12.0, 13.0),
+    (3, 6, "F", 100.0, 110.0),
+    (4, 3, "F", 80.0, 90.0),
+    (4, 4, "X", 80.0, 81.0),
+    (4, 5, "Y", 40.0, 41.0),
+    (4, 6, "F", 100.0, 110.0),
+    (4, 6, "DR", 1.0, -1.0),
+    (4, 6, "RADIUS", 10.0, 11.0),
+    (5, 3, "F", 80.0, 90.0),
+    (5, 5, "F", 100.0, 110.0),
+    (5, 5, "DR", 1.0, -1.0),
 ];
 
 /// Machining cycles and patterns that are compiled, by number.
@@ -162,7 +205,7 @@ fn cycles() -> Vec<(u32, &'static Signature)> {
         let number = cycle.name.strip_prefix("CYCL DEF ")?.parse().ok()?;
         Some((number, cycle))
     });
-    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 20..=25 | 200..=246 | 248..=270)).collect()
+    numbered.filter(|(number, _)| matches!(number, 1..=5 | 17 | 20..=25 | 200..=246 | 248..=270)).collect()
 }
 
 /// The value of a parameter: `Other` for the one under test.
@@ -182,6 +225,10 @@ fn value(number: u32, parameter: &Parameter, given: Given) -> Option<f64> {
         Name::Part(part) => {
             PARTS.iter().find(|(of, known, ..)| (*of, *known) == (number, part)).map(|(.., a, b)| (*a, *b))
         }
+        Name::In(part, word) => WORDS
+            .iter()
+            .find(|(of, known, name, ..)| (*of, *known, *name) == (number, part, word))
+            .map(|(.., a, b)| (*a, *b)),
         Name::Word(_) => None,
     }
     .unwrap_or_else(|| panic!("{number} {} has no value", parameter.name));
@@ -194,7 +241,8 @@ fn value(number: u32, parameter: &Parameter, given: Given) -> Option<f64> {
 
 /// The definition with one of its parameters otherwise.
 fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String {
-    let mut shown = format!("CYCL DEF {number}{}", if number < 20 { ".0 NAME\n" } else { " NAME" });
+    let mut shown = format!("CYCL DEF {number}{}", if number < 20 { ".0 NAME" } else { " NAME" });
+    let mut last = 0;
     for (place, parameter) in cycle.parameters.iter().enumerate() {
         let Some(value) = value(number, parameter, if place == at { given } else { Given::Plain }) else { continue };
         let under = cycle.parameters.get(at).map(|parameter| parameter.name);
@@ -206,10 +254,19 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
             .map(|(.., value)| *value);
         let value = with.unwrap_or(value);
         match parameter.name {
-            Name::Part(part) if matches!(parameter.kind, Kind::Feed) => {
-                shown += &format!("CYCL DEF {number}.{part} F{value}\n")
+            Name::Part(part) | Name::In(part, _) => {
+                if part != last {
+                    shown += &format!("\nCYCL DEF {number}.{part}");
+                    last = part;
+                }
+                shown += &match parameter.name {
+                    Name::In(_, "DR") => format!(" DR{}", if value > 0.0 { '+' } else { '-' }),
+                    Name::In(_, "RADIUS") => format!(" RADIUS {value}"),
+                    Name::In(_, word) => format!(" {word}{value}"),
+                    _ if matches!(parameter.kind, Kind::Feed) => format!(" F{value}"),
+                    _ => format!(" VALUE {value:+}"),
+                };
             }
-            Name::Part(part) => shown += &format!("CYCL DEF {number}.{part} VALUE {value:+}\n"),
             name => shown += &format!(" ~\n {name}={value:+}"),
         }
     }

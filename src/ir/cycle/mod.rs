@@ -17,6 +17,7 @@ pub mod pocket;
 pub mod recess;
 pub mod region;
 pub mod roughing;
+pub mod ruled;
 pub mod spigot;
 pub mod thread;
 pub mod thread_milling;
@@ -41,6 +42,7 @@ pub use pilot_holes::PilotHoles;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
+pub use ruled::Ruled;
 pub use spigot::Spigot;
 pub use thread::Thread;
 pub use thread_milling::ThreadMilling;
@@ -93,6 +95,7 @@ macro_rules! families {
             Region(crate::ir::cycle::Region),
             PilotHoles(crate::ir::cycle::PilotHoles),
             Facing(crate::ir::cycle::Facing),
+            Ruled(crate::ir::cycle::Ruled),
             Spigot(crate::ir::cycle::Spigot),
             PathMilling(crate::ir::cycle::PathMilling),
             ThreadMilling(crate::ir::cycle::ThreadMilling),

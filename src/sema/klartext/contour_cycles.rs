@@ -9,7 +9,7 @@ use crate::geo::{Element, corner, distance};
 use crate::ir::captured::Captured;
 use crate::ir::cycle::drilling::{Ahead, Levels, Method, usual_ahead};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
-use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::{Cycle, Drilling, PilotHoles, Region};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
@@ -408,7 +408,8 @@ impl Run<'_> {
 
 /// A finishing cut of the wall, or of the floor.
 fn finishing(feed: Feed, step: f64, (wall, arc): (bool, Option<f64>)) -> Finish {
-    Finish { wall, floor: !wall, feed, step, speed: None, arc, inserts: false }
+    let onto = arc.map_or(Onto::Usual, Onto::Quarter);
+    Finish { wall, floor: !wall, feed, step, speed: None, onto, inserts: false }
 }
 
 /// Does a closed contour turn to the left?

@@ -79,4 +79,8 @@ pub(super) struct DottedValue {
 pub(super) enum What {
     Value,
     Feed,
+    /// A length along an axis.
+    Along(Axis),
+    /// DR: 1 counter-clockwise, -1 clockwise.
+    Turn,
 }

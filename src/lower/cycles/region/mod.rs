@@ -9,7 +9,7 @@ use crate::diag::codes;
 use crate::geo::{Deg, Element, Point2, Vec2, distance, left};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::{Family, Region};
 
 use super::cutter::Cutter;
@@ -84,7 +84,10 @@ impl Expand for Region {
                 tool.cutter.speed(speed.finishing);
             }
             for part in &wall {
-                let most = finish.arc.map(|most| self.widest_arc(part, &walls).min(most));
+                let most = match finish.onto {
+                    Onto::Quarter(most) => Some(self.widest_arc(part, &walls).min(most)),
+                    Onto::Usual | Onto::Semicircle => None,
+                };
                 for ring in part.loops() {
                     tool.wall(ring, finish, most.unwrap_or(APPROACH));
                 }
@@ -173,7 +176,7 @@ impl Region {
     fn helix_arm(&self, room: f64, least: f64) -> f64 {
         match self.insertion {
             Insertion::Helix { radius, .. } => radius.min(room - least).min(self.mill.radius).max(0.0),
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => 0.0,
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } | Insertion::Strokes { .. } => 0.0,
         }
     }
 

@@ -6,10 +6,13 @@ pub(super) mod contours;
 mod defined;
 pub(super) mod drilling;
 pub(super) mod faces;
+pub(super) mod finishing;
 pub(super) mod milling;
 mod named;
+pub(super) mod old_pockets;
 pub(super) mod patterns;
 pub(super) mod pockets;
+pub(super) mod slots;
 pub(super) mod studs;
 mod tapping_in_steps;
 pub(super) mod threads;
@@ -25,6 +28,8 @@ use crate::ir::cycle::Cycle;
 use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+
+pub(super) use super::cycle_definition::What;
 
 use call::Call;
 
@@ -146,6 +151,16 @@ impl Row {
         }
     }
 
+    /// Does the part of an old cycle take such a word?
+    pub fn takes_in_part(&self, part: u32, what: What) -> bool {
+        self.signature.parameters.iter().any(|known| match (known.name, what) {
+            (Name::Part(of) | Name::In(of, "RADIUS"), What::Value) => of == part,
+            (Name::In(of, "F"), What::Feed) | (Name::In(of, "DR"), What::Turn) => of == part,
+            (Name::In(of, word), What::Along(_)) => of == part && !matches!(word, "F" | "DR" | "RADIUS"),
+            _ => false,
+        })
+    }
+
     /// The parameters that a definition has to set.
     pub fn needed(&self) -> impl Iterator<Item = Name> {
         self.signature.parameters.iter().filter(|known| known.rule == Rule::Needed).map(|known| known.name)
@@ -171,7 +186,10 @@ impl Row {
 const FAMILIES: &[&[Row]] = &[
     drilling::ROWS,
     tapping_in_steps::ROWS,
+    old_pockets::ROWS,
     pockets::ROWS,
+    slots::ROWS,
+    finishing::ROWS,
     studs::ROWS,
     faces::ROWS,
     bores::ROWS,

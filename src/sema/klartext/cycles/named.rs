@@ -15,9 +15,6 @@ const fn group(first: u32, last: u32, name: &'static str, what: &'static str) ->
 }
 
 pub(super) const ROWS: &[Row] = &[
-    named(3, "CYCL DEF 3", "SLOT MILLING"),
-    named(4, "CYCL DEF 4", "POCKET MILLING"),
-    named(5, "CYCL DEF 5", "CIRCULAR POCKET"),
     named(6, "CYCL DEF 6", "ROUGH-OUT"),
     named(15, "CYCL DEF 15", "PILOT DRILLING"),
     named(16, "CYCL DEF 16", "CONTOUR MILLING"),
@@ -27,15 +24,7 @@ pub(super) const ROWS: &[Row] = &[
     named(29, "CYCL DEF 29", "CYLINDER SURFACE RIDGE"),
     named(39, "CYCL DEF 39", "CYLINDER SURFACE CONTOUR"),
     named(204, "CYCL DEF 204", "BACK BORING"),
-    named(210, "CYCL DEF 210", "SLOT RECIPROCATING"),
-    named(211, "CYCL DEF 211", "CIRCULAR SLOT"),
-    named(212, "CYCL DEF 212", "POCKET FINISHING"),
-    named(213, "CYCL DEF 213", "STUD FINISHING"),
-    named(214, "CYCL DEF 214", "CIRCULAR POCKET FINISHING"),
-    named(215, "CYCL DEF 215", "CIRCULAR STUD FINISHING"),
     named(225, "CYCL DEF 225", "ENGRAVING"),
-    named(231, "CYCL DEF 231", "RULED SURFACE"),
-    named(233, "CYCL DEF 233", "FACE MILLING"),
     named(258, "CYCL DEF 258", "POLYGON STUD"),
     group(272, 277, "CYCL DEF 272 to 277", "OCM cycle"),
     group(285, 288, "CYCL DEF 285 to 288", "gear cycle"),

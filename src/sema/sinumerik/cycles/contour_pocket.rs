@@ -5,7 +5,7 @@
 use crate::diag::codes;
 use crate::geo::{Deg, Element, Point2, crossing};
 use crate::ir::captured::Captured;
-use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::region::RegionFault;
 use crate::ir::cycle::{Cycle, Family, Region};
 
@@ -80,7 +80,7 @@ impl CycleCall<'_, '_> {
                 feed: mill.feeds.plane,
                 step: mill.heights.step,
                 speed: None,
-                arc: None,
+                onto: Onto::Usual,
                 inserts: false,
             }),
             lifts_high,
