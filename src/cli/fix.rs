@@ -3,8 +3,6 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use similar::TextDiff;
-
 use crate::diag::codes;
 use crate::driver::Session;
 use crate::lint::ends::lead;
@@ -13,6 +11,7 @@ use crate::text::{FileId, Span};
 
 use super::Trouble;
 use super::args::Common;
+use super::diff::unified;
 use super::edit::{Edit, Program, apply, write};
 
 /// Most times that a program is checked again: one change may make room for another.
@@ -66,7 +65,7 @@ pub(super) fn fix(path: &Path, common: &Common, mode: Mode, with_unsafe: bool) -
         Mode::Show => {
             let (old, new) = (String::from_utf8_lossy(&program.text), String::from_utf8_lossy(&text));
             let name = path.display().to_string();
-            fixed.diff = TextDiff::from_lines(&*old, &*new).unified_diff().header(&name, &name).to_string();
+            fixed.diff = unified(&old, &new, &name);
         }
     }
     Ok(fixed)

@@ -3,6 +3,7 @@
 mod args;
 mod bundle;
 mod config;
+mod diff;
 mod disk;
 mod edit;
 mod fix;

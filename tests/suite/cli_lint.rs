@@ -357,9 +357,9 @@ fn rules_look_at_what_the_tool_does() {
     let tool = "0 BEGIN PGM P MM\n1 TOOL CALL 1 Z S0\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n3 L Z-1 F100\n4 L Z+50 FMAX M30\n5 END PGM P MM\n";
     assert_eq!(check("C.H", tool), ["L1017 warning"]);
     // The plane of a language that says it with its moves only.
-    let plane = "N1 G90 T1 M6\nN2 S1000 M3\nN3 G0 X0 Y0 Z5\nN4 G18\nN5 G1 Z-1 F100\nN6 G0 Z50\nN7 M30\n";
-    assert_eq!(check("D.dat", plane), ["L1025 note"]);
-    assert_eq!(check("D.dat", &plane.replace("N6 G0", "N6 G17 G0")), [""; 0]);
+    let plane = "%NPG\n%NPG\nN1 G90 T1 M6\nN2 S1000 M3\nN3 G0 X0 Y0 Z5\nN4 G18\nN5 G1 Z-1 F100\nN6 G0 Z50\nN7 M30\n";
+    assert_eq!(check("D.npg", plane), ["L1025 note"]);
+    assert_eq!(check("D.npg", &plane.replace("N6 G0", "N6 G17 G0")), [""; 0]);
     assert_eq!(check("E.H", "0 BEGIN PGM P MM\n1 L X+0.1234567 Y+0 Z+5 R0 F300 M30\n2 END PGM P MM\n"), ["L2012 note"]);
 }
 

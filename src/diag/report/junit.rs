@@ -44,8 +44,10 @@ impl Document for JUnit {
             .iter()
             .map(|trouble| {
                 let text = xml::escaped(trouble);
+                // The file in front of what is said of it.
+                let name = xml::escaped(trouble.split_once(": ").map_or(trouble, |(file, _)| file));
                 format!(
-                    "    <testcase classname=\"partc\" name=\"{text}\">\n      <error message=\"{text}\"/>\n    </testcase>\n"
+                    "    <testcase classname=\"partc\" name=\"{name}\">\n      <error message=\"{text}\"/>\n    </testcase>\n"
                 )
             })
             .collect();
