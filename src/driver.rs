@@ -1,5 +1,6 @@
 //! Wires the stages; the only file that knows them all.
 
+use std::fmt;
 use std::io;
 use std::rc::Rc;
 
@@ -19,6 +20,33 @@ use crate::lower::Lower;
 use crate::machine::Settings;
 use crate::sema::Job;
 use crate::text::{FileId, Files, Opened, Sources};
+use crate::validate::{Mismatch, Validator};
+use crate::validated::Validated;
+
+/// Why there is no output although the program has no errors.
+#[derive(Debug)]
+pub enum Failure {
+    Output(io::Error),
+    /// What was printed, read back, is not what was meant.
+    Mismatch(Box<Mismatch>),
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Failure {
+        Failure::Output(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Output(error) => error.fmt(f),
+            Failure::Mismatch(mismatch) => mismatch.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
 
 /// One run: its files, findings and call paths.
 #[derive(Debug, Default)]
@@ -91,7 +119,8 @@ impl Session {
     /// Compiles the main program to `out`. With an error among the findings the output must not be used.
     ///
     /// # Errors
-    /// What the output reports.
+    /// What the output reports, and [`Failure::Mismatch`] where the output does not do what the program says: it must not
+    /// be used either, and partc is at fault.
     pub fn compile<'a>(
         &'a self,
         dialect: &Dialect,
@@ -99,7 +128,7 @@ impl Session {
         files: &dyn Files,
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
-    ) -> io::Result<()> {
+    ) -> Result<(), Failure> {
         self.judge(dialect, settings);
         let name = self.sources.name(FileId(0));
         let settings = dialect.settings(settings);
@@ -107,8 +136,13 @@ impl Session {
         // The settings may live shorter than what was handed in.
         let map = map.map(|map| -> &mut dyn LineMap { map });
         let mut printer = Printer::new(settings, &name, &self.diags, out, map);
-        let hash = self.run(dialect, settings, files, &mut printer);
-        printer.finish(hash)
+        if !settings.output.validate {
+            let hash = self.run(dialect, settings, files, &mut printer);
+            return Ok(printer.finish(hash)?);
+        }
+        let mut validated = Validated::new(printer, Validator::new(settings), &self.diags);
+        let hash = self.run(dialect, settings, files, &mut validated);
+        validated.finish(hash)
     }
 
     /// Reads all blocks, also those that never run, runs the program while rules look on, and prints nothing. Gives what

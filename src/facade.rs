@@ -6,9 +6,10 @@ use std::io;
 
 use crate::diag::Finding;
 use crate::dialect::{self, Dialect};
-use crate::driver::Session;
+use crate::driver::{Failure, Session};
 use crate::machine::Settings;
 use crate::text::{Files, Memory, Opened};
+use crate::validate::Mismatch;
 
 /// A part program with its name; the name decides, beside the text, which language it is in.
 #[derive(Debug, Clone, Copy)]
@@ -54,6 +55,8 @@ pub enum Trouble {
     Language(String),
     /// The output failed.
     Output(io::Error),
+    /// What was printed, read back, is not what the program says: partc is at fault, and there is no output.
+    Mismatch(Box<Mismatch>),
 }
 
 impl fmt::Display for Trouble {
@@ -61,11 +64,21 @@ impl fmt::Display for Trouble {
         match self {
             Trouble::Language(name) => write!(f, "which language is `{name}`?"),
             Trouble::Output(error) => error.fmt(f),
+            Trouble::Mismatch(mismatch) => mismatch.fmt(f),
         }
     }
 }
 
 impl std::error::Error for Trouble {}
+
+impl From<Failure> for Trouble {
+    fn from(failure: Failure) -> Trouble {
+        match failure {
+            Failure::Output(error) => Trouble::Output(error),
+            Failure::Mismatch(mismatch) => Trouble::Mismatch(mismatch),
+        }
+    }
+}
 
 /// What [`compile`] and [`trace`] give.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -83,7 +96,7 @@ pub struct Outcome {
 pub fn compile(program: &Program<'_>, settings: &Settings, files: &dyn Files) -> Result<Outcome, Trouble> {
     let session = program.session();
     let mut out = Vec::new();
-    session.compile(program.dialect, settings, files, &mut out, None).map_err(Trouble::Output)?;
+    session.compile(program.dialect, settings, files, &mut out, None)?;
     Ok(outcome(session, out))
 }
 

@@ -38,6 +38,10 @@ pub mod parser {
     pub use crate::parser::{klartext, mtc200, problem, sinumerik, symbols, turning};
 }
 
+pub mod read {
+    pub use crate::read::{Act, Modes, Reader, SCALE};
+}
+
 pub mod sema {
     pub use crate::sema::cycle_table;
 
@@ -54,4 +58,8 @@ pub mod text {
     pub use crate::text::{
         FileError, FileId, Files, Loc, Memory, Opened, ReadAt, Request, Sources, Span, files, sources,
     };
+}
+
+pub mod validate {
+    pub use crate::validate::{Mismatch, Validator};
 }

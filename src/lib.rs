@@ -30,13 +30,16 @@ mod lint;
 mod lower;
 mod machine;
 mod parser;
+mod read;
 mod sema;
 mod standard;
 mod target;
 mod text;
+mod validate;
+mod validated;
 
 pub use dialect::Dialect;
-pub use driver::Session;
+pub use driver::{Failure, Session};
 pub use facade::{Outcome, Program, Trouble, check, compile, trace};
 pub use machine::Settings;
 

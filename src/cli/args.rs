@@ -72,6 +72,9 @@ pub(super) struct Compile {
     /// Overwrite an output file that partc did not write
     #[arg(long)]
     pub force: bool,
+    /// Do not read the output back and compare it with what the program does
+    #[arg(long)]
+    pub no_verify: bool,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]

@@ -60,7 +60,7 @@ fn set(tree: &mut Table, section: &str, key: &str, value: Value) {
 }
 
 /// The configuration in force for `input`: its file and what that extends, and the findings that the command line chooses.
-fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
+pub(super) fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
     let mut tree = file_for(input, common)?;
     for (key, words) in [("select", &common.report.select), ("ignore", &common.report.ignore)] {
         let Some(words) = words else { continue };

@@ -1,6 +1,7 @@
 //! The command line: arguments, files, exit codes. What it promises stands in the README.
 
 mod args;
+mod bundle;
 mod config;
 mod disk;
 mod edit;

@@ -110,6 +110,8 @@ pub(super) struct Reporter {
     exit_zero: bool,
     /// What is no finding in a program, such as a file that cannot be read.
     troubles: Vec<Trouble>,
+    /// partc itself was at fault.
+    internal: bool,
     started: Instant,
     /// When progress was shown last.
     shown: Option<Instant>,
@@ -178,6 +180,7 @@ impl Reporter {
             statistics: findings.statistics,
             exit_zero: findings.exit_zero,
             troubles: Vec::new(),
+            internal: false,
             started: Instant::now(),
             shown: None,
         })
@@ -252,6 +255,11 @@ impl Reporter {
         say(line);
     }
 
+    /// partc itself was at fault: nothing else matters for the exit code.
+    pub(super) fn internal(&mut self) {
+        self.internal = true;
+    }
+
     /// What was no finding.
     pub(super) fn troubles(&self) -> &[Trouble] {
         &self.troubles
@@ -285,6 +293,7 @@ impl Reporter {
             (true, true) => Exit::Errors,
             (true, false) => Exit::Clean,
         };
+        let exit = if self.internal { Exit::Internal } else { exit };
         let for_people = matches!(self.main, Main::Terminal | Main::Text(_));
         let statistics = if self.statistics { self.table() } else { String::new() };
         let summary = self.summary();

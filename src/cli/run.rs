@@ -9,7 +9,7 @@ use serde_json::json;
 
 use crate::diag::Severity;
 use crate::dialect::{self, Dialect};
-use crate::driver::Session;
+use crate::driver::{Failure, Session};
 use crate::emit::LineMap;
 use crate::ir::Origin;
 use crate::machine::Settings;
@@ -23,7 +23,7 @@ use super::listing::print;
 use super::output::{Destination, MAP_MARK, Made, Progress, is_foreign, set_aside};
 use super::pool::in_order;
 use super::report::{Look, Presented, Reporter, Stdout, counted};
-use super::{Exit, Trouble, config, fix, ignores};
+use super::{Exit, Trouble, bundle, config, fix, ignores};
 
 /// A program with everything that is needed to run it.
 pub(super) struct Loaded {
@@ -108,6 +108,9 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
             match result {
                 Ok(done) => {
                     done.said.iter().for_each(|line| reporter.say(line));
+                    if done.is_wrong {
+                        reporter.internal();
+                    }
                     reporter.take(done.presented);
                 }
                 Err(trouble) => reporter.trouble(trouble),
@@ -164,6 +167,8 @@ struct Done {
     presented: Presented,
     /// Lines about files.
     said: Vec<String>,
+    /// The output was not what the program says; it was not written.
+    is_wrong: bool,
 }
 
 impl Work<'_> {
@@ -182,7 +187,8 @@ impl Work<'_> {
 
     fn one(&self, input: &Input) -> Result<Done, Trouble> {
         let args = self.args;
-        let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+        let Loaded { session, dialect, mut settings, files } = load(&input.path, &args.common)?;
+        settings.output.validate = !args.no_verify;
         let target = output_path(input, args, settings.output.target.extension);
         let shown = target.display().to_string();
         let trouble = |error: io::Error| format!("{shown}: {error}");
@@ -210,7 +216,23 @@ impl Work<'_> {
         let out = out.into_inner();
         let map = map.map(SourceMap::finish);
         let mut said = Vec::new();
-        if self.look.fails(&session) {
+        let wrong = match &result {
+            Err(Failure::Mismatch(mismatch)) => Some(mismatch),
+            _ => None,
+        };
+        let is_wrong = wrong.is_some();
+        if let Some(mismatch) = wrong {
+            let name = input.path.display();
+            said.push(format!("partc: internal error: {name}: {mismatch}"));
+            let config = crate::machine::show::toml(&config::tree_for(&input.path, &args.common)?);
+            said.push(match bundle::write(mismatch, &session, &config, &target) {
+                Ok(path) => {
+                    format!("Nothing was written. Please report this with {}, which holds the program.", path.display())
+                }
+                Err(error) => format!("Nothing was written. Please report this with the program ({error})."),
+            });
+        }
+        if is_wrong || self.look.fails(&session) {
             drop((out, map));
             let places = [(Some(&target), Made::Program), (args.map.as_ref(), Made::Map)];
             for (path, made) in places.into_iter().filter_map(|(path, made)| Some((path?, made))) {
@@ -221,13 +243,15 @@ impl Work<'_> {
                 );
             }
         } else {
-            result.map_err(trouble)?;
+            if let Err(Failure::Output(error)) = result {
+                return Err(trouble(error));
+            }
             if let Some(map) = map {
                 map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
             }
             out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
         }
-        Ok(Done { presented: self.look.present(session), said })
+        Ok(Done { presented: self.look.present(session), said, is_wrong })
     }
 }
 
@@ -303,17 +327,26 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     reporter.finish()
 }
 
-/// `partc check --diff`
+/// `partc check --diff`: of a program with errors these are shown.
 fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<Exit, Trouble> {
-    let mut changes = false;
+    let (look, mut changes, mut refused) = (reporter.look(), false, false);
     for input in inputs {
         match fix::fix(&input.path, &args.common, fix::Mode::Show, args.unsafe_fixes) {
+            Ok(fixed) if fixed.refused => {
+                refused = true;
+                let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+                session.check(dialect, &settings, &files);
+                reporter.take(look.present(session));
+            }
             Ok(fixed) => {
                 changes |= fixed.made > 0;
                 print(harmless_lines(&fixed.diff).as_bytes())?;
             }
             Err(trouble) => reporter.trouble(trouble),
         }
+    }
+    if refused {
+        return reporter.finish();
     }
     Ok(match (reporter.troubles().is_empty(), changes) {
         (false, _) => Exit::Usage,
@@ -322,9 +355,12 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
     })
 }
 
-/// A file whose extension or content some dialect knows.
+/// A file whose extension or content some dialect knows. One that cannot be read is judged by its name: who opens it
+/// says why it cannot.
 pub(super) fn is_program(path: &Path) -> bool {
-    let Ok(main) = open_main(path, None) else { return false };
+    let Ok(main) = open_main(path, None) else {
+        return path.file_name().is_some_and(|name| dialect::guess(&name.to_string_lossy(), &[]).is_some());
+    };
     let name = main.name.clone();
     let session = Session::new(main);
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });

@@ -36,6 +36,12 @@ impl Text {
         &self.bytes[..self.end]
     }
 
+    /// Everything from `from` on, with room behind it that holds anything.
+    #[inline]
+    pub fn from(&self, from: usize) -> &[u8] {
+        &self.bytes[from.min(self.end)..]
+    }
+
     /// Bytes of everything.
     #[inline]
     pub fn len(&self) -> usize {

@@ -26,6 +26,8 @@ pub(super) struct Page<'a> {
     feed: u8,
     /// Bytes after which the text is written.
     chunk: usize,
+    /// Somebody reads the text before it is written; up to here he has.
+    read: Option<usize>,
     lines: u64,
     most_lines: u64,
     /// The limit of lines is passed: what follows is not printed.
@@ -50,6 +52,7 @@ impl<'a> Page<'a> {
             limits,
             feed,
             chunk: FIRST_CHUNK,
+            read: None,
             lines: 0,
             most_lines,
             full: false,
@@ -86,6 +89,27 @@ impl<'a> Page<'a> {
             self.too_many_digits(origin);
         }
         self.count_line(origin);
+        if self.text.len() >= self.chunk && self.read.is_none() {
+            self.write_out();
+        }
+    }
+
+    /// From here on text stays until [`Page::release`].
+    pub fn hold(&mut self) {
+        self.read = Some(0);
+    }
+
+    /// What was printed since the last release: bytes, of which so many count.
+    #[inline]
+    pub fn held(&self) -> (&[u8], usize) {
+        let from = self.read.unwrap_or(0);
+        (self.text.from(from), self.text.len() - from)
+    }
+
+    /// What was printed so far may be written.
+    #[inline]
+    pub fn release(&mut self) {
+        self.read = Some(self.text.len());
         if self.text.len() >= self.chunk {
             self.write_out();
         }
@@ -117,6 +141,7 @@ impl<'a> Page<'a> {
             self.error = Some(error);
         }
         self.chunk = CHUNK;
+        self.read = self.read.map(|_| 0);
         self.text.clear();
     }
 

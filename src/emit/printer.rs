@@ -1,6 +1,8 @@
 //! The printer core: modal words, one concern a line, arcs on the printed numbers. All words are the target's.
 
 mod carried;
+#[cfg(test)]
+pub mod disturb;
 mod functions;
 mod moves;
 mod refusals;
@@ -43,6 +45,8 @@ pub struct Printer<'a> {
     compensation: Compensation,
     spindle: HandChange,
     ended: bool,
+    /// The last line of the frame is printed.
+    closed: bool,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -87,6 +91,7 @@ impl<'a> Printer<'a> {
             compensation: Compensation::default(),
             spindle: HandChange::Stands,
             ended: false,
+            closed: false,
         };
         printer.head(source, lathe);
         printer
@@ -122,17 +127,39 @@ impl<'a> Printer<'a> {
         self.page.plain(modes.as_bytes());
     }
 
+    /// From here on text stays until [`Printer::release`], so that somebody can read what an item became.
+    pub fn hold(&mut self) {
+        self.page.hold();
+    }
+
+    /// What was printed since the last release: bytes, of which so many count. What stands behind them means nothing.
+    #[inline]
+    pub fn held(&self) -> (&[u8], usize) {
+        self.page.held()
+    }
+
+    /// What was printed so far may be written.
+    #[inline]
+    pub fn release(&mut self) {
+        self.page.release();
+    }
+
+    /// Prints what stands behind the last item.
+    pub fn close(&mut self) {
+        if !std::mem::replace(&mut self.ended, true) {
+            self.page.plain(self.target.flow.end.as_bytes());
+        }
+        if let Some(last) = self.target.frame.last.filter(|_| !std::mem::replace(&mut self.closed, true)) {
+            self.page.plain(last.as_bytes());
+        }
+    }
+
     /// Ends the text: closing frame, hash of the source in the head.
     ///
     /// # Errors
     /// The first error of the output.
     pub fn finish(mut self, hash: u64) -> io::Result<()> {
-        if !self.ended {
-            self.page.plain(self.target.flow.end.as_bytes());
-        }
-        if let Some(last) = self.target.frame.last {
-            self.page.plain(last.as_bytes());
-        }
+        self.close();
         self.page.finish(self.hash_at, &format!("{hash:016x}"))
     }
 

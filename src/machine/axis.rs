@@ -112,6 +112,12 @@ impl AxisSet {
         self.0.count_ones()
     }
 
+    /// A bit for each axis, X first.
+    #[inline]
+    pub fn bits(self) -> u16 {
+        self.0
+    }
+
     /// The axes in order.
     #[inline]
     pub fn iter(self) -> AxisIter {

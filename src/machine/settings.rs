@@ -229,6 +229,8 @@ pub struct OutputSettings {
     /// `G43 H` behind a tool change.
     pub tool_length: bool,
     pub tool_change: ToolChange,
+    /// What is printed is read back and compared with what was meant.
+    pub validate: bool,
 }
 
 impl Default for OutputSettings {
@@ -242,6 +244,7 @@ impl Default for OutputSettings {
             pass_m: Vec::new(),
             tool_length: false,
             tool_change: ToolChange::Change,
+            validate: true,
         }
     }
 }

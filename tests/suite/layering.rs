@@ -18,6 +18,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("sema", &["parser", "lexer", "machine", "ir", "geo", "diag", "text", "standard"]),
     ("lower", &["ir", "geo", "machine", "diag", "text"]),
     ("emit", &["ir", "machine", "target", "diag", "text", "geo"]),
+    ("read", &[]),
+    ("validate", &["read", "ir", "machine", "geo"]),
     ("lint", &["sema", "ir", "geo", "machine", "diag", "text"]),
     ("dialect", &["lexer", "parser", "sema", "ir", "machine"]),
     ("cli", &["diag", "dialect", "driver", "emit", "ir", "lint", "machine", "target", "text"]),

@@ -1,10 +1,15 @@
 //! Every golden output means to two readers what the compiler meant: to LinuxCNC's interpreter, and to a small reader
 //! of our own, which is always there.
 
+use partc::internals::diag::Diags;
 use partc::internals::dialect;
 use partc::internals::driver::Session;
+use partc::internals::emit::Printer;
+use partc::internals::ir::motion;
+use partc::internals::ir::{Function, Origin, Pos};
 use partc::internals::machine::Settings;
 use partc::internals::text::{Files, Memory, Opened};
+use partc::internals::validate::{Mismatch, Validator};
 
 use super::book;
 use super::common::Compiled;
@@ -20,6 +25,54 @@ pub struct Case {
     pub decimals: u8,
     /// An arc was replaced, so that the moves are others.
     replaced: bool,
+    /// What the printer got, and how many lines it made of each.
+    items: Vec<(Item, usize)>,
+    settings: Settings,
+}
+
+/// What a printer gets.
+pub enum Item {
+    Move(Box<motion::Move>),
+    Function(Function),
+    BeginsAt(Pos),
+    Lost,
+}
+
+/// Prints once more, and keeps each item with the number of its lines.
+struct Items<'a> {
+    printer: Printer<'a>,
+    list: Vec<(Item, usize)>,
+}
+
+impl Items<'_> {
+    fn keep(&mut self, item: Item) {
+        let (bytes, end) = self.printer.held();
+        let lines = bytes[..end].iter().filter(|b| **b == b'\n').count();
+        self.printer.release();
+        self.list.push((item, lines));
+    }
+}
+
+impl motion::Sink for Items<'_> {
+    fn movement(&mut self, mv: &motion::Move, origin: &Origin) {
+        self.printer.movement(mv, origin);
+        self.keep(Item::Move(Box::new(*mv)));
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        self.printer.function(function, origin);
+        self.keep(Item::Function(function.clone()));
+    }
+
+    fn lost(&mut self, origin: &Origin) {
+        self.printer.lost(origin);
+        self.keep(Item::Lost);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.printer.begins_at(at);
+        self.keep(Item::BeginsAt(*at));
+    }
 }
 
 impl Case {
@@ -43,12 +96,57 @@ impl Case {
         files: &dyn Files,
     ) -> Case {
         let replaced = compiled.codes().iter().any(|code| matches!(*code, "O4001" | "O4002"));
-        let text = Box::new(Memory::new(bytes));
-        let session = Session::new(Opened { name: name.clone(), identity: name.clone(), text });
+        let session = || {
+            let text = Box::new(Memory::new(bytes.clone()));
+            Session::new(Opened { name: name.clone(), identity: name.clone(), text })
+        };
         let mut recorder = Recorder::new(settings);
-        session.lower(dialect::find(dialect).expect("a dialect"), settings, files, &mut recorder);
+        let found = dialect::find(dialect).expect("a dialect");
+        session().lower(found, settings, files, &mut recorder);
         let decimals = settings.output.decimals;
-        Case { name, output: compiled.output, meant: recorder.finish(), decimals, replaced }
+        let settings = found.settings(settings).into_owned();
+        let items = items(&session(), found, &settings, files);
+        Case { name, output: compiled.output, meant: recorder.finish(), decimals, replaced, items, settings }
+    }
+
+    /// What the validator says to `text` instead of the output. Lines that are as they were belong to the item that they
+    /// were printed for; those between belong to the first item whose lines are others.
+    pub fn validate(&self, text: &str) -> Option<Box<Mismatch>> {
+        let (old, new): (Vec<&str>, Vec<&str>) = (self.output.lines().collect(), text.lines().collect());
+        let most = old.len().min(new.len());
+        let same = (0..most).take_while(|i| old[*i] == new[*i]).count();
+        let behind = (0..most - same).take_while(|i| old[old.len() - 1 - i] == new[new.len() - 1 - i]).count();
+        let place = |line: usize| {
+            if line <= same { line } else { (new.len() - behind).max(same) + line.saturating_sub(old.len() - behind) }
+        };
+        let mut validator = Validator::new(&self.settings);
+        let printed: usize = self.items.iter().map(|(_, lines)| lines).sum();
+        let tail = old.iter().rev().take_while(|line| matches!(**line, "%" | "M2")).count();
+        let tail = if self.ends_by_itself() { tail.min(2) } else { tail.min(1) };
+        let mut line = old.len().saturating_sub(printed + tail);
+        let part =
+            |from: usize, to: usize| new[place(from)..place(to)].iter().map(|l| format!("{l}\n")).collect::<String>();
+        let head = part(0, line);
+        validator.head(head.as_bytes(), head.len());
+        for (item, lines) in &self.items {
+            let text = part(line, line + lines);
+            let (bytes, end, origin) = (text.as_bytes(), text.len(), Origin::default());
+            match item {
+                Item::Move(mv) => validator.movement(mv, &origin, bytes, end),
+                Item::Function(function) => validator.function(function, &origin, bytes, end),
+                Item::BeginsAt(at) => validator.begins_at(at),
+                Item::Lost => validator.lost(),
+            }
+            line += lines;
+        }
+        let rest = part(line, old.len());
+        validator.finish(rest.as_bytes(), rest.len());
+        validator.into_mismatch()
+    }
+
+    /// No block ends the program: the printer does.
+    fn ends_by_itself(&self) -> bool {
+        !self.items.iter().any(|(item, _)| matches!(item, Item::Function(Function::End { .. })))
     }
 
     /// Is `found` what was meant?
@@ -85,6 +183,18 @@ impl Case {
     pub fn has_parallel_axes(&self) -> bool {
         self.output.lines().filter(|line| !line.starts_with('(')).any(|line| line.contains(['U', 'V', 'W']))
     }
+}
+
+/// The items of a program with the lines of each.
+fn items(session: &Session, dialect: &dialect::Dialect, settings: &Settings, files: &dyn Files) -> Vec<(Item, usize)> {
+    let diags = Diags::default();
+    let mut out = Vec::new();
+    let mut printer = Printer::new(settings, "", &diags, &mut out, None);
+    printer.hold();
+    printer.release();
+    let mut items = Items { printer, list: Vec::new() };
+    session.lower(dialect, settings, files, &mut items);
+    items.list
 }
 
 /// All golden cases that compile, those of findings among them, each compiled once for all tests.

@@ -252,3 +252,22 @@ fn the_rs274_oracle_notices_every_fault() {
     let answers = rs274::interpret_all(&jobs);
     assert_noticed(list, answers);
 }
+
+/// The validator reads along with the printer: it gets the text of an item with the item.
+#[test]
+fn the_validator_notices_every_fault() {
+    let list = tampered();
+    let missed: Vec<String> = list
+        .iter()
+        .filter(|t| t.case.validate(&t.text).is_none())
+        .map(|t| format!("{}: {} ({})", t.case.name, t.line, t.kind))
+        .collect();
+    assert!(missed.is_empty(), "{} of {} faults are not noticed:\n{}", missed.len(), list.len(), missed.join("\n"));
+}
+
+#[test]
+fn the_validator_accepts_every_golden_output() {
+    for case in oracle::all() {
+        assert_eq!(case.validate(&case.output).map(|found| found.to_string()), None, "{}", case.name);
+    }
+}

@@ -5,6 +5,8 @@ mod cut_off;
 mod faces;
 mod grooves;
 mod klartext_bores;
+mod klartext_contours;
+mod klartext_old_cycles;
 mod klartext_pockets;
 mod klartext_studs;
 mod layers;

@@ -1,0 +1,57 @@
+//! Faults in the state of a printer, for tests of what reads its text.
+
+use crate::geo::Plane;
+use crate::ir::{Feed, Side};
+use crate::machine::Axis;
+
+use super::super::modal::FeedKind;
+use super::super::number::Places;
+use super::Printer;
+
+/// What a printer may get wrong about itself or its target.
+#[derive(Debug, Clone, Copy)]
+pub enum Disturbance {
+    /// An axis stands where a later move will lead it, which is therefore not printed.
+    Place(Axis, f64),
+    Plane(Plane),
+    /// This feed holds already.
+    Feed(Feed),
+    FeedKind(Feed),
+    /// X is printed as the other measure.
+    Diameter,
+    Decimals(u8),
+    Side(Side),
+    /// The constant cutting speed is on, or off.
+    CuttingSpeed(bool),
+    /// An axis is where it was printed, whatever happened since.
+    Trusted,
+}
+
+impl Printer<'_> {
+    pub fn disturb(&mut self, disturbance: Disturbance) {
+        match disturbance {
+            Disturbance::Place(axis, value) => {
+                if let Some(units) = self.places.units(value) {
+                    let mut ends = *self.modal.at();
+                    ends[axis.index()] = units;
+                    self.modal.reach(crate::machine::AxisSet::of(axis), &ends);
+                }
+            }
+            Disturbance::Plane(plane) => self.modal.plane = plane,
+            Disturbance::Feed(feed) => {
+                if let Some(units) = self.places.units(feed.value()) {
+                    self.modal.feed_changes(feed, units);
+                }
+            }
+            Disturbance::FeedKind(feed) => drop(self.modal.feed_kind_changes(FeedKind::of(feed))),
+            Disturbance::Diameter => self.diameter = !self.diameter,
+            Disturbance::Decimals(places) => self.places = Places::new(places),
+            Disturbance::Side(side) => self.compensation.side = side,
+            Disturbance::CuttingSpeed(on) => self.modal.cutting_speed = on,
+            Disturbance::Trusted => {
+                let ends = *self.modal.at();
+                self.modal.reach(crate::machine::AxisSet::MAIN, &ends);
+            }
+        }
+    }
+}

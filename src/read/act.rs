@@ -1,0 +1,104 @@
+//! What a line has the machine do.
+
+/// Axes of a machine.
+pub const AXES: usize = 9;
+/// Their letters, in order.
+pub const LETTERS: &[u8; AXES] = b"XYZABCUVW";
+
+/// One thing that happens. Numbers are in units of [`SCALE`](super::SCALE): mm, degrees, rev/min, seconds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Act {
+    Move(Move),
+    /// The changer brings this tool forth.
+    Select(u32),
+    /// The tool brought forth goes into the spindle.
+    Change,
+    Speed(Speed),
+    /// An M function; of those of spindles the spindle, and the angle where one is given.
+    M {
+        number: u32,
+        spindle: u8,
+        angle: Option<i64>,
+    },
+    Dwell(i64),
+    /// Another work offset, 1 (G54) to 9 (G59.3).
+    Offset(u8),
+}
+
+/// A speed for a spindle, counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Speed {
+    pub spindle: u8,
+    pub value: i64,
+    /// The value is a cutting speed in m/min, up to this speed where one is said.
+    pub constant_cut: Option<Option<i64>>,
+}
+
+/// A move to where the reader now says that the machine stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Move {
+    pub path: Path,
+    /// A bit for each axis that the line names.
+    pub axes: u16,
+    /// To a place in machine coordinates.
+    pub machine: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Path {
+    Rapid,
+    Line,
+    /// In step with the spindle: the way of a turn.
+    Thread(i64),
+    Arc(Arc),
+}
+
+/// An arc in the axes of its plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Arc {
+    pub plane: Plane,
+    pub from: [i64; 2],
+    pub to: [i64; 2],
+    pub center: [i64; 2],
+    /// Turns, the last one begun included; counter-clockwise is positive.
+    pub turns: i32,
+}
+
+/// Plane of arcs and compensation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Plane {
+    Xy,
+    Zx,
+    Yz,
+}
+
+impl Plane {
+    /// First, second and third axis.
+    pub fn axes(self) -> [usize; 3] {
+        match self {
+            Plane::Xy => [0, 1, 2],
+            Plane::Zx => [2, 0, 1],
+            Plane::Yz => [1, 2, 0],
+        }
+    }
+}
+
+/// What F counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeedKind {
+    /// mm or degrees a minute.
+    PerMinute,
+    /// mm a turn of the spindle.
+    PerRevolution,
+    /// Moves a minute.
+    InverseTime,
+}
+
+/// Radius compensation by the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cutter {
+    /// Left 1, right -1, none 0.
+    pub side: i8,
+    pub tool: u32,
+    pub diameter: Option<i64>,
+}

@@ -1,0 +1,253 @@
+//! The words of a line, before anything happens.
+
+use super::Fault;
+use super::act::{Cutter, FeedKind, Plane};
+use super::number::{SCALE, decimal};
+
+/// M functions of a line.
+const MOST_M: usize = 4;
+
+/// The words of one line: numbers as they stand, modes as they are asked for.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Block {
+    /// A bit for each letter that has a number; [`SPINDLE`] behind them.
+    letters: u32,
+    numbers: [i64; 27],
+    pub motion: Option<u8>,
+    pub stop_motion: bool,
+    pub machine: bool,
+    pub dwell: bool,
+    pub plane: Option<Plane>,
+    pub inches: Option<bool>,
+    pub diameter: Option<bool>,
+    pub incremental: Option<bool>,
+    pub absolute_centers: Option<bool>,
+    pub feed_kind: Option<FeedKind>,
+    pub constant_cut: Option<bool>,
+    /// The side, and that D is a diameter.
+    pub side: Option<(i8, bool)>,
+    /// G43, or G49.
+    pub length: Option<bool>,
+    pub offset: Option<u8>,
+    m: [u32; MOST_M],
+    m_count: usize,
+    /// Groups of G functions that were met, a bit each: two of one group contradict each other.
+    groups: u32,
+}
+
+/// Bit and place of `$`.
+const SPINDLE: u8 = 26;
+
+impl Block {
+    /// The words of a line.
+    ///
+    /// # Errors
+    /// What is no word of a plain program.
+    pub fn read(line: &[u8]) -> Result<Block, Fault> {
+        let mut block = Block::default();
+        let mut rest = line;
+        if let [b'/', ..] = rest {
+            return Err(Fault::new("whether a block with `/` runs is decided at the machine"));
+        }
+        while let Some(letter) = rest.first() {
+            match letter.to_ascii_uppercase() {
+                b' ' | b'\t' => rest = &rest[1..],
+                b';' => break,
+                b'(' => rest = comment(rest)?,
+                letter @ (b'A'..=b'Z' | b'$') => {
+                    let behind = rest[1..].trim_ascii_start();
+                    let (units, len) = decimal(behind).ok_or_else(|| no_number(letter, behind))?;
+                    block.word(letter, units)?;
+                    rest = &behind[len..];
+                }
+                other => return Err(Fault::new(format!("`{}` is no word of a plain program", other.escape_ascii()))),
+            }
+        }
+        Ok(block)
+    }
+
+    /// Nothing but comments stood there.
+    pub fn is_empty(&self) -> bool {
+        self.letters == 0 && self.groups == 0 && self.m_count == 0
+    }
+
+    fn word(&mut self, letter: u8, units: i64) -> Result<(), Fault> {
+        match letter {
+            b'G' => self.g(units),
+            b'M' => {
+                let number = whole(letter, units)?;
+                let place = self.m.get_mut(self.m_count).ok_or_else(|| Fault::new("too many M functions"))?;
+                *place = number;
+                self.m_count += 1;
+                Ok(())
+            }
+            // A block number has no meaning.
+            b'N' => Ok(()),
+            _ => {
+                let bit = if letter == b'$' { SPINDLE } else { letter - b'A' };
+                if self.letters & (1 << bit) != 0 {
+                    return Err(Fault::new(format!("two {} words", letter as char)));
+                }
+                self.letters |= 1 << bit;
+                self.numbers[usize::from(bit)] = units;
+                Ok(())
+            }
+        }
+    }
+
+    /// The number of a letter; it counts as used.
+    pub fn take(&mut self, letter: u8) -> Option<i64> {
+        let bit = if letter == b'$' { SPINDLE } else { letter - b'A' };
+        let there = self.letters & (1 << bit) != 0;
+        self.letters &= !(1 << bit);
+        there.then(|| self.numbers[usize::from(bit)])
+    }
+
+    pub fn has(&self, letter: u8) -> bool {
+        self.letters & (1 << (letter - b'A')) != 0
+    }
+
+    /// The same as a whole number, not negative.
+    pub fn take_whole(&mut self, letter: u8) -> Result<Option<u32>, Fault> {
+        self.take(letter).map(|units| whole(letter, units)).transpose()
+    }
+
+    /// A letter that nobody used.
+    pub fn left(&self) -> Option<char> {
+        let bit = self.letters.trailing_zeros() as u8;
+        (self.letters != 0).then(|| if bit == SPINDLE { '$' } else { (b'A' + bit) as char })
+    }
+
+    /// The M functions in the order of the line.
+    pub fn m(&self) -> impl Iterator<Item = u32> + use<> {
+        self.m.into_iter().take(self.m_count)
+    }
+
+    /// A G function; tenths tell some apart.
+    fn g(&mut self, units: i64) -> Result<(), Fault> {
+        let tenths = units / (SCALE / 10);
+        let unknown = || Fault::new(format!("G{} is no word that is read", tenths as f64 / 10.0));
+        if units < 0 || units % (SCALE / 10) != 0 {
+            return Err(unknown());
+        }
+        let group = match tenths {
+            0 | 10 | 20 | 30 | 330 => {
+                self.motion = Some((tenths / 10) as u8);
+                0
+            }
+            800 => {
+                self.stop_motion = true;
+                0
+            }
+            40 => {
+                self.dwell = true;
+                1
+            }
+            70 | 80 => {
+                self.diameter = Some(tenths == 70);
+                2
+            }
+            170 | 180 | 190 => {
+                self.plane = Some([Plane::Xy, Plane::Zx, Plane::Yz][(tenths / 10 - 17) as usize]);
+                3
+            }
+            200 | 210 => {
+                self.inches = Some(tenths == 200);
+                4
+            }
+            400 => {
+                self.side = Some((0, false));
+                5
+            }
+            410 | 411 => {
+                self.side = Some((1, tenths == 411));
+                5
+            }
+            420 | 421 => {
+                self.side = Some((-1, tenths == 421));
+                5
+            }
+            430 | 490 => {
+                self.length = Some(tenths == 430);
+                6
+            }
+            530 => {
+                self.machine = true;
+                7
+            }
+            540 | 550 | 560 | 570 | 580 | 590..=593 => {
+                self.offset = Some((tenths / 10 - 53 + tenths % 10) as u8);
+                8
+            }
+            // Exact stop and blending leave the path where it is programmed, within a tolerance of the machine.
+            610 | 640 => 9,
+            900 | 910 => {
+                self.incremental = Some(tenths == 910);
+                10
+            }
+            901 | 911 => {
+                self.absolute_centers = Some(tenths == 901);
+                11
+            }
+            930 | 940 | 950 => {
+                let kinds = [FeedKind::InverseTime, FeedKind::PerMinute, FeedKind::PerRevolution];
+                self.feed_kind = Some(kinds[(tenths / 10 - 93) as usize]);
+                12
+            }
+            960 | 970 => {
+                self.constant_cut = Some(tenths == 960);
+                13
+            }
+            _ => return Err(unknown()),
+        };
+        if self.groups & (1 << group) != 0 {
+            return Err(Fault::new("two G functions of one group contradict each other"));
+        }
+        self.groups |= 1 << group;
+        Ok(())
+    }
+
+    /// The compensation that the block asks for.
+    pub fn cutter(&mut self) -> Result<Option<Cutter>, Fault> {
+        let Some((side, by_diameter)) = self.side else { return Ok(None) };
+        if side == 0 {
+            return Ok(Some(Cutter::default()));
+        }
+        let mut cutter = Cutter { side, tool: 0, diameter: None };
+        if by_diameter {
+            cutter.diameter = Some(self.take(b'D').ok_or_else(|| Fault::new("a diameter is missing"))?);
+        } else {
+            cutter.tool =
+                self.take_whole(b'D')?.ok_or_else(|| Fault::new("the D word of the compensation is missing"))?;
+        }
+        Ok(Some(cutter))
+    }
+}
+
+/// What stands behind a comment. Some comments make a control act.
+fn comment(text: &[u8]) -> Result<&[u8], Fault> {
+    let close = text.iter().position(|b| *b == b')').ok_or_else(|| Fault::new("a comment without an end"))?;
+    let inner = text[1..close].trim_ascii_start();
+    if inner.contains(&b'(') {
+        return Err(Fault::new("a comment within a comment"));
+    }
+    let word = inner.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    if inner.get(word) == Some(&b',') && !inner[..word].eq_ignore_ascii_case(b"MSG") {
+        const ACTIVE: [&[u8]; 7] = [b"DEBUG", b"PRINT", b"LOG", b"LOGOPEN", b"LOGAPPEND", b"PROBEOPEN", b"ABORT"];
+        if ACTIVE.iter().any(|active| active.eq_ignore_ascii_case(&inner[..word])) {
+            return Err(Fault::new("a comment that the control acts on"));
+        }
+    }
+    Ok(&text[close + 1..])
+}
+
+fn whole(letter: u8, units: i64) -> Result<u32, Fault> {
+    let number = u32::try_from(units / SCALE).ok().filter(|_| units % SCALE == 0);
+    number.ok_or_else(|| Fault::new(format!("{} wants a whole number", letter as char)))
+}
+
+#[cold]
+fn no_number(letter: u8, behind: &[u8]) -> Fault {
+    let shown = String::from_utf8_lossy(&behind[..behind.len().min(12)]).into_owned();
+    Fault::new(format!("`{shown}` behind {} is no number", letter as char))
+}

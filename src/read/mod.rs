@@ -1,0 +1,211 @@
+//! Reads the text of a target: what each line has the machine do.
+//!
+//! In: lines of RS274 text. Out: acts in the order in which a control carries them out, and the modes that hold. Written
+//! from the manuals of the receivers, and shares no code with what prints (`tests/suite/layering.rs`), so that the one can
+//! be the proof of the other. Numbers are whole counts of 1e-9 mm throughout. A word that is not known is a fault; nothing
+//! is passed over, and a mode that nobody stated is not assumed.
+
+#![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
+
+mod act;
+mod block;
+mod number;
+mod run;
+mod straight;
+
+pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed};
+pub use number::SCALE;
+
+use block::Block;
+
+/// Most acts of one line.
+const ACTS: usize = 16;
+
+/// Why a line cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    pub why: String,
+}
+
+impl Fault {
+    #[cold]
+    fn new(why: impl Into<String>) -> Fault {
+        Fault { why: why.into() }
+    }
+}
+
+/// The modes of a control, `None` where no line has stated one yet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Modes {
+    pub plane: Option<Plane>,
+    pub inches: Option<bool>,
+    pub incremental: Option<bool>,
+    /// Centres of arcs count from the zero point (G90.1), not from the start (G91.1).
+    pub absolute_centers: Option<bool>,
+    pub feed_kind: Option<FeedKind>,
+    /// X words are diameters; where nobody said it, they are not.
+    pub diameter: Option<bool>,
+    /// No drilling cycle of the control is on.
+    pub cycles_are_off: bool,
+    pub constant_cut: bool,
+    pub cutter: Option<Cutter>,
+    /// Number of the tool whose length counts; 0 for none.
+    pub length: Option<u32>,
+    /// Work offset, from 1 on.
+    pub offset: u8,
+    /// The move that axis words mean by themselves: 0 to 3, 33.
+    motion: Option<u8>,
+}
+
+/// A control that reads.
+#[derive(Debug, Clone)]
+pub struct Reader {
+    at: [i64; AXES],
+    /// A bit for each axis whose place is known.
+    known: u16,
+    feed: Option<i64>,
+    modes: Modes,
+    /// Positions are absolute, in mm, and as they are written.
+    plain: bool,
+    lines: u64,
+    ended: bool,
+    acts: [Act; ACTS],
+    /// The acts of the last line that are still to be handed out: from, up to.
+    open: (usize, usize),
+}
+
+impl Default for Reader {
+    fn default() -> Reader {
+        Reader::new()
+    }
+}
+
+impl Reader {
+    /// A control of which nothing is known.
+    pub fn new() -> Reader {
+        Reader {
+            at: [0; AXES],
+            known: 0,
+            feed: None,
+            modes: Modes {
+                plane: None,
+                inches: None,
+                incremental: None,
+                absolute_centers: None,
+                feed_kind: None,
+                diameter: None,
+                cycles_are_off: false,
+                constant_cut: false,
+                cutter: None,
+                length: None,
+                offset: 1,
+                motion: None,
+            },
+            plain: false,
+            lines: 0,
+            ended: false,
+            acts: [Act::Change; ACTS],
+            open: (0, 0),
+        }
+    }
+
+    /// What the next lines of `text` up to `end` do; lines that only set modes are read on the way. `text` shrinks by
+    /// what is read. `None` at its end. Bytes behind `end` mean nothing, and let numbers be read in one piece.
+    ///
+    /// # Errors
+    /// What cannot be read; the reader is of no use afterwards.
+    #[inline(always)]
+    pub fn next(&mut self, text: &mut &[u8], end: &mut usize) -> Result<Option<Act>, Fault> {
+        if self.open.0 == self.open.1
+            && let Some((mv, len)) = self.straight(text, *end)
+        {
+            *text = &text[len..];
+            *end -= len;
+            return Ok(Some(Act::Move(mv)));
+        }
+        self.next_by_words(text, end)
+    }
+
+    /// [`Reader::next`] for any line.
+    #[inline(never)]
+    fn next_by_words(&mut self, text: &mut &[u8], end: &mut usize) -> Result<Option<Act>, Fault> {
+        loop {
+            if self.open.0 < self.open.1 {
+                self.open.0 += 1;
+                return Ok(Some(self.acts[self.open.0 - 1]));
+            }
+            if *end == 0 {
+                return Ok(None);
+            }
+            let line = &text[..*end];
+            let len = line.iter().position(|b| *b == b'\n').unwrap_or(line.len());
+            self.line(&line[..len])?;
+            let read = (len + 1).min(*end);
+            *text = &text[read..];
+            *end -= read;
+        }
+    }
+
+    /// Reads a line.
+    fn line(&mut self, line: &[u8]) -> Result<(), Fault> {
+        self.lines += 1;
+        self.open = (0, 0);
+        let line = line.trim_ascii();
+        if line.is_empty() || line == b"%" {
+            return Ok(());
+        }
+        let block = Block::read(line)?;
+        if self.ended && !block.is_empty() {
+            return Err(Fault::new("something stands behind the end of the program"));
+        }
+        self.run(block)
+    }
+
+    /// Lines that were read.
+    pub fn lines(&self) -> u64 {
+        self.lines
+    }
+
+    /// Where an axis stands.
+    #[inline]
+    pub fn place(&self, axis: usize) -> Option<i64> {
+        (self.known & (1 << axis) != 0).then_some(self.at[axis])
+    }
+
+    /// Where all axes stand, as far as they are known.
+    #[inline]
+    pub fn at(&self) -> &[i64; AXES] {
+        &self.at
+    }
+
+    #[inline]
+    pub fn known(&self) -> u16 {
+        self.known
+    }
+
+    #[inline]
+    pub fn feed(&self) -> Option<i64> {
+        self.feed
+    }
+
+    #[inline]
+    pub fn modes(&self) -> &Modes {
+        &self.modes
+    }
+
+    /// Has the program ended?
+    pub fn ended(&self) -> bool {
+        self.ended
+    }
+
+    /// Nobody knows where any axis stands.
+    pub fn forget(&mut self) {
+        self.known = 0;
+    }
+
+    /// An axis stands here although no line said so.
+    pub fn stand(&mut self, axis: usize, at: i64) {
+        self.at[axis] = at;
+        self.known |= 1 << axis;
+    }
+}

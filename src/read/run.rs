@@ -1,0 +1,264 @@
+//! What the words of a line do, in the order of the RS274 manual: modes of the feed, F, S, T, change, spindle, coolant,
+//! other functions, dwell, plane, units, compensation, length, offset, distances, motion, stop.
+
+use super::act::{AXES, Act, Arc, FeedKind, LETTERS, Move, Path, Speed};
+use super::block::Block;
+use super::number::SCALE;
+use super::{ACTS, Fault, Reader};
+
+impl Reader {
+    /// Carries out the words of a line.
+    pub(super) fn run(&mut self, mut block: Block) -> Result<(), Fault> {
+        if let Some(inches) = block.inches
+            && self.modes.inches != Some(inches)
+        {
+            // Whether numbers of the line count in the old or the new unit is a question not worth asking.
+            if LETTERS.iter().chain(b"FIJKR").any(|letter| block.has(*letter)) {
+                return Err(Fault::new("the unit changes in a line with numbers"));
+            }
+            self.modes.inches = Some(inches);
+        }
+        let spindle = block.take(b'$').map_or(Ok(0), |units| {
+            u8::try_from(units / SCALE).ok().filter(|_| units % SCALE == 0).ok_or_else(|| Fault::new("no such spindle"))
+        })?;
+        let new_feed = block.has(b'F');
+        self.feed_words(&mut block)?;
+        self.speed_words(&mut block, spindle)?;
+        if let Some(tool) = block.take_whole(b'T')? {
+            self.push(Act::Select(tool))?;
+        }
+        self.functions(&mut block, spindle)?;
+        if block.dwell {
+            let seconds = block.take(b'P').filter(|seconds| *seconds >= 0);
+            self.push(Act::Dwell(seconds.ok_or_else(|| Fault::new("G4 wants P"))?))?;
+        }
+        self.mode_words(&mut block)?;
+        self.motion(&mut block, new_feed)?;
+        if let Some(letter) = block.left() {
+            return Err(Fault::new(format!("the {letter} word has nothing that it belongs to")));
+        }
+        for number in block.m().filter(|m| stops(*m)) {
+            self.push(Act::M { number, spindle: 0, angle: None })?;
+            self.ended |= matches!(number, 2 | 30);
+        }
+        let modes = &self.modes;
+        let by_time = modes.feed_kind == Some(FeedKind::InverseTime);
+        self.plain =
+            modes.incremental == Some(false) && modes.inches == Some(false) && modes.diameter != Some(true) && !by_time;
+        Ok(())
+    }
+
+    fn push(&mut self, act: Act) -> Result<(), Fault> {
+        let place = self.acts.get_mut(self.open.1).ok_or_else(|| Fault::new("too much in one line"))?;
+        *place = act;
+        self.open.1 += 1;
+        debug_assert!(self.open.1 <= ACTS);
+        Ok(())
+    }
+
+    /// A length of the program in units.
+    fn length(&self, number: i64) -> Result<i64, Fault> {
+        match self.modes.inches {
+            Some(false) => Ok(number),
+            Some(true) => {
+                let units = i128::from(number) * 254 / 10;
+                i64::try_from(units).ok().ok_or_else(|| Fault::new("a length is too large"))
+            }
+            None => Err(Fault::new("millimetres or inches: nobody has said it")),
+        }
+    }
+
+    fn feed_words(&mut self, block: &mut Block) -> Result<(), Fault> {
+        if let Some(kind) = block.feed_kind
+            && self.modes.feed_kind.replace(kind) != Some(kind)
+        {
+            // A feed of another kind counts no longer.
+            self.feed = None;
+        }
+        if let Some(feed) = block.take(b'F') {
+            if feed < 0 {
+                return Err(Fault::new("a feed below zero"));
+            }
+            let by_time = self.modes.feed_kind == Some(FeedKind::InverseTime);
+            self.feed = Some(if by_time { feed } else { self.length(feed)? });
+        }
+        Ok(())
+    }
+
+    fn speed_words(&mut self, block: &mut Block, spindle: u8) -> Result<(), Fault> {
+        let mut limit = None;
+        if let Some(on) = block.constant_cut {
+            self.modes.constant_cut = on;
+            if on {
+                limit = block.take(b'D');
+            }
+        }
+        let Some(value) = block.take(b'S') else {
+            return if block.constant_cut == Some(true) { Err(Fault::new("G96 wants S")) } else { Ok(()) };
+        };
+        let constant_cut = (block.constant_cut == Some(true)).then_some(limit);
+        self.push(Act::Speed(Speed { spindle, value, constant_cut }))
+    }
+
+    /// M functions that act before the move.
+    fn functions(&mut self, block: &mut Block, spindle: u8) -> Result<(), Fault> {
+        for _ in block.m().filter(|m| *m == 6) {
+            self.push(Act::Change)?;
+        }
+        for number in block.m().filter(|m| of_spindle(*m)) {
+            let angle = if number == 19 { block.take(b'R') } else { None };
+            self.push(Act::M { number, spindle, angle })?;
+        }
+        for number in block.m().filter(|m| !of_spindle(*m) && !stops(*m) && *m != 6) {
+            self.push(Act::M { number, spindle: 0, angle: None })?;
+        }
+        Ok(())
+    }
+
+    /// Modes that hold from this line on.
+    fn mode_words(&mut self, block: &mut Block) -> Result<(), Fault> {
+        let cutter = block.cutter()?;
+        let modes = &mut self.modes;
+        modes.plane = block.plane.or(modes.plane);
+        modes.diameter = block.diameter.or(modes.diameter);
+        modes.cutter = cutter.or(modes.cutter);
+        match block.length {
+            Some(true) => {
+                let number = block.take_whole(b'H')?.ok_or_else(|| Fault::new("G43 wants H"))?;
+                modes.length = Some(number);
+            }
+            Some(false) => modes.length = Some(0),
+            None => {}
+        }
+        modes.incremental = block.incremental.or(modes.incremental);
+        modes.absolute_centers = block.absolute_centers.or(modes.absolute_centers);
+        if block.stop_motion {
+            modes.motion = None;
+            modes.cycles_are_off = true;
+        }
+        if let Some(offset) = block.offset {
+            modes.offset = offset;
+            // The same place has other coordinates now.
+            self.known = 0;
+            self.push(Act::Offset(offset))?;
+        }
+        Ok(())
+    }
+
+    fn motion(&mut self, block: &mut Block, new_feed: bool) -> Result<(), Fault> {
+        let named = LETTERS.iter().any(|letter| block.has(*letter));
+        let cuts = matches!(block.motion.or(self.modes.motion), Some(1..=3));
+        if named && cuts && self.modes.feed_kind == Some(FeedKind::InverseTime) && !new_feed {
+            return Err(Fault::new("each move by time wants its F"));
+        }
+        self.modes.motion = block.motion.or(self.modes.motion);
+        if !named {
+            return match block.motion {
+                Some(2 | 3) => Err(Fault::new("an arc without an end")),
+                Some(33) => Err(Fault::new("a thread without an end")),
+                _ if block.machine => Err(Fault::new("G53 without an axis")),
+                _ => Ok(()),
+            };
+        }
+        let Some(motion) = self.modes.motion else { return Err(Fault::new("axes without a move")) };
+        let (from, was) = (self.at, self.known);
+        let axes = self.ends(block)?;
+        let path = match motion {
+            0 => Path::Rapid,
+            1 => Path::Line,
+            33 => {
+                let lead = block.take(b'K').filter(|lead| *lead > 0);
+                Path::Thread(self.length(lead.ok_or_else(|| Fault::new("a thread without a lead"))?)?)
+            }
+            _ if block.machine => return Err(Fault::new("an arc in machine coordinates")),
+            _ => Path::Arc(self.arc(block, motion == 3, &from, was)?),
+        };
+        if block.machine {
+            self.known &= !axes;
+        }
+        self.push(Act::Move(Move { path, axes, machine: block.machine }))
+    }
+
+    /// Takes the axes of the line; a bit for each.
+    fn ends(&mut self, block: &mut Block) -> Result<u16, Fault> {
+        let mut axes = 0;
+        for axis in 0..AXES {
+            let Some(number) = block.take(LETTERS[axis]) else { continue };
+            let rotary = (3..6).contains(&axis);
+            let mut units = if rotary { number } else { self.length(number)? };
+            if axis == 0 && self.modes.diameter == Some(true) {
+                units /= 2;
+            }
+            let Some(incremental) = self.modes.incremental else {
+                return Err(Fault::new("absolute or incremental: nobody has said it"));
+            };
+            if incremental && !block.machine {
+                let before = self.place(axis).ok_or_else(|| Fault::new("an increment from an unknown place"))?;
+                units = before.checked_add(units).ok_or_else(|| Fault::new("a place is too far away"))?;
+            }
+            self.stand(axis, units);
+            axes |= 1 << axis;
+        }
+        Ok(axes)
+    }
+
+    fn arc(&self, block: &mut Block, ccw: bool, before: &[i64; AXES], was: u16) -> Result<Arc, Fault> {
+        let Some(plane) = self.modes.plane else { return Err(Fault::new("the plane: nobody has said it")) };
+        let [first, second, _] = plane.axes();
+        let known = (1 << first) | (1 << second);
+        if was & known != known || self.known & known != known {
+            return Err(Fault::new("an arc from an unknown place"));
+        }
+        let (from, to) = ([before[first], before[second]], [self.at[first], self.at[second]]);
+        let turns = block.take_whole(b'P')?.unwrap_or(1);
+        let turns = i32::try_from(turns).ok().filter(|turns| *turns > 0);
+        let turns = turns.ok_or_else(|| Fault::new("no such number of turns"))?;
+        let turns = if ccw { turns } else { -turns };
+        if let Some(radius) = block.take(b'R') {
+            let center = by_radius(from, to, self.length(radius)?, ccw)?;
+            return Ok(Arc { plane, from, to, center, turns });
+        }
+        let offsets = [block.take(b"IJK"[first]), block.take(b"IJK"[second])];
+        if offsets == [None, None] {
+            return Err(Fault::new("an arc without a centre"));
+        }
+        let Some(absolute) = self.modes.absolute_centers else {
+            return Err(Fault::new("where centres count from: nobody has said it"));
+        };
+        let mut center = [0; 2];
+        for i in 0..2 {
+            let units = self.length(offsets[i].unwrap_or(0))?;
+            let place = if absolute { Some(units) } else { from[i].checked_add(units) };
+            if absolute && offsets[i].is_none() {
+                return Err(Fault::new("a centre with one coordinate only"));
+            }
+            center[i] = place.ok_or_else(|| Fault::new("a centre is too far away"))?;
+        }
+        Ok(Arc { plane, from, to, center, turns })
+    }
+}
+
+/// The centre of an arc by its radius; a negative one asks for more than half a turn.
+fn by_radius(from: [i64; 2], to: [i64; 2], radius: i64, ccw: bool) -> Result<[i64; 2], Fault> {
+    let way = [(to[0] - from[0]) as f64, (to[1] - from[1]) as f64];
+    let chord = libm::hypot(way[0], way[1]);
+    let r = (radius as f64).abs();
+    if chord == 0.0 || chord > 2.0 * r * 1.001 {
+        return Err(Fault::new("no circle of this radius leads there"));
+    }
+    let height = libm::sqrt((r * r - chord * chord / 4.0).max(0.0));
+    // Left of the way for a short arc counter-clockwise.
+    let side = if ccw == (radius > 0) { 1.0 } else { -1.0 };
+    let off = |i: usize| [-way[1], way[0]][i] / chord * height * side;
+    let center = |i: usize| from[i] + libm::round(way[i] / 2.0 + off(i)) as i64;
+    Ok([center(0), center(1)])
+}
+
+fn of_spindle(m: u32) -> bool {
+    matches!(m, 3..=5 | 19)
+}
+
+/// M functions that act behind the move.
+fn stops(m: u32) -> bool {
+    matches!(m, 0 | 1 | 2 | 30 | 60)
+}

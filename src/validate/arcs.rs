@@ -1,0 +1,198 @@
+//! Arcs: centre, sense, turns, and every place on the way, whether an arc is printed in one block, in several, or as lines.
+
+use core::f64::consts::TAU;
+
+use crate::geo::distance;
+use crate::ir::Feed;
+use crate::ir::motion::{Arc, Move};
+use crate::read::{self, AXES, Act, SCALE};
+
+use super::moves::kind;
+use super::{Text, Validator, Why, plane};
+
+/// What the radii at both ends of a printed arc may differ by, and how far its centre may lie from the exact one on each
+/// axis, in units of the last place.
+const MOST_OFF: f64 = 1.5;
+/// By how many units the printed ends and the printed centre turn the ends of an arc about its centre.
+const TURNED: f64 = 6.0;
+/// How far from the circle a rounded place may be: half a unit on each axis.
+const ROUNDED: f64 = 0.7072;
+/// How far from the circle the middle of a line may be that stands for a part of it.
+const CHORD: f64 = 1.3;
+/// Below so many units of radius a circle is lost between its places: that it stays there is all that can be said.
+const LOST: f64 = 3.0;
+
+/// An arc as it is followed from block to block, in units of the reader.
+struct Course {
+    center: [f64; 2],
+    radius: f64,
+    sweep: f64,
+    /// What of it was printed.
+    swept: f64,
+    blocks: f64,
+    /// F of its first block.
+    feed: i64,
+}
+
+impl Validator {
+    pub(super) fn check_arc(&mut self, mv: &Move, arc: &Arc, feed: Feed, text: Text<'_>) -> Result<(), Why> {
+        let Text { bytes: mut rest, mut end } = text;
+        let scale = SCALE as f64;
+        let mut course = Course {
+            center: [arc.center.x * scale, arc.center.y * scale],
+            radius: distance(arc.from, arc.center) * scale,
+            sweep: arc.sweep,
+            swept: 0.0,
+            blocks: 0.0,
+            feed: 0,
+        };
+        let [first, second, _] = plane(arc.plane).axes();
+        let (start, known) = (*self.reader.at(), self.reader.known());
+        let mut from = [start[first], start[second]];
+        let mut printed = 0;
+        while let Some(act) = self.reader.next(&mut rest, &mut end)? {
+            let Act::Move(found) = act else { return Err(Why::new("an arc is meant")) };
+            if found.axes & !mv.axes.bits() != 0 || found.machine {
+                return Err(Why::new("an axis moves that shall stand"));
+            }
+            let to = [self.reader.at()[first], self.reader.at()[second]];
+            course.blocks += 1.0;
+            course.swept += match found.path {
+                read::Path::Arc(found) => self.part(&course, &found, arc)?,
+                read::Path::Line => self.chord(&course, from, to)?,
+                read::Path::Rapid | read::Path::Thread(_) => return Err(Why::new("an arc is meant")),
+            };
+            self.same_side(mv)?;
+            self.feed_of_part(&mut course, feed)?;
+            printed |= found.axes;
+            if end > 0 {
+                self.on_the_way(&course, mv, &start, known, [first, second])?;
+            }
+            from = to;
+        }
+        self.leads(mv, printed)?;
+        let room = TURNED * self.unit * course.blocks.max(1.0) + course.radius * course.sweep.abs() * 1e-9;
+        let off = (course.swept - course.sweep).abs() * course.radius;
+        if course.radius > LOST * self.unit && off > room {
+            return Err(Why::new("the arc turns another way, or another number of times"));
+        }
+        match feed {
+            // The blocks share the time.
+            Feed::InverseTime(f)
+                if course.blocks > 0.0
+                    && course.radius > LOST * self.unit
+                    && !self.is_rounding(course.feed, f * course.blocks) =>
+            {
+                Err(Why::new("the blocks of the arc take another time"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// A block that is an arc; how far it turns.
+    fn part(&self, course: &Course, found: &read::Arc, arc: &Arc) -> Result<f64, Why> {
+        if found.plane != plane(arc.plane) {
+            return Err(Why::new("the arc lies in another plane"));
+        }
+        let off = [0, 1].map(|i| (found.center[i] as f64 - course.center[i]).abs());
+        let slack = 0.51 * self.unit + 2.0;
+        let near = |most: f64| off.iter().all(|off| *off <= most);
+        let closes = found.from == found.to || self.radii(found, found.center) <= MOST_OFF * self.unit + 2.0;
+        if !closes {
+            return Err(Why::new("start and end of the arc are not on one circle"));
+        }
+        // Another centre than the rounded one only where that does not close.
+        if !near(slack) && (!near(MOST_OFF * self.unit + 2.0) || self.rounded_closes(course, found)) {
+            return Err(Why::new("the centre of the arc is another one"));
+        }
+        let sense = f64::from(found.turns.signum());
+        let angle = |p: [i64; 2]| {
+            let off = [0, 1].map(|i| (p[i] - found.center[i]) as f64);
+            libm::atan2(off[1], off[0])
+        };
+        let mut part = sense * (angle(found.to) - angle(found.from));
+        if part <= 0.0 {
+            part += TAU;
+        }
+        if found.from == found.to {
+            part = TAU;
+        }
+        Ok(sense * (part + TAU * f64::from(found.turns.abs() - 1)))
+    }
+
+    /// Does the arc close around its exact centre as it is rounded?
+    #[cold]
+    fn rounded_closes(&self, course: &Course, found: &read::Arc) -> bool {
+        let center = course.center.map(|c| (libm::round(c / self.unit) * self.unit) as i64);
+        let center_is_end = center == found.from || center == found.to;
+        found.from == found.to || !center_is_end && self.radii(found, center) < MOST_OFF * self.unit - 2.0
+    }
+
+    /// Difference of the radii at start and end.
+    fn radii(&self, found: &read::Arc, center: [i64; 2]) -> f64 {
+        let square = |p: [i64; 2]| {
+            let off = [0, 1].map(|i| i128::from(p[i]) - i128::from(center[i]));
+            off[0] * off[0] + off[1] * off[1]
+        };
+        let (a, b) = (square(found.from), square(found.to));
+        let sum = libm::sqrt(a as f64) + libm::sqrt(b as f64);
+        if sum > 0.0 { (a - b).unsigned_abs() as f64 / sum } else { f64::INFINITY }
+    }
+
+    /// A line that stands for a part of the arc; how far it turns about the centre.
+    fn chord(&self, course: &Course, from: [i64; 2], to: [i64; 2]) -> Result<f64, Why> {
+        let off = |p: [i64; 2]| [0, 1].map(|i| p[i] as f64 - course.center[i]);
+        let ([ax, ay], [bx, by]) = (off(from), off(to));
+        let middle = libm::hypot((ax + bx) / 2.0, (ay + by) / 2.0);
+        let beside = libm::hypot(bx, by) - course.radius;
+        let slack = 2.0 + course.radius * 1e-14;
+        if beside.abs() > ROUNDED * self.unit + slack || course.radius - middle > CHORD * self.unit + slack {
+            return Err(Why::new("a line leaves the arc that it stands for"));
+        }
+        Ok(libm::atan2(ax * by - ay * bx, ax * bx + ay * by))
+    }
+
+    /// The feed of a block of an arc: blocks share the time.
+    fn feed_of_part(&mut self, course: &mut Course, feed: Feed) -> Result<(), Why> {
+        let Feed::InverseTime(_) = feed else { return self.same_feed(feed) };
+        let read = self.reader.feed().filter(|read| *read > 0).ok_or_else(|| Why::new("there is no feed"))?;
+        if self.reader.modes().feed_kind != Some(kind(feed)) {
+            return Err(Why::new("the feed is of another kind"));
+        }
+        if course.blocks > 1.0 && read != course.feed {
+            return Err(Why::new("the blocks of the arc take different times"));
+        }
+        course.feed = read;
+        Ok(())
+    }
+
+    /// A place between start and end: on the circle, and the other axes as far as the arc.
+    fn on_the_way(
+        &self,
+        course: &Course,
+        mv: &Move,
+        start: &[i64; AXES],
+        known: u16,
+        in_plane: [usize; 2],
+    ) -> Result<(), Why> {
+        let at = self.reader.at();
+        let [x, y] = [0, 1].map(|i| at[in_plane[i]] as f64 - course.center[i]);
+        if (libm::hypot(x, y) - course.radius).abs() > ROUNDED * self.unit + 2.0 + course.radius * 1e-14 {
+            return Err(Why::new("a part of the arc ends beside it"));
+        }
+        let share = course.swept / course.sweep;
+        for axis in mv.axes.iter().filter(|axis| !in_plane.contains(&axis.index())) {
+            let i = axis.index();
+            let Some(end) = mv.end.get(axis).filter(|_| known & (1 << i) != 0) else { continue };
+            let (way, gone) = (end * SCALE as f64 - start[i] as f64, (at[i] - start[i]) as f64);
+            let turned = TURNED * self.unit * course.blocks / (course.radius * course.sweep.abs());
+            let room = self.unit + 2.0;
+            let beyond = gone * way.signum() < -room || gone.abs() > way.abs() + room;
+            let lags = course.radius > LOST * self.unit && (gone - way * share).abs() > room + way.abs() * turned;
+            if beyond || lags {
+                return Err(Why::new("an axis does not go along with the arc"));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,147 @@
+//! Functions: tool, spindle, coolant, dwell, stops, offsets.
+
+use crate::ir::Function;
+use crate::ir::function::{Coolant, Spindle, Turn};
+use crate::read::{Act, Speed};
+
+use super::{MAIN, Text, Validator, Why, plane};
+
+/// Acts of a function, but for a dwell.
+const MOST: usize = 3;
+
+impl Validator {
+    /// Is the text what this function asks for?
+    pub(super) fn check_function(&mut self, function: &Function, text: Text<'_>) -> Result<(), Why> {
+        if let Function::Dwell(seconds) = function {
+            return self.dwells(*seconds, text);
+        }
+        if let Function::End { rewind } = function {
+            return self.ends(*rewind, text);
+        }
+        let mut list = [Act::Change; MOST];
+        let mut count = 0;
+        let Text { bytes: mut rest, mut end } = text;
+        while let Some(act) = self.reader.next(&mut rest, &mut end)? {
+            *list.get_mut(count).ok_or_else(|| Why::new("something happens that is not meant"))? = act;
+            count += 1;
+        }
+        if self.is_function(function, &list[..count], text) {
+            Ok(())
+        } else {
+            Err(Why::new("another function is meant"))
+        }
+    }
+
+    fn is_function(&mut self, function: &Function, acts: &[Act], text: Text<'_>) -> bool {
+        match function {
+            Function::ToolChange { number } => self.is_change(*number, acts, text),
+            Function::ToolPrepare { number } => *acts == [Act::Select(*number)],
+            Function::Cutter(cutter) => {
+                self.cutter = *cutter;
+                acts.is_empty()
+            }
+            Function::Spindle(spindle) => self.is_spindle(*spindle, None, acts),
+            Function::SpindleOf { number, spindle } => self.is_spindle(*spindle, Some(*number), acts),
+            Function::Coolant(Coolant::Mist) => *acts == [m(7)],
+            Function::Coolant(Coolant::Flood) => *acts == [m(8)],
+            Function::Coolant(Coolant::Off) => *acts == [m(9)],
+            Function::Stop => self.stops(0, acts),
+            Function::OptionalStop => self.stops(1, acts),
+            Function::Aux(number) => match acts {
+                [Act::M { number: read, .. }] => read == number,
+                // What the control counts among its own.
+                [Act::Change] => *number == 6,
+                _ => false,
+            },
+            Function::WorkOffset(number) => {
+                self.stated = 0;
+                *acts == [Act::Offset(*number)]
+            }
+            Function::Plane(meant) => acts.is_empty() && self.reader.modes().plane == Some(plane(*meant)),
+            Function::Comment(_) | Function::FeedSpindle(_) | Function::Transformation(_) => acts.is_empty(),
+            Function::Dwell(_) | Function::End { .. } => false,
+        }
+    }
+
+    fn is_change(&mut self, number: u32, acts: &[Act], text: Text<'_>) -> bool {
+        self.stated &= !MAIN;
+        let changed = if self.by_hand {
+            let text = &text.bytes[..text.end];
+            let told =
+                if number == 0 { "(take the tool out)\n".to_owned() } else { format!("(change to tool {number})\n") };
+            *acts == [m(5), m(0)] && text.windows(told.len()).any(|part| part == told.as_bytes())
+        } else {
+            *acts == [Act::Select(number), Act::Change]
+        };
+        changed && (!self.tool_length || self.reader.modes().length == Some(number))
+    }
+
+    fn is_spindle(&self, spindle: Spindle, number: Option<u8>, acts: &[Act]) -> bool {
+        let own = number.map_or(0, |number| number.saturating_sub(1));
+        let turns = |m: u32| *acts == [Act::M { number: m, spindle: own, angle: None }];
+        match spindle {
+            Spindle::Start(Turn::Clockwise) => turns(3),
+            Spindle::Start(Turn::CounterClockwise) => turns(4),
+            Spindle::Stop => turns(5),
+            Spindle::Speed(meant) => match acts {
+                [Act::Speed(Speed { spindle, value, constant_cut: None })] => {
+                    let ended = number.is_some() || !self.reader.modes().constant_cut;
+                    *spindle == own && ended && self.is_rounding(*value, meant)
+                }
+                _ => false,
+            },
+            Spindle::CuttingSpeed { speed, limit } => match acts {
+                [Act::Speed(Speed { spindle, value, constant_cut: Some(read) })] => {
+                    let limited = match (*read, limit) {
+                        (Some(read), Some(limit)) => self.is_rounding(read, limit),
+                        (read, limit) => read.is_none() && limit.is_none(),
+                    };
+                    *spindle == own && limited && self.is_rounding(*value, speed)
+                }
+                _ => false,
+            },
+            Spindle::Orient(meant) => match acts {
+                [Act::M { number: 19, spindle, angle: Some(angle) }] => {
+                    *spindle == own && self.is_rounding(*angle, meant)
+                }
+                _ => false,
+            },
+        }
+    }
+
+    /// Somebody may move axes while the program waits.
+    fn stops(&mut self, number: u32, acts: &[Act]) -> bool {
+        self.stated &= !MAIN;
+        *acts == [m(number)]
+    }
+
+    /// One wait or several that make the same time.
+    fn dwells(&mut self, seconds: f64, text: Text<'_>) -> Result<(), Why> {
+        let Text { bytes: mut rest, mut end } = text;
+        let (mut sum, mut any) = (0i64, false);
+        while let Some(act) = self.reader.next(&mut rest, &mut end)? {
+            let Act::Dwell(part) = act else { return Err(Why::new("a dwell is meant")) };
+            sum = sum.saturating_add(part);
+            any = true;
+        }
+        if any && self.is_rounding(sum, seconds) { Ok(()) } else { Err(Why::new("another dwell is meant")) }
+    }
+
+    /// The end of the program.
+    pub(super) fn ends(&mut self, rewind: bool, text: Text<'_>) -> Result<(), Why> {
+        let Text { bytes: mut rest, mut end } = text;
+        let act = self.reader.next(&mut rest, &mut end)?;
+        self.ended = true;
+        if act != Some(m(if rewind { 30 } else { 2 })) {
+            return Err(Why::new("the end of the program is meant"));
+        }
+        if self.reader.modes().cutter.is_some_and(|cutter| cutter.side != 0) {
+            return Err(Why::new("the compensation goes on at the end of the program"));
+        }
+        self.no_act(Text { bytes: rest, end })
+    }
+}
+
+fn m(number: u32) -> Act {
+    Act::M { number, spindle: 0, angle: None }
+}

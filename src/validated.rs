@@ -1,0 +1,91 @@
+//! A printer whose text is read back item by item, before it is written.
+
+use crate::diag::Diags;
+use crate::driver::Failure;
+use crate::emit::Printer;
+use crate::ir::motion::{Move, Sink};
+use crate::ir::{Function, Origin, Pos};
+use crate::validate::Validator;
+
+/// Hands items to the printer, and what it makes of them to the validator.
+#[derive(Debug)]
+pub(crate) struct Validated<'a> {
+    printer: Printer<'a>,
+    validator: Validator,
+    diags: &'a Diags,
+}
+
+impl<'a> Validated<'a> {
+    /// `printer` has printed the head only.
+    pub fn new(mut printer: Printer<'a>, mut validator: Validator, diags: &'a Diags) -> Validated<'a> {
+        printer.hold();
+        if diags.has_errors() {
+            validator.give_up();
+        } else {
+            let (bytes, end) = printer.held();
+            validator.head(bytes, end);
+        }
+        printer.release();
+        Validated { printer, validator, diags }
+    }
+
+    /// With an error the output is of no use, and need not be what was meant.
+    #[inline]
+    fn look(&mut self) {
+        if self.diags.has_errors() {
+            self.validator.give_up();
+        }
+    }
+
+    /// Ends the output.
+    ///
+    /// # Errors
+    /// The first difference, or what the output reports.
+    pub fn finish(mut self, hash: u64) -> Result<(), Failure> {
+        self.printer.close();
+        self.look();
+        let (bytes, end) = self.printer.held();
+        self.validator.finish(bytes, end);
+        self.printer.finish(hash)?;
+        match self.validator.into_mismatch() {
+            Some(mismatch) if !self.diags.has_errors() => Err(Failure::Mismatch(mismatch)),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Sink for Validated<'_> {
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        self.printer.movement(mv, origin);
+        self.look();
+        let (bytes, end) = self.printer.held();
+        self.validator.movement(mv, origin, bytes, end);
+        self.printer.release();
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        self.printer.function(function, origin);
+        self.look();
+        let (bytes, end) = self.printer.held();
+        self.validator.function(function, origin, bytes, end);
+        self.printer.release();
+    }
+
+    fn lost(&mut self, origin: &Origin) {
+        self.printer.lost(origin);
+        self.validator.lost();
+    }
+
+    fn programmed(&mut self, mv: &Move, start: &Pos) {
+        self.printer.programmed(mv, start);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.printer.begins_at(at);
+        self.validator.begins_at(at);
+    }
+
+    fn full(&self) -> bool {
+        self.printer.full()
+    }
+}
