@@ -345,7 +345,7 @@ fn rules_look_at_what_the_tool_does() {
     let up = "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-40\n2 BLK FORM 0.2 X+100 Y+100 Z+0\n3 L Z+60 R0 F2000 M5\n4 TOOL CALL 2 Z S2500\n\
 5 L X+1 Y+1 Z+2 R0 FMAX M3\n6 L Z-1 F50\n7 L Z+6 F2000\n8 M5\n9 L Z+60 R0 F2000\n10 END PGM A MM\n";
     assert_eq!(check("A.H", up), [""; 0]);
-    assert_eq!(check("A.H", &up.replace("9 L Z+60", "9 L X+60")), ["L1001 warning"]);
+    assert_eq!(check("A.H", &up.replace("9 L Z+60", "9 L X+60")), ["L1001 warning", "L1018 warning"]);
     // What nothing sets is said once, not as a dwell that takes no time.
     let dwell = "T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG4 F=R5\nG4 F=R5\nG1 X1 F100\nG0 Z50\nM30\n";
     assert_eq!(check("B.MPF", dwell), [""; 0]);
