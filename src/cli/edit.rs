@@ -18,6 +18,9 @@ use super::run::{Loaded, load};
 /// Bytes of a program that is changed: it is held in memory.
 const LARGEST: u64 = 256 << 20;
 
+/// Findings of a program that is changed: nearly all of them, so that few rounds are enough.
+const MOST_FINDINGS: usize = 1 << 20;
+
 /// Another text for a stretch of bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Edit {
@@ -52,7 +55,9 @@ impl Program {
 
     pub(super) fn session(&self, text: &[u8]) -> Session {
         let memory = Box::new(Memory::new(text.to_vec()));
-        Session::new(Opened { name: self.name.clone(), identity: self.identity.clone(), text: memory })
+        let session = Session::new(Opened { name: self.name.clone(), identity: self.identity.clone(), text: memory });
+        session.diags.keep(MOST_FINDINGS);
+        session
     }
 
     /// The session of a check of this text.

@@ -15,8 +15,8 @@ use super::Trouble;
 use super::args::Common;
 use super::edit::{Edit, Program, apply, write};
 
-/// Most times that a program is checked again: one check keeps a few hundred findings only.
-const MOST_ROUNDS: usize = 100;
+/// Most times that a program is checked again: one change may make room for another.
+const MOST_ROUNDS: usize = 10;
 
 /// What is done with the changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +31,8 @@ pub(super) enum Mode {
 pub(super) struct Fixed {
     /// Changes that were made.
     pub made: usize,
+    /// The program has errors: nobody knows what it does, and nothing was changed.
+    pub refused: bool,
     pub diff: String,
 }
 
@@ -44,7 +46,7 @@ pub(super) fn fix(path: &Path, common: &Common, mode: Mode, with_unsafe: bool) -
     let mut fixed = Fixed::default();
     // Of a program with errors nobody knows what it does.
     if before.1 > 0 {
-        return Ok(fixed);
+        return Ok(Fixed { refused: true, ..fixed });
     }
     let mut text = program.text.clone();
     for _ in 0..MOST_ROUNDS {
@@ -108,6 +110,7 @@ fn edits(program: &Program, text: &[u8], with_unsafe: bool) -> Vec<Edit> {
         lead(&sources, FileId(0), program.dialect.survey, &mut renumber);
         edits.extend(renumber.changes().into_iter().map(|(span, text)| Edit { span, text }));
     }
+    edits.retain(|edit| *edit.span.of(text) != *edit.text);
     edits
 }
 
@@ -118,8 +121,9 @@ fn removal(span: Span) -> Edit {
 /// The comment that holds the one code at `span` and nothing else than its suppression; with its line where it stands alone.
 fn comment_around(text: &[u8], span: Span) -> Option<Span> {
     let (from, to) = (span.start as usize, span.end as usize);
-    let line_start = memchr::memrchr(b'\n', &text[..from]).map_or(0, |at| at + 1);
-    let line_end = memchr::memchr(b'\n', &text[to..]).map_or(text.len(), |at| to + at);
+    // Lines end in LF, CR LF or, on old controls, CR.
+    let line_start = memchr::memrchr2(b'\n', b'\r', &text[..from]).map_or(0, |at| at + 1);
+    let line_end = memchr::memchr2(b'\n', b'\r', &text[to..]).map_or(text.len(), |at| to + at);
     let head = &text[line_start..from];
     let mark = head.iter().rposition(|b| *b == b';')?;
     let words = String::from_utf8_lossy(&head[mark + 1..]).to_ascii_lowercase();
@@ -131,7 +135,8 @@ fn comment_around(text: &[u8], span: Span) -> Option<Span> {
     }
     let before = head[..mark].trim_ascii_end().len();
     let (start, end) = if head[..before].is_empty() {
-        (line_start, (line_end + 1).min(text.len()))
+        let sign = usize::from(text[line_end..].starts_with(b"\r\n"));
+        (line_start, (line_end + 1 + sign).min(text.len()))
     } else {
         let written = text[to..line_end].trim_ascii_end().len();
         (line_start + before, to + written)
@@ -154,6 +159,8 @@ mod tests {
         };
         assert_eq!(around("A\n; partc: ignore[K2102] -- b\nC\n").as_deref(), Some("A\nC\n"));
         assert_eq!(around("A\nB  ; partc: ignore[K2102]\r\nC\n").as_deref(), Some("A\nB\r\nC\n"));
+        assert_eq!(around("A\r\n; partc: ignore[K2102]\r\nC\r\n").as_deref(), Some("A\r\nC\r\n"));
+        assert_eq!(around("A\r; partc: ignore[K2102]\rC\r").as_deref(), Some("A\rC\r"));
         assert_eq!(around("B ; partc: ignore[K2102, K8]\n"), None);
         assert_eq!(around("B ; deburr partc: ignore[K2102]\n"), None);
         assert_eq!(around("B ; partc: ignore[K2102] ; deburr\n"), None);

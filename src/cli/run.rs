@@ -327,17 +327,26 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     reporter.finish()
 }
 
-/// `partc check --diff`
+/// `partc check --diff`: of a program with errors these are shown.
 fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<Exit, Trouble> {
-    let mut changes = false;
+    let (look, mut changes, mut refused) = (reporter.look(), false, false);
     for input in inputs {
         match fix::fix(&input.path, &args.common, fix::Mode::Show, args.unsafe_fixes) {
+            Ok(fixed) if fixed.refused => {
+                refused = true;
+                let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+                session.check(dialect, &settings, &files);
+                reporter.take(look.present(session));
+            }
             Ok(fixed) => {
                 changes |= fixed.made > 0;
                 print(harmless_lines(&fixed.diff).as_bytes())?;
             }
             Err(trouble) => reporter.trouble(trouble),
         }
+    }
+    if refused {
+        return reporter.finish();
     }
     Ok(match (reporter.troubles().is_empty(), changes) {
         (false, _) => Exit::Usage,
@@ -346,9 +355,12 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
     })
 }
 
-/// A file whose extension or content some dialect knows.
+/// A file whose extension or content some dialect knows. One that cannot be read is judged by its name: who opens it
+/// says why it cannot.
 pub(super) fn is_program(path: &Path) -> bool {
-    let Ok(main) = open_main(path, None) else { return false };
+    let Ok(main) = open_main(path, None) else {
+        return path.file_name().is_some_and(|name| dialect::guess(&name.to_string_lossy(), &[]).is_some());
+    };
     let name = main.name.clone();
     let session = Session::new(main);
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });

@@ -141,6 +141,8 @@ struct Inner {
     once: Vec<&'static str>,
     counts: [u32; 3],
     dropped: u32,
+    /// As many are kept, where it is more than usual.
+    room: usize,
     /// The first so many were found in the form of the program; true for those that its run met, too.
     form: Vec<bool>,
 }
@@ -149,6 +151,11 @@ impl Diags {
     /// From here on `judge` decides over what is found.
     pub fn judge_by(&self, judge: Rc<dyn Judge>) {
         *self.judge.borrow_mut() = Some(judge);
+    }
+
+    /// Keeps `most` findings, or as many as usual if that is more.
+    pub fn keep(&self, most: usize) {
+        self.inner.borrow_mut().room = most;
     }
 
     /// Takes a finding. The same code at the same place is counted, not repeated.
@@ -168,7 +175,7 @@ impl Diags {
         };
         found.severity = severity;
         // Notes and warnings leave room for what stops the output.
-        let room = if severity == Severity::Error { KEPT } else { KEPT / 2 };
+        let room = if severity == Severity::Error { KEPT } else { KEPT / 2 }.max(inner.room);
         inner.counts[severity as usize] += 1;
         let kept = inner.list.len() < room;
         if inner.seen.len() < PLACES {

@@ -378,6 +378,20 @@ impl Profile {
         way.done()
     }
 
+    /// The way that never falls from one point of a bare chain to another: what falls away is bridged level, to its end.
+    pub fn rise(&self, start: Point2, end: Point2) -> Vec<Leg> {
+        let highest = self.highest(start.x, end.x).max(end.y).max(start.y);
+        let mut legs = self.between(start.x, end.x).climb(start, highest);
+        let at = legs.last().map_or(start, Leg::to);
+        let end = Point2::new(end.x.max(at.x), at.y.max(end.y));
+        for to in [Point2::new(end.x, at.y), end] {
+            if distance(legs.last().map_or(start, Leg::to), to) > super::SAME_POINT {
+                legs.push(Leg::Line { to });
+            }
+        }
+        legs
+    }
+
     /// The way along the outline from one point of it to another, farther on.
     pub fn follow(&self, start: Point2, end: Point2) -> Vec<Leg> {
         let mut way = Way::new(start);
@@ -497,6 +511,18 @@ impl Way {
     fn done(self) -> Vec<Leg> {
         self.legs
     }
+}
+
+/// The elements of a way.
+pub fn elements(start: Point2, legs: &[Leg]) -> Vec<Element> {
+    let starts = std::iter::once(start).chain(legs.iter().map(Leg::to));
+    let element = |(from, leg): (Point2, &Leg)| match *leg {
+        Leg::Line { to } => Element::Line { from, to },
+        Leg::Arc { to, center, ccw } => {
+            Element::Arc { from, to, center, sweep: super::arc::sweep(from, to, center, ccw) }
+        }
+    };
+    starts.zip(legs).map(element).collect()
 }
 
 /// A way run through backwards, from its end.

@@ -1,9 +1,7 @@
-//! The way of a round tool nose down a wall: the exact offset of a falling chain of lines and arcs.
+//! A wall as a round tool nose sees it: the outline of a falling chain of lines and arcs, by height.
 //!
 //! The chain runs towards +x and never rises; the material lies on its left and below. For every height of
-//! the nose's lowest point there is one place where the nose touches. Each line, arc and corner of the chain
-//! says how near it lets the nose come at a height; the greatest of these values wins. So the way cannot
-//! gouge, whatever small element or narrow arc the chain has.
+//! the nose's lowest point there is one place where the nose touches.
 //!
 //! ```text
 //!   material │
@@ -11,63 +9,23 @@
 //!   ═══════════╰───────────
 //! ```
 
-use super::arc::NEARLY_ONE_POINT;
-use super::{Element, Point2, SAME_DIRECTION, Vec2, cross, direction, distance, intersect, left};
+use super::profile::{Grown, LEVEL, Leg, Profile, backwards, mirrored};
+use super::{Element, Point2, Vec2, cross, distance};
 
 /// An element may rise or lean over by this, mm: what arithmetic loses.
 const SAME_HEIGHT: f64 = 1e-7;
 
-/// Legs shorter than this are left out, mm. It must be small: where the way is level, heights that differ by
-/// 1e-7 lie 1e-3 apart.
-const SHORTEST_LEG: f64 = 2e-7;
+/// Height of the wall above its chain, mm above everything.
+const HIGH: f64 = 1e5;
 
-/// Arcs with a shorter chord are lines, mm: they might be taken for full circles. The limit for that holds for
-/// each axis, so a chord at 45 degrees may be √2 times as long.
-const SHORTEST_ARC: f64 = 1.5 * NEARLY_ONE_POINT;
-
-/// Curves closer than this are one, mm.
-const SAME_CURVE: f64 = 1e-9;
-
-/// A piece holds the nose this far below its end, mm, so that no rounding between two pieces lets it in.
-const BELOW: f64 = 1e-9;
-
-/// How a piece of the way runs. Points are those of the nose's lowest point below its centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Curve {
-    /// Through `at`, `slope` = dx/dy.
-    Line { at: Point2, slope: f64 },
-    /// On a circle, on its right (`+1`) or left (`-1`) half.
-    Circle { center: Point2, radius: f64, half: f64 },
-}
-
-/// What one line, arc or corner demands, from `high` (exclusive) down to `low`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Demand {
-    curve: Curve,
-    high: f64,
-    low: f64,
-}
+/// A nose that touches an upright wall is beside it, mm.
+const BESIDE: f64 = 1e-9;
 
 /// A wall as a nose of some radius sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
-    pieces: Vec<Demand>,
-    radius: f64,
-}
-
-/// A piece of the way down.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Leg {
-    Line { to: Point2 },
-    Arc { to: Point2, center: Point2, ccw: bool },
-}
-
-impl Leg {
-    pub fn to(&self) -> Point2 {
-        match *self {
-            Leg::Line { to } | Leg::Arc { to, .. } => to,
-        }
-    }
+    /// In a mirror, so that it rises towards +x.
+    outline: Profile,
 }
 
 /// Why a chain is no wall.
@@ -88,11 +46,7 @@ impl Wall {
     /// See [`NoWall`]. Arcs must not run through a quadrant point; see [`quarters`].
     pub fn new(chain: &[Element], radius: f64) -> Result<Wall, NoWall> {
         let start = chain.first().ok_or(NoWall::Empty)?.from();
-        let mut wall = Wall { pieces: Vec::with_capacity(2 * chain.len() + 2), radius };
-        let ray = Point2::new(start.x + radius, start.y);
-        wall.add(Curve::Line { at: ray, slope: 0.0 }, f64::INFINITY, start.y - radius);
         let mut at = start;
-        wall.corner(at);
         for element in chain {
             if distance(at, element.from()) > super::SAME_POINT {
                 return Err(NoWall::Gap);
@@ -100,220 +54,40 @@ impl Wall {
             if !falls(element) {
                 return Err(NoWall::Rises);
             }
-            wall.element(element);
             at = element.to();
-            wall.corner(at);
         }
-        // So that every height has an answer, the wall goes straight down below its end.
-        let ray = Point2::new(at.x + radius, at.y);
-        wall.add(Curve::Line { at: ray, slope: 0.0 }, at.y - radius, f64::NEG_INFINITY);
-        Ok(wall)
-    }
-
-    fn add(&mut self, curve: Curve, high: f64, low: f64) {
-        if high > low {
-            self.pieces.push(Demand { curve, high, low });
-        }
-    }
-
-    /// The nose turns about a point of the chain.
-    fn corner(&mut self, p: Point2) {
-        let center = Point2::new(p.x, p.y - self.radius);
-        self.add(Curve::Circle { center, radius: self.radius, half: 1.0 }, p.y, p.y - self.radius);
-    }
-
-    fn element(&mut self, element: &Element) {
-        let r = self.radius;
-        match *element {
-            Element::Line { from, to } => {
-                let Some(u) = direction(to - from, 0.0) else { return };
-                let shift = left(u) * r - Vec2::new(0.0, r);
-                let (a, b) = (from + shift, to + shift);
-                // A level line is held up by its end corner.
-                if a.y > b.y {
-                    self.add(Curve::Line { at: a, slope: (b.x - a.x) / (b.y - a.y) }, a.y, b.y);
-                }
-            }
-            Element::Arc { from, to, center, sweep } => {
-                let arc = distance(from, center);
-                // Material inside the arc, or outside of it.
-                let (radius, half) = if sweep < 0.0 { (arc + r, 1.0) } else { (arc - r, -1.0) };
-                if radius <= 0.0 || arc <= 0.0 {
-                    return;
-                }
-                let height = |p: Point2| center.y + (p.y - center.y) / arc * radius - r;
-                let seen = Point2::new(center.x, center.y - r);
-                self.add(Curve::Circle { center: seen, radius, half }, height(from), height(to));
-            }
-        }
+        let top = start + Vec2::new(0.0, HIGH);
+        let mut whole = Vec::with_capacity(chain.len() + 2);
+        whole.push(Element::Line { from: top - Vec2::new(HIGH, 0.0), to: top });
+        whole.push(Element::Line { from: top, to: start });
+        whole.extend_from_slice(chain);
+        let outline = Profile::new(&whole, Grown { along: 0.0, up: -radius, disc: radius });
+        Ok(Wall { outline: outline.mirrored() })
     }
 
     /// Least x of the nose centre when its lowest point is at height `y`.
-    ///
-    /// A piece also counts below its end: the wall falls, so nothing there lets the nose come nearer. So no
-    /// rounding at the ends of pieces leaves a gap.
     pub fn touch(&self, y: f64) -> f64 {
-        let asked = self.pieces.iter().filter(|piece| y < piece.high);
-        asked.map(|piece| piece.curve.x(y.max(piece.low))).fold(f64::NEG_INFINITY, f64::max)
+        self.outline.first_above(y, f64::NEG_INFINITY).map_or(f64::NEG_INFINITY, |x| -x)
     }
 
-    /// The piece that holds the nose at height `y`.
-    fn best(&self, y: f64) -> Option<usize> {
-        let mut best: Option<(usize, f64)> = None;
-        for (i, piece) in self.pieces.iter().enumerate() {
-            if piece.low - BELOW <= y && y < piece.high {
-                let x = piece.curve.x(y);
-                if best.is_none_or(|(_, most)| x > most) {
-                    best = Some((i, x));
-                }
-            }
-        }
-        best.map(|(i, _)| i)
-    }
-
-    /// The piece that holds the nose at height `y`; the one before as long as no other is really ahead, so that
-    /// pieces that touch do not take turns.
-    fn next(&self, y: f64, before: Option<usize>) -> Option<usize> {
-        let best = self.best(y)?;
-        let most = self.pieces[best].curve.x(y);
-        let stays = |i: &usize| {
-            let piece = &self.pieces[*i];
-            piece.low - BELOW <= y && y < piece.high && piece.curve.x(y) > most - SAME_CURVE
-        };
-        Some(before.filter(stays).unwrap_or(best))
+    /// Least height of the nose with its centre at `x`; below everything beyond the foot of the wall.
+    pub fn height(&self, x: f64) -> f64 {
+        self.outline.height(-x - BESIDE)
     }
 
     /// The way down from height `top` to `bottom`: where it starts, and its legs. x is the nose centre, y its
     /// lowest point.
     pub fn way(&self, top: f64, bottom: f64) -> (Point2, Vec<Leg>) {
-        let mut at = Point2::new(self.touch(top), top);
-        let start = at;
-        let mut legs = Vec::new();
-        let mut last: Option<usize> = None;
-        // Where the leg under way starts, and how many legs there were before it.
-        let (mut leg_start, mut before) = (at, 0);
-        for pair in self.heights(top, bottom).windows(2) {
-            let (high, low) = (pair[0], pair[1]);
-            let Some(i) = self.next((high + low) / 2.0, last) else { continue };
-            let curve = self.pieces[i].curve;
-            let from = Point2::new(curve.x(high), high);
-            if distance(from, at) > super::SAME_POINT {
-                // A level piece of the chain, on which the nose rides.
-                legs.push(Leg::Line { to: from });
-                at = from;
-                last = None;
-            }
-            let to = Point2::new(curve.x(low), low);
-            if distance(to, at) <= SHORTEST_LEG {
-                continue;
-            }
-            let goes_on = last.is_some_and(|last| self.pieces[last].curve.continues(&curve));
-            if goes_on {
-                legs.truncate(before);
-            } else {
-                (leg_start, before) = (at, legs.len());
-            }
-            curve.run(leg_start, to, &mut legs);
-            last = Some(i);
-            at = to;
+        let foot = Point2::new(-self.touch(bottom), bottom);
+        let start = Point2::new(self.touch(top), top);
+        let mut up = self.outline.climb(foot, top);
+        let at = up.last().map_or(foot, Leg::to);
+        if -start.x - at.x > LEVEL {
+            // A level piece of the chain, on which the nose rides.
+            up.push(Leg::Line { to: Point2::new(-start.x, top) });
         }
-        (start, legs)
-    }
-
-    /// Heights between which one piece holds the nose, downwards.
-    fn heights(&self, top: f64, bottom: f64) -> Vec<f64> {
-        let mut list = vec![top, bottom];
-        let mut take = |y: f64| {
-            if y > bottom && y < top {
-                list.push(y);
-            }
-        };
-        for (i, a) in self.pieces.iter().enumerate() {
-            take(a.high);
-            take(a.low);
-            for b in &self.pieces[i + 1..] {
-                let (high, low) = (a.high.min(b.high), a.low.max(b.low));
-                if high <= low {
-                    continue;
-                }
-                for y in a.curve.meets(&b.curve).into_iter().flatten() {
-                    if y > low && y < high {
-                        take(y);
-                    }
-                }
-            }
-        }
-        list.sort_by(|a, b| b.total_cmp(a));
-        list.dedup();
-        list
-    }
-}
-
-impl Curve {
-    fn x(&self, y: f64) -> f64 {
-        match *self {
-            Curve::Line { at, slope } => at.x + slope * (y - at.y),
-            Curve::Circle { center, radius, half } => {
-                let up = y - center.y;
-                center.x + half * (radius * radius - up * up).max(0.0).sqrt()
-            }
-        }
-    }
-
-    /// Is `other` the same curve?
-    fn continues(&self, other: &Curve) -> bool {
-        match (*self, *other) {
-            (Curve::Line { slope: a, .. }, Curve::Line { at, slope: b }) => {
-                (a - b).abs() < SAME_CURVE && (self.x(at.y) - at.x).abs() < SAME_CURVE
-            }
-            (Curve::Circle { center: c, radius: r, half: a }, Curve::Circle { center: d, radius: s, half: b }) => {
-                a == b && (r - s).abs() < SAME_CURVE && distance(c, d) < SAME_CURVE
-            }
-            _ => false,
-        }
-    }
-
-    /// Downwards along the curve from `from` to `to`. A short arc becomes lines that leave material rather than
-    /// gouge: its chord where the material lies outside, else the tangents of its ends.
-    fn run(&self, from: Point2, to: Point2, legs: &mut Vec<Leg>) {
-        if let Curve::Circle { center, radius, half } = *self {
-            let chord = distance(from, to);
-            if chord > SHORTEST_ARC {
-                // Downwards on the right half is clockwise.
-                legs.push(Leg::Arc { to, center, ccw: half < 0.0 });
-                return;
-            }
-            let (a, b) = (from - center, to - center);
-            let square = radius * radius;
-            let reach = square + a.dot(&b);
-            // Within a quarter the ends are never more than a right angle apart, unless arithmetic made them so.
-            if half > 0.0 && chord > super::SAME_POINT && reach > square / 2.0 {
-                legs.push(Leg::Line { to: center + (a + b) * (square / reach) });
-            }
-        }
-        legs.push(Leg::Line { to });
-    }
-
-    /// Heights at which two curves meet.
-    fn meets(&self, other: &Curve) -> [Option<f64>; 2] {
-        let unit = |slope: f64| direction(Vec2::new(slope, 1.0), 0.0).unwrap_or_default();
-        let heights = |pair: Option<[Point2; 2]>| match pair {
-            Some([a, b]) => [Some(a.y), Some(b.y)],
-            None => [None, None],
-        };
-        match (*self, *other) {
-            (Curve::Line { at: p, slope: a }, Curve::Line { at: q, slope: b }) => {
-                let u = unit(a);
-                [intersect::lines(p, u, q, unit(b), SAME_DIRECTION).map(|(s, _)| p.y + s * u.y), None]
-            }
-            (Curve::Line { at, slope }, Curve::Circle { center, radius, .. })
-            | (Curve::Circle { center, radius, .. }, Curve::Line { at, slope }) => {
-                heights(intersect::line_circle(at, unit(slope), center, radius, 0.0))
-            }
-            (Curve::Circle { center: a, radius: ra, .. }, Curve::Circle { center: b, radius: rb, .. }) => {
-                heights(intersect::circles(a, ra, b, rb, 0.0))
-            }
-        }
+        let start = up.last().map_or(start, |leg| Point2::new(-leg.to().x, top));
+        (start, mirrored(&backwards(foot, &up)))
     }
 }
 
@@ -413,7 +187,7 @@ mod tests {
         let wall = Wall::new(&[bulge, Element::Line { from: bulge.to(), to: foot }], 0.9168178244483085).unwrap();
         let (_, legs) = wall.way(53.1, 50.0);
         let arcs: Vec<&Leg> = legs.iter().filter(|leg| matches!(leg, Leg::Arc { .. })).collect();
-        let end = (foot.x + wall.radius, 52.0 - wall.radius);
+        let end = (foot.x + 0.9168178244483085, 52.0 - 0.9168178244483085);
         assert!(
             matches!(arcs[..], [Leg::Arc { to, .. }] if (*to - Point2::new(end.0, end.1)).norm() < 1e-6),
             "{legs:?}"

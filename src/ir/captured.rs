@@ -2,10 +2,13 @@
 
 use crate::geo::{Element, Plane, Point2, distance};
 
-use super::Origin;
+use super::{Origin, Side};
 
 /// Ends this close are one point, in mm: stored contours are rounded to three decimals.
 const CLOSED: f64 = 0.002;
+
+/// A rounding between lines that hardly turn, in mm: its neighbours meet as if it were not there.
+const NEXT_TO_NOTHING: f64 = 0.01;
 
 /// The elements of a described contour, arcs resolved and corners cut, in the frame in which it was begun.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -13,6 +16,8 @@ pub struct Captured {
     pub plane: Plane,
     /// End of the first move: how the tool comes there is not part of the contour.
     pub start: Point2,
+    /// The side that all its moves have; `None` where it changes.
+    pub side: Option<Side>,
     /// In the order of travel, each from where the one before ends.
     pub pieces: Vec<CapturedElement>,
 }
@@ -64,14 +69,22 @@ impl Captured {
         })
     }
 
-    /// The first two elements that cross, by their places. Neighbours meet in their common end, and a closed
-    /// contour meets itself in its start: that is no crossing.
+    /// The first two elements that cross, by their places. Neighbours meet in their common end, also with next to
+    /// nothing between them, and a closed contour meets itself in its start: that is no crossing.
     pub fn crossing(&self) -> Option<(usize, usize)> {
         let count = self.pieces.len();
         for (j, b) in self.pieces.iter().enumerate() {
+            let joined = self.pieces[..j].iter().rev().scan(NEXT_TO_NOTHING, |left, piece| {
+                *left -= piece.element.length();
+                (*left >= 0.0).then_some(())
+            });
+            // From this element on nothing to speak of lies in front of `b`.
+            let near = j.saturating_sub(1 + joined.count());
             for (i, a) in self.pieces.iter().enumerate().take(j) {
+                let neighbours = i >= near;
                 let shared = [
-                    (i + 1 == j).then(|| b.element.from()),
+                    neighbours.then(|| b.element.from()),
+                    neighbours.then(|| a.element.to()),
                     (i == 0 && j + 1 == count && self.is_closed()).then_some(self.start),
                 ];
                 if crate::geo::crossing::meet(&a.element, &b.element, &shared) {

@@ -26,6 +26,8 @@ pub struct Compensation {
     pub rounded_border: bool,
     /// The element belongs to a way that a cycle makes to its contour, not to the contour: the path may come near to it.
     pub is_way: bool,
+    /// The block asks for the corner at its end by itself: that nothing comes of it is worth a word.
+    pub own_corner: bool,
     /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
     pub joints_are_documented: bool,
     pub alarms: Alarms,
@@ -46,6 +48,7 @@ impl Default for Compensation {
             feed: FeedAt::default(),
             rounded_border: false,
             is_way: false,
+            own_corner: false,
             joints_are_documented: false,
             alarms: Alarms::default(),
         }

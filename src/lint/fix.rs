@@ -76,8 +76,9 @@ impl Visitor for Renumber {
         let span = Span::at(block.site.at + from as u32, digits as u32);
         let number = self.next;
         self.next = number.saturating_add(self.step);
-        // `/1` has a level behind its mark: such a block keeps its number.
-        if digits > 0 && !block.skip {
+        // `/1` has a level behind its mark; without N it is the number of the block for some controls.
+        let is_number = !block.skip || block.text[..from].ends_with(b"N") || block.text[..from].ends_with(b"n");
+        if digits > 0 && is_number {
             self.changes.push((span, number.to_string().into_bytes()));
         }
     }

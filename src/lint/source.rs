@@ -57,7 +57,7 @@ impl std::fmt::Debug for Told<'_> {
 }
 
 /// Most changes that are proposed at once.
-const MOST_FIXES: usize = 10_000;
+const MOST_FIXES: usize = 1 << 20;
 
 impl Told<'_> {
     /// Takes a finding with what mends it.

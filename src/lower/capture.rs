@@ -75,6 +75,7 @@ impl Recording {
             Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => CapturedKind::Cut,
             Path::Thread { .. } => CapturedKind::Thread,
         };
+        self.made.side = self.made.side.filter(|side| *side == step.mv.side);
         if element.length() > crate::geo::SAME_POINT {
             self.made.pieces.push(CapturedElement { element, kind, origin });
         }
@@ -88,7 +89,7 @@ impl Recording {
             Some(_) if !step.mv.axes.without(plane_axes(plane)).is_empty() => Err(Unfit::Leaves(step.origin)),
             Some(at) => {
                 self.started = true;
-                (self.made.plane, self.made.start) = (plane, at);
+                (self.made.plane, self.made.start, self.made.side) = (plane, at, Some(step.mv.side));
                 Ok(())
             }
             None => Err(Unfit::NoStart(step.origin)),

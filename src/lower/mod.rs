@@ -306,11 +306,19 @@ impl<'a> Lower<'a> {
         corners.push(beside, finish.diags, &mut |event| finish.event(event));
     }
 
-    fn expand(&mut self, cycle: &Cycle, start: &Pos, ctx: &CtxRef, origin: &Origin) -> Result<(), Box<Diagnostic>> {
+    fn expand(&mut self, cycle: &Cycle, start: &Pos, ctx: &CtxRef, origin: &Origin) -> Result<bool, Box<Diagnostic>> {
         if cfg!(debug_assertions) {
             return cycles::expand(cycle, start, ctx, origin, &mut verify::Contour::standing(self, start, ctx));
         }
         cycles::expand(cycle, start, ctx, origin, self)
+    }
+
+    fn cuts_nothing(&self, origin: &Origin) {
+        let message = "the cycle cuts nothing: it only travels there and back".to_owned();
+        if self.diags.first_text(codes::G3304, &message) {
+            let help = "compare the depth, or the blank, its allowances and the limits of the area, with the part";
+            self.diags.push(at(codes::G3304, *origin, message).help(help));
+        }
     }
 
     #[inline]
@@ -368,7 +376,8 @@ impl Sink for Lower<'_> {
         let found = match known {
             true => None,
             false => match self.expand(cycle, &start, ctx, origin) {
-                Ok(()) => return,
+                Ok(true) => return,
+                Ok(false) => return self.cuts_nothing(origin),
                 Err(found) => Some(found),
             },
         };

@@ -264,3 +264,48 @@ fn block_numbers_and_useless_comments_are_mended_on_request() {
     let wanted = "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+5 R0 F300\n2 L X+10\n/5 L X+12\n4 L X+20\n5 END PGM A MM\n";
     assert_eq!(folder.read("A.H"), wanted);
 }
+
+#[test]
+fn words_stay_where_something_else_may_hold() {
+    let folder = Folder::new("lint_kept");
+    folder.write("partc.toml", "[lint]\nselect = [\"all\"]\nignore = [\"L2005\"]\n[variables]\nR0 = 0\n");
+    let redundant = |text: &str| {
+        folder.write("A.MPF", text);
+        found(&folder, &["A.MPF"]).iter().filter(|found| found.starts_with("L2008")).count()
+    };
+    // Behind a jump to a block number another G may hold than the block before says.
+    let jump =
+        "N10 G0 X0 Y0 Z5\nN20 G1 X5 F100\nN100 G1 X6 F100\nN105 G0 X50\nN110 R1=R1+1\nN120 IF R1==1 GOTOB N100\nM30\n";
+    assert_eq!(redundant(jump), 0);
+    assert_eq!(redundant(&jump.replace("GOTOB N100", "R2=1")), 2);
+    // The limits of G25 and G26 are no speed; another kind of feed wants its F again.
+    assert_eq!(redundant("S1000 M3\nG0 X0 Y0 Z5\nS1000 G1 X5 F100\nG25 S1000\nM30\n"), 0);
+    assert_eq!(redundant("S1000 M3\nG1 X0 Y0 Z5 F100\nG95 G1 X5 F100\nG94 X6 F100\nX7 F100\nM30\n"), 2);
+    assert_eq!(redundant("G1 X0 Y0 Z5 F100\nG93 X5 F10\nX6 F10\nX7 F10\nM30\n"), 0);
+}
+
+#[test]
+fn what_cannot_be_mended_is_said() {
+    let folder = Folder::new("lint_unmended");
+    folder.write("partc.toml", "[lint]\nselect = [\"all\"]\n");
+    folder.write("A.MPF", "G1 X=UNKNOWN_WORD F100\nG1 F100 X5\nM30\n");
+    let ran = folder.run(&["check", "A.MPF", "--diff"]).exits(1);
+    assert!(ran.err.contains("error[") || ran.out.contains("error["), "{} {}", ran.out, ran.err);
+    // Ctrl-Z behind the last line is no line.
+    folder.write("B.MPF", "G0 X1 Y1 Z1\nM30\n\u{1a}");
+    assert!(!found(&folder, &["B.MPF"]).iter().any(|found| found.starts_with("L2011")));
+    folder.write("B.MPF", "G0 X1 Y1 Z1\nM30\u{1a}");
+    folder.run(&["check", "B.MPF", "--fix", "--select", "L2011"]);
+    assert_eq!(folder.read("B.MPF"), "G0 X1 Y1 Z1\nM30\n\u{1a}");
+    // Blocks with a skip mark are numbered, too, and each change is counted once.
+    folder.write("C.MPF", "N10 G0 X1 Y1 Z1\n/N15 X2\nN12 X3\nN20 M30\n");
+    let ran = folder.run(&["check", "C.MPF", "--select", "L2005", "--fix", "--unsafe-fixes"]);
+    assert!(ran.err.contains("3 changes written"), "{}", ran.err);
+    assert_eq!(folder.read("C.MPF"), "N10 G0 X1 Y1 Z1\n/N20 X2\nN30 X3\nN40 M30\n");
+    // Further comments of a block are read as well.
+    folder.write("D.nc", "N1 G0 X100 Z5\nN4 G4 F0 [com]\nN5 M30\n");
+    folder.run(&["check", "D.nc", "--add-ignores", "--fail-on", "note"]);
+    let text = folder.read("D.nc");
+    assert_eq!(text.matches("partc:").count(), text.matches("L1011").count(), "{text}");
+    assert!(!found(&folder, &["D.nc"]).iter().any(|found| found.starts_with("L1011")), "{text}");
+}

@@ -23,9 +23,9 @@ macro_rules! books {
 
 books! {
     errors_heidenhain_turning = "errors/heidenhain-turning":
-        G T0 T1 T200 T201 T202 T205 T207 T3 T8 T9;
+        G T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
-        G G32 K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K29 K294 K30 K8 K81 K814 K900 K901 K903 K904 L1 L2 O P;
+        G G32 K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K29 K294 K295 K30 K8 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
         G M0 M100 M1006 M101 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O;
     errors_sinumerik = "errors/sinumerik":
@@ -57,7 +57,7 @@ books! {
     klartext_functions = "klartext/functions":
         m116_to_m140 m91;
     klartext_machining = "klartext/machining":
-        bores faces holes patterns pockets studs threads tilts;
+        bores contours contours_refused faces finishing holes old_pockets patterns pockets slots studs threads tilts;
     klartext_parameters = "klartext/parameters":
         functions system_data texts;
     klartext_path = "klartext/path":

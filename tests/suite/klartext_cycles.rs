@@ -9,6 +9,32 @@ use super::common::{compile_bytes, settings};
 
 /// A Q parameter, a value, and another one that makes a difference.
 const VALUES: &[(u32, f64, f64)] = &[
+    (1, -20.0, -21.0),
+    (2, 1.0, 0.5),
+    (3, 0.5, 0.6),
+    (4, 0.3, 0.4),
+    (5, 0.0, 1.0),
+    (6, 2.0, 3.0),
+    (7, 50.0, 60.0),
+    (8, 0.0, 1.0),
+    (9, 1.0, -1.0),
+    (10, 5.0, 6.0),
+    (11, 150.0, 160.0),
+    (12, 500.0, 510.0),
+    (13, 1.0, 2.0),
+    (14, 0.0, 0.1),
+    (15, 1.0, 0.0),
+    (18, 0.0, 1.0),
+    (19, 0.0, 150.0),
+    (390, 1.0, 2.0),
+    (391, 1.0, 2.0),
+    (392, 4.0, 5.0),
+    (393, 90.0, 60.0),
+    (394, 5.0, 6.0),
+    (404, 0.0, 1.0),
+    (446, 0.01, 0.02),
+    (447, 10.0, 11.0),
+    (448, 2.0, 3.0),
     (200, 2.0, 3.0),
     (201, -20.0, -21.0),
     (202, 5.0, 6.0),
@@ -98,13 +124,36 @@ const VALUES: &[(u32, f64, f64)] = &[
     (425, 60.0, 65.0),
     (437, 0.0, 1.0),
     (512, 300.0, 310.0),
+    (221, 0.5, 1.5),
+    (228, 100.0, 101.0),
+    (229, 20.0, 21.0),
+    (230, 6.0, 7.0),
+    (231, 100.0, 101.0),
+    (232, 60.0, 61.0),
+    (233, 4.0, 5.0),
+    (234, 10.0, 11.0),
+    (235, 60.0, 61.0),
+    (236, 3.0, 4.0),
+    (347, 0.0, 1.0),
+    (348, 0.0, 1.0),
+    (349, 0.0, 1.0),
+    (350, 0.0, 1.0),
 ];
 
 /// A cycle, a Q parameter, and the values that it has there.
-const OWN: &[(u32, u32, f64, f64)] = &[(208, 342, 4.0, 30.0), (208, 370, 1.0, 0.5), (241, 202, 30.0, 10.0)];
+const OWN: &[(u32, u32, f64, f64)] = &[
+    (208, 342, 4.0, 30.0),
+    (208, 370, 1.0, 0.5),
+    (241, 202, 30.0, 10.0),
+    (212, 221, 0.5, 6.0),
+    (214, 222, 50.0, 20.0),
+    (21, 13, 1.0, 9.0),
+    (22, 208, 99999.0, 300.0),
+    (23, 208, 99999.0, 300.0),
+];
 
 /// A cycle, the parameter under test, and another one with the value that makes it count.
-const WITH: &[(u32, u32, u32, f64)] = &[(240, 201, 343, 0.0)];
+const WITH: &[(u32, u32, u32, f64)] = &[(240, 201, 343, 0.0), (270, 394, 390, 2.0)];
 
 /// The parts of the old cycles, by their kinds: a value and another one.
 const PARTS: &[(u32, u32, f64, f64)] = &[
@@ -120,6 +169,33 @@ const PARTS: &[(u32, u32, f64, f64)] = &[
     (17, 1, 2.0, 3.0),
     (17, 2, -15.0, -16.0),
     (17, 3, 1.5, -1.5),
+    (3, 1, 2.0, 3.0),
+    (3, 2, -15.0, -16.0),
+    (3, 3, 10.0, 5.0),
+    (4, 1, 2.0, 3.0),
+    (4, 2, -15.0, -16.0),
+    (4, 3, 10.0, 5.0),
+    (5, 1, 2.0, 3.0),
+    (5, 2, -15.0, -16.0),
+    (5, 3, 10.0, 5.0),
+    (5, 4, 35.0, 36.0),
+];
+
+/// Words in the parts of the old cycles: a value and another one.
+const WORDS: &[(u32, u32, &str, f64, f64)] = &[
+    (3, 3, "F", 80.0, 90.0),
+    (3, 4, "X", 80.0, -80.0),
+    (3, 5, "Y", 12.0, 13.0),
+    (3, 6, "F", 100.0, 110.0),
+    (4, 3, "F", 80.0, 90.0),
+    (4, 4, "X", 80.0, 81.0),
+    (4, 5, "Y", 40.0, 41.0),
+    (4, 6, "F", 100.0, 110.0),
+    (4, 6, "DR", 1.0, -1.0),
+    (4, 6, "RADIUS", 10.0, 11.0),
+    (5, 3, "F", 80.0, 90.0),
+    (5, 5, "F", 100.0, 110.0),
+    (5, 5, "DR", 1.0, -1.0),
 ];
 
 /// Machining cycles and patterns that are compiled, by number.
@@ -129,7 +205,7 @@ fn cycles() -> Vec<(u32, &'static Signature)> {
         let number = cycle.name.strip_prefix("CYCL DEF ")?.parse().ok()?;
         Some((number, cycle))
     });
-    numbered.filter(|(number, _)| matches!(number, 1 | 2 | 17 | 200..=246 | 248..=269)).collect()
+    numbered.filter(|(number, _)| matches!(number, 1..=5 | 17 | 20..=25 | 200..=246 | 248..=270)).collect()
 }
 
 /// The value of a parameter: `Other` for the one under test.
@@ -149,6 +225,10 @@ fn value(number: u32, parameter: &Parameter, given: Given) -> Option<f64> {
         Name::Part(part) => {
             PARTS.iter().find(|(of, known, ..)| (*of, *known) == (number, part)).map(|(.., a, b)| (*a, *b))
         }
+        Name::In(part, word) => WORDS
+            .iter()
+            .find(|(of, known, name, ..)| (*of, *known, *name) == (number, part, word))
+            .map(|(.., a, b)| (*a, *b)),
         Name::Word(_) => None,
     }
     .unwrap_or_else(|| panic!("{number} {} has no value", parameter.name));
@@ -161,7 +241,8 @@ fn value(number: u32, parameter: &Parameter, given: Given) -> Option<f64> {
 
 /// The definition with one of its parameters otherwise.
 fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String {
-    let mut shown = format!("CYCL DEF {number}{}", if number < 20 { ".0 NAME\n" } else { " NAME" });
+    let mut shown = format!("CYCL DEF {number}{}", if number < 20 { ".0 NAME" } else { " NAME" });
+    let mut last = 0;
     for (place, parameter) in cycle.parameters.iter().enumerate() {
         let Some(value) = value(number, parameter, if place == at { given } else { Given::Plain }) else { continue };
         let under = cycle.parameters.get(at).map(|parameter| parameter.name);
@@ -173,10 +254,19 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
             .map(|(.., value)| *value);
         let value = with.unwrap_or(value);
         match parameter.name {
-            Name::Part(part) if matches!(parameter.kind, Kind::Feed) => {
-                shown += &format!("CYCL DEF {number}.{part} F{value}\n")
+            Name::Part(part) | Name::In(part, _) => {
+                if part != last {
+                    shown += &format!("\nCYCL DEF {number}.{part}");
+                    last = part;
+                }
+                shown += &match parameter.name {
+                    Name::In(_, "DR") => format!(" DR{}", if value > 0.0 { '+' } else { '-' }),
+                    Name::In(_, "RADIUS") => format!(" RADIUS {value}"),
+                    Name::In(_, word) => format!(" {word}{value}"),
+                    _ if matches!(parameter.kind, Kind::Feed) => format!(" F{value}"),
+                    _ => format!(" VALUE {value:+}"),
+                };
             }
-            Name::Part(part) => shown += &format!("CYCL DEF {number}.{part} VALUE {value:+}\n"),
             name => shown += &format!(" ~\n {name}={value:+}"),
         }
     }
@@ -184,12 +274,31 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
 }
 
 /// A drill of 12 mm, or a cutter.
-const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\n";
+const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\n[tools.2]\nradius = 7.0\n";
+
+/// The definition among those of a pocket or a contour train.
+fn around_contour(number: u32, definition: &str) -> String {
+    let of = |other: u32| {
+        let found = cycles().into_iter().find(|(number, _)| *number == other).expect("a cycle along a contour");
+        self::definition(other, found.1, usize::MAX, Given::Plain)
+    };
+    let label = if matches!(number, 25 | 270) { 2 } else { 1 };
+    let contour = format!("CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL {label}\n");
+    match number {
+        25 => contour + &of(270) + definition + "CYCL CALL\n",
+        270 => contour + definition + &of(25) + "CYCL CALL\n",
+        20 => contour + definition + &of(22) + "CYCL CALL\n",
+        24 => contour + &of(20) + &of(22) + "CYCL CALL\n" + definition + "CYCL CALL\n",
+        _ => contour + &of(20) + definition + "CYCL CALL\n",
+    }
+}
 
 /// What is printed and what is said.
 fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>, Vec<String>) {
     let mut program = "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 F200\nL X+0 Y+0 Z+40 R0 FMAX M3\n".to_owned();
-    if (220..=229).contains(&number) {
+    if (20..=25).contains(&number) || number == 270 {
+        program += &around_contour(number, &definition(number, cycle, at, given));
+    } else if (220..=229).contains(&number) {
         let drilling = cycles().into_iter().find(|(number, _)| *number == 200).expect("cycle 200");
         program += &definition(200, drilling.1, usize::MAX, Given::Plain);
         program += &definition(number, cycle, at, given);
@@ -197,7 +306,7 @@ fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>,
         program += &definition(number, cycle, at, given);
         program += "CYCL CALL\n";
     }
-    program += "L X+9 M30\nEND PGM T MM\n";
+    program += "L X+9 M30\nLBL 1\nL X-40 Y-30 RL\nL X+40\nL Y+30\nL X-40\nL Y-30\nLBL 0\nLBL 2\nL X-40 Y-30 RL\nL X+40\nLBL 0\nEND PGM T MM\n";
     let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &settings(TOOL), &NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     (moves, compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect())

@@ -67,4 +67,8 @@ G3217 Error "compensation-border" "chamfer or rounding at the border of a compen
 "The way to a compensated contour ends beside its first element, and the way from it begins beside the last one; neither is an element of the contour. What a control makes of a chamfer \
 or rounding between such a way and the contour no manual at hand says. Let the compensation begin and end in blocks without one (RNDM: switch it on behind the first element)."
 
+G3218 Warning "corner-without-effect" "M function for a corner has no effect"
+"M97 and M197 lead the tool around the corner at the end of their block in a way of their own. Only an outside corner has a way around it: at an inside corner, and where the contour goes on \
+straight, nothing comes of them. The block may be the wrong one."
+
 }

@@ -183,8 +183,8 @@ G3046 Error "cycle-blank" "blank is not where the cycle needs it"
 safe way. Check blank, contour and the position in front of the cycle."
 
 G3047 Error "roughing-contour" "contour cannot be roughed in parallel cuts"
-"Seen from where the cuts begin, the contour has to rise: what falls behind a part that stands higher could only be reached by plunging, and what \
-leans over not at all. Recesses and undercuts get cycles of their own."
+"The contour has to run from the side where the cuts begin to the other. Parts that fall behind a higher one are cut only where the cuts before follow the contour: \
+else steps stand where the tool has to pass."
 
 G3048 Error "finishing-way" "no free way to the contour or from it"
 "Before finishing the tool travels to the start of the contour at rapid traverse, and afterwards away from its end. The way has to keep clear of the contour. Position the tool in front of the start, or choose another way of retraction."

@@ -505,8 +505,22 @@ K9019 Error "rapid-arc" "arc at rapid traverse"
 "Plain G-code moves at rapid traverse in straight lines only. Program a feed for the arc, or say in partc.toml at which feed such arcs run: \
 `[control] rapid_feed = 10000.0`."
 
-K9018 Error "contour-cycle" "contour cycles (SL) are not supported yet"
-"SEL CONTOUR, CONTOUR DEF and DECLARE CONTOUR name the contours that SL cycles mill. The SL cycles themselves are not supported yet, \
-and without them the material would stay. Program the roughing as blocks."
+K9018 Error "contour-cycle" "contours that contour cycles (SL) cannot take yet"
+"Cycles 21 to 24 mill one pocket without islands, whose contour cycle 14 names by its label. Islands, several pockets, and the contours of SEL CONTOUR, \
+CONTOUR DEF and DECLARE CONTOUR are not supported, and without them material would stay or be lost. Program the roughing as blocks."
+
+K2951 Error "contour-label" "a subprogram describes no contour for its cycle"
+"Cycle 14 names subprograms whose blocks describe a contour. The first block names both axes of the working plane, and RL or RR: with the tool inside it is a \
+pocket. Behind it stand path functions, FK, RND, CHF, parameters from Q21 on, jumps and labels; no tool axis, no transformation, no M function, no other side, \
+no cycle. A pocket is closed, and no contour crosses itself."
+
+K2952 Error "contour-missing" "the cycle lacks its contour or its data"
+"Cycles 21 to 25 mill the contours that cycle 14 names, and cycles 21 to 24 take depth, allowances, heights and overlap of cycle 20. Program both in front of the call."
+
+K2953 Warning "feed-in-contour" "F of a contour does not count"
+"Cycles along contours have feeds of their own, Q11 and Q12. An F in the subprogram of a contour is left out."
+
+K2954 Warning "further-contours" "cycle 25 mills the first contour only"
+"Cycle 25 takes the first label of cycle 14; the contours of the other labels are not milled by it."
 
 }

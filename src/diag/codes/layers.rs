@@ -14,6 +14,10 @@ G3303 Error "layers-limits" "limit of the area lies inside the blank"
 "The cuts begin in front of the blank. Where a limit of the area lies on that side inside of the blank, the tool would have to plunge into full \
 material. Set the limit in front of the blank, or machine the part in front of it first."
 
+G3304 Warning "cycle-cuts-nothing" "cycle cuts nothing"
+"No move of the cycle is at a feed: nothing is left to cut at this depth, or between the blank and the part within the limits of the area. A limit on the wrong side, a blank \
+smaller than the part or a wrong datum looks like this. Compare the arguments of the call with the contour."
+
 S2201 Error "siemens-nose-unknown" "nose of the turning tool is not known"
 "Stock removal on a lathe runs the nose of the tool along the contour, so its radius and the position of its cutting edge have to be known: alarms 61000 and \
 61009. Give them in the configuration under [tools], or in the program by $TC_DP6 and $TC_DP2."

@@ -170,6 +170,14 @@ all of them. Program E to set it."
 T2029 Note "turning-strokes-only" "recess is cut in strokes only"
 "Retired: G86 without an oversize was not finished. Its strokes reach the floor, and walls, floor and chamfers are finished with an oversize or without."
 
+T2030 Error "turning-flank" "flank of the tool does not clear a falling part"
+"A part of the contour falls more steeply than the clearance angle of the tool: its flank would cut into the finished part behind its edge. Take another tool, \
+or rough this part with a recess cycle."
+
+T2031 Note "turning-flank-unknown" "clearance of the flank is not checked"
+"Roughing goes down the falling parts of the contour, where the flank of the tool has to clear them. Its angle is not known: add `clearance` of the tool to \
+`[tools]` in partc.toml to have it checked."
+
 T2050 Error "turning-lone-return" "carriage return inside a block"
 "A carriage return stands alone, without a line feed, in a file whose lines end with line feeds. Editors show what follows as a line of its own; \
 partc and the control would read it as part of the same line, or of its comment. End the line with a line feed."

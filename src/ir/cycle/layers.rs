@@ -9,7 +9,7 @@ use crate::ir::{Feed, Pos};
 
 use super::Family;
 use super::recess::{Operation, is_element, joined};
-use super::roughing::Nose;
+use super::roughing::{Corner, Nose};
 use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 
 /// Most elements of a contour.
@@ -53,6 +53,8 @@ pub enum Blank {
     Outline(Vec<Element>),
     /// This much on the contour along Z and X (radius).
     On(Vec2),
+    /// All between the contour and the place where the cycle begins.
+    Corner(Corner),
 }
 
 /// What roughing leaves on the contour; the parts add up.
@@ -82,6 +84,8 @@ pub enum Trace {
     Level,
     /// The same and one nose radius farther.
     Overlapping,
+    /// One cut along the whole contour after the last one.
+    Last,
     /// Nothing: the steps stay.
     None,
 }
@@ -177,6 +181,7 @@ impl Family for Layers {
         let blank = match &self.blank {
             Blank::Outline(list) => !list.is_empty() && list.iter().all(is_element),
             Blank::On(by) => is_length(by.x) && is_length(by.y),
+            Blank::Corner(corner) => corner.infeed.is_none_or(|feed| is_positive(feed.value())),
         };
         let allowance = [self.allowance.axes.x, self.allowance.axes.y, self.allowance.around];
         let limits = self.limits.z.iter().chain(&self.limits.x).flatten();
@@ -198,7 +203,10 @@ impl Family for Layers {
     }
 
     fn leaves(&self, at: &mut Pos) {
-        at.set_in_plane(Plane::Zx, self.parked());
+        match &self.blank {
+            Blank::Corner(Corner { back: false, .. }) => self.leaves_beside(at),
+            Blank::Outline(_) | Blank::On(_) | Blank::Corner(_) => at.set_in_plane(Plane::Zx, self.parked()),
+        }
     }
 }
 
@@ -221,7 +229,7 @@ impl Layers {
     }
 
     /// The contour with the cuts towards +x and the infeed towards -y.
-    fn seen(&self) -> Vec<Element> {
+    pub(super) fn seen(&self) -> Vec<Element> {
         let out = -(self.into.unit().x + self.into.unit().y);
         let (along, radial) = (self.along, self.into.is_radial());
         let point = |p: Point2| {

@@ -14,6 +14,8 @@ pub struct LongHole {
     pub mill: Mill,
     /// Both ends of the path of the cutter's centre, one pair a hole.
     pub holes: Vec<[Point2; 2]>,
+    /// Over this point of the plane the tool stands in the end; none: over the end of the last way.
+    pub home: Option<Point2>,
 }
 
 /// Arguments that make no long hole.
@@ -54,7 +56,7 @@ impl Family for LongHole {
 
     fn check(&self) -> Result<(), LongHoleFault> {
         self.mill.check().map_err(LongHoleFault::Mill)?;
-        let finite = self.holes.iter().flatten().all(|p| p.x.is_finite() && p.y.is_finite());
+        let finite = self.holes.iter().flatten().chain(&self.home).all(|p| p.x.is_finite() && p.y.is_finite());
         if self.holes.is_empty() || !finite { Err(LongHoleFault::Number) } else { Ok(()) }
     }
 
@@ -66,7 +68,7 @@ impl Family for LongHole {
     fn leaves(&self, at: &mut Pos) {
         let back = self.mill.heights.levels().len().is_multiple_of(2);
         if let Some(hole) = self.in_order(at.in_plane(self.mill.plane)).last() {
-            self.mill.leaves_above(hole[usize::from(!back)], at);
+            self.mill.leaves_above(self.home.unwrap_or(hole[usize::from(!back)]), at);
         }
     }
 }

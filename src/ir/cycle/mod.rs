@@ -12,10 +12,12 @@ pub mod layers;
 pub mod long_hole;
 pub mod milling;
 pub mod path_milling;
+pub mod pilot_holes;
 pub mod pocket;
 pub mod recess;
 pub mod region;
 pub mod roughing;
+pub mod ruled;
 pub mod spigot;
 pub mod thread;
 pub mod thread_milling;
@@ -36,10 +38,11 @@ pub use grooving::Grooving;
 pub use layers::Layers;
 pub use long_hole::LongHole;
 pub use path_milling::PathMilling;
+pub use pilot_holes::PilotHoles;
 pub use pocket::Pocket;
 pub use recess::RecessTurning;
 pub use region::Region;
-pub use roughing::Roughing;
+pub use ruled::Ruled;
 pub use spigot::Spigot;
 pub use thread::Thread;
 pub use thread_milling::ThreadMilling;
@@ -84,14 +87,15 @@ macro_rules! families {
             CutOff(crate::ir::cycle::CutOff),
             RecessTurning(crate::ir::cycle::RecessTurning),
             Layers(crate::ir::cycle::Layers),
-            Roughing(crate::ir::cycle::Roughing),
             Thread(crate::ir::cycle::Thread),
             Drilling(crate::ir::cycle::Drilling),
             Undercut(crate::ir::cycle::UndercutCycle),
             Pocket(crate::ir::cycle::Pocket),
             LongHole(crate::ir::cycle::LongHole),
             Region(crate::ir::cycle::Region),
+            PilotHoles(crate::ir::cycle::PilotHoles),
             Facing(crate::ir::cycle::Facing),
+            Ruled(crate::ir::cycle::Ruled),
             Spigot(crate::ir::cycle::Spigot),
             PathMilling(crate::ir::cycle::PathMilling),
             ThreadMilling(crate::ir::cycle::ThreadMilling),

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::geo::soft::{self, Shape, Touch};
-use crate::geo::{Element, Point2, Vec2};
+use crate::geo::{Deg, Element, Point2, Vec2};
 use crate::ir::{Compensation, Feed, Pos, Side};
 
 use super::Family;
@@ -25,16 +25,32 @@ pub struct PathMilling {
     /// Down to the floor, not only to its allowance.
     pub finishes_floor: bool,
     pub between: Between,
+    /// Every second level is milled backwards, from where the one before ends.
+    pub alternates: bool,
 }
 
 /// A way to the contour, or from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Way {
-    pub shape: Shape,
-    /// Radius of the path of the centre; for a line the distance of the cutter's edge. Above 0.
+    pub form: Form,
+    /// Radius or length of the path of the centre; for a soft line the distance of the cutter's edge. Above 0.
     pub size: f64,
     /// It falls onto the level by the safety distance, or rises from it.
     pub spatial: bool,
+}
+
+/// What a way is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Form {
+    Soft(Shape),
+    /// An arc by this angle that touches the contour.
+    Arc(Deg),
+    /// A line on in the direction of the contour.
+    Tangent,
+    /// A line at a right angle to the contour.
+    Square,
+    /// Straight down beside the contour, and up.
+    None,
 }
 
 /// From the end of one level to the start of the next.
@@ -65,7 +81,7 @@ pub enum PathFault {
     /// An element without length or with a coordinate that is no number.
     Element,
     Way,
-    /// A round way to a contour on which the centre lies.
+    /// A way from beside a contour on which the centre lies.
     Round,
 }
 
@@ -76,7 +92,7 @@ impl fmt::Display for PathFault {
             PathFault::Empty => "the contour has no element",
             PathFault::Element => "an element of the contour has no direction",
             PathFault::Way => "the length or radius of a way to or from the contour is 0",
-            PathFault::Round => "on the contour itself the cutter comes and leaves on straight lines",
+            PathFault::Round => "on the contour itself the cutter comes and leaves on lines in its direction",
         })
     }
 }
@@ -105,12 +121,23 @@ impl PathMilling {
     /// The way to the contour: backwards along it its sides are swapped.
     pub fn comes(&self) -> Option<Touch> {
         let (at, heading) = self.start()?;
-        Some(soft::touch(self.approach.shape, self.approach.size, at, -heading, -self.left(), self.distance()))
+        Some(self.approach.touch(at, -heading, -self.left(), self.distance()))
     }
 
     pub fn goes(&self) -> Option<Touch> {
         let (at, heading) = self.end()?;
-        Some(soft::touch(self.leave.shape, self.leave.size, at, heading, self.left(), self.distance()))
+        Some(self.leave.touch(at, heading, self.left(), self.distance()))
+    }
+
+    /// From its end to its start, with the cutter where it was.
+    pub fn backwards(&self) -> PathMilling {
+        let side = match self.side {
+            Side::None => Side::None,
+            Side::Left => Side::Right,
+            Side::Right => Side::Left,
+        };
+        let contour = self.contour.iter().rev().map(Element::reversed).collect();
+        PathMilling { contour, side, approach: self.leave, leave: self.approach, ..self.clone() }
     }
 
     /// Sense of a round way.
@@ -121,6 +148,31 @@ impl PathMilling {
     pub fn levels(&self) -> Vec<f64> {
         let heights = &self.mill.heights;
         if self.finishes_floor { heights.levels_to(heights.depth, heights.step) } else { heights.levels() }
+    }
+}
+
+impl Way {
+    fn touch(&self, at: Point2, away: Vec2, side: f64, radius: f64) -> Touch {
+        match self.form {
+            Form::Soft(shape) => soft::touch(shape, self.size, at, away, side, radius),
+            Form::Arc(sweep) => soft::arc(self.size, sweep, at, away, side, radius),
+            Form::Tangent => soft::tangent(self.size, at, away, side, radius),
+            Form::Square => soft::square(self.size, at, away, side, radius),
+            Form::None => soft::square(0.0, at, away, side, radius),
+        }
+    }
+
+    fn has_size(&self) -> bool {
+        let turns = match self.form {
+            Form::Arc(sweep) => sweep.0 > 0.0 && sweep.0 < 360.0,
+            Form::Soft(_) | Form::Tangent | Form::Square | Form::None => true,
+        };
+        self.form == Form::None || turns && self.size > 0.0 && self.size.is_finite()
+    }
+
+    /// Does it lie in the contour, or above it?
+    fn follows_contour(&self) -> bool {
+        matches!(self.form, Form::Soft(Shape::Line) | Form::Tangent | Form::None)
     }
 }
 
@@ -138,9 +190,9 @@ impl Family for PathMilling {
             Err(PathFault::Empty)
         } else if !self.contour.iter().all(sound) {
             Err(PathFault::Element)
-        } else if ways.iter().any(|way| way.size <= 0.0 || !way.size.is_finite()) {
+        } else if !ways.iter().all(Way::has_size) {
             Err(PathFault::Way)
-        } else if self.side == Side::None && ways.iter().any(|way| way.shape != Shape::Line) {
+        } else if self.side == Side::None && !ways.iter().all(Way::follows_contour) {
             Err(PathFault::Round)
         } else {
             Ok(())
@@ -153,7 +205,8 @@ impl Family for PathMilling {
 
     /// Above the end of the way from the contour.
     fn leaves(&self, at: &mut Pos) {
-        if let Some(touch) = self.goes() {
+        let back = self.alternates && self.levels().len() % 2 == 0;
+        if let Some(touch) = if back { self.comes() } else { self.goes() } {
             self.mill.leaves_above(touch.centre, at);
         }
     }

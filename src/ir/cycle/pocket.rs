@@ -92,6 +92,11 @@ pub enum Insertion {
         /// Length of a stroke; that of the long axis without one.
         stroke: Option<f64>,
     },
+    /// To and fro along the middle line of a slot down to its floor, at the feed of the plane: whole falls by so much a stroke,
+    /// and the rest at last.
+    Strokes {
+        fall: f64,
+    },
 }
 
 /// The way down.
@@ -113,10 +118,20 @@ pub struct Finish {
     /// Greatest infeed in depth along the wall; 0 for one cut.
     pub step: f64,
     pub speed: Option<Speed>,
-    /// Radius of the arcs on which the wall is approached and left; the usual one without it.
-    pub arc: Option<f64>,
+    pub onto: Onto,
     /// The floor is entered as roughing enters a level; else straight down.
     pub inserts: bool,
+}
+
+/// How a finishing cut comes to the wall and leaves it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Onto {
+    /// On quarters of the usual radius, mm.
+    Usual,
+    /// On quarters of this radius, or of the allowance where that is larger.
+    Quarter(f64),
+    /// On semicircles from the middle line of a slot.
+    Semicircle,
 }
 
 /// Speeds of the spindle in rev/min: while it finishes, and afterwards where that is known.
@@ -206,6 +221,15 @@ impl Shape {
         }
     }
 
+    /// The middle of the middle line.
+    pub fn middle(&self) -> Point2 {
+        match *self {
+            Shape::Rectangle { .. } | Shape::Circle { .. } => Point2::origin(),
+            Shape::Slot { from, to, .. } => Point2::new((from + to) / 2.0, 0.0),
+            Shape::Bow { radius, sweep, .. } => Point2::origin() + Deg(sweep.0 / 2.0).unit() * radius,
+        }
+    }
+
     /// Radius of a helix about the entry that stays in the room.
     pub fn helix_room(&self, distance: f64) -> f64 {
         self.room(distance).least()
@@ -232,6 +256,7 @@ impl Insertion {
                 let level = heights.way() / parts(heights.way(), heights.step) as f64;
                 parts(level, *pitch) <= MOST_LEVELS
             }
+            Insertion::Strokes { fall } => parts(mill.heights.way(), *fall) <= MOST_LEVELS,
             Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => true,
         }
     }
@@ -271,8 +296,18 @@ impl Pocket {
 
     /// The radius of the arc on which the finishing cut comes to the wall.
     pub fn approach_radius(&self) -> f64 {
-        let asked = self.finish.and_then(|finish| finish.arc).unwrap_or(APPROACH);
-        asked.max(self.allowance).min(self.shape.room(self.mill.radius).least())
+        let room = self.shape.room(self.mill.radius).least();
+        let asked = match self.finish.map(|finish| finish.onto) {
+            Some(Onto::Semicircle) => return room / 2.0,
+            Some(Onto::Quarter(radius)) => radius,
+            Some(Onto::Usual) | None => APPROACH,
+        };
+        asked.max(self.allowance).min(room)
+    }
+
+    /// Does roughing end in the middle of a slot, to which it goes from the end of the last stroke?
+    pub fn ends_in_the_middle(&self) -> bool {
+        matches!(self.insertion, Insertion::Strokes { .. }) && self.rough && self.finish.is_none()
     }
 
     /// Was all cleared before at `height` that the cutter reaches from a ring with these half sizes and corners?
@@ -321,6 +356,9 @@ impl Family for Pocket {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
             Insertion::Sway { angle, stroke } => (0.0..90.0).contains(&angle.0) && stroke.is_none_or(usable),
+            Insertion::Strokes { fall } => {
+                fall > 0.0 && fall.is_finite() && matches!(self.shape, Shape::Slot { .. } | Shape::Bow { .. })
+            }
         };
         let circle = matches!(self.shape, Shape::Circle { .. });
         let rings = self.shape.room(radius).least() / self.width;
@@ -345,7 +383,11 @@ impl Family for Pocket {
         let heights = &self.mill.heights;
         let rings = parts(self.shape.room(self.mill.radius).least(), self.width) as f64;
         let turns = |step: f64| parts(heights.way(), step) as f64;
-        let rough = if self.rough { 10.0 * rings * turns(heights.step) } else { 0.0 };
+        let strokes = match self.insertion {
+            Insertion::Strokes { fall } => turns(fall),
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Helix { .. } | Insertion::Sway { .. } => 0.0,
+        };
+        let rough = if self.rough { 10.0 * rings * turns(heights.step) + strokes } else { 0.0 };
         let finish = self.finish.map_or(0.0, |finish| 16.0 * turns(finish.step) + 10.0 * rings);
         (rough + finish) * self.places.len() as f64
     }
@@ -353,7 +395,8 @@ impl Family for Pocket {
     /// It ends above the entry of the last place, or at home.
     fn leaves(&self, at: &mut Pos) {
         if let Some(place) = self.places.last() {
-            let end = self.home.unwrap_or_else(|| place.point(self.shape.entry()));
+            let last = if self.ends_in_the_middle() { self.shape.middle() } else { self.shape.entry() };
+            let end = self.home.unwrap_or_else(|| place.point(last));
             self.mill.leaves_above(end, at);
         }
     }

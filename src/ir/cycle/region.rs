@@ -24,6 +24,10 @@ pub struct Region {
     pub counter_clockwise: bool,
     /// What roughing leaves on the walls.
     pub allowance: f64,
+    /// What finishing leaves on the walls.
+    pub left: f64,
+    /// Is the pocket roughed already? Else finishing goes down to its floor at the feed.
+    pub cleared: bool,
     /// Greatest width of a cut.
     pub width: f64,
     pub insertion: Insertion,
@@ -100,12 +104,13 @@ impl Family for Region {
             Insertion::Predrilled | Insertion::Vertical => true,
             Insertion::Helix { radius, pitch } => usable(radius) && pitch > 0.0 && pitch.is_finite(),
             Insertion::Sway { angle, .. } => (0.0..90.0).contains(&angle.0),
+            Insertion::Strokes { .. } => false,
         };
         let finish = self.finish.is_none_or(|finish| usable(finish.step) && finish.feed.value() > 0.0);
         let points = self.walls().flat_map(|element| [element.from(), element.to()]).chain(self.start);
         let finite = points.into_iter().all(|p| p.x.is_finite() && p.y.is_finite());
         let rules = [
-            (usable(self.allowance) && finite && finish, RegionFault::Number),
+            (usable(self.allowance) && usable(self.left) && finite && finish, RegionFault::Number),
             (self.width > 0.0 && self.width <= 2.0 * self.mill.radius + 1e-9, RegionFault::Width),
             (self.walls().all(|element| radius_of(element) <= LARGEST_ARC), RegionFault::LargeArc),
             (self.size() / self.width <= MOST_RINGS, RegionFault::TooManyRings),

@@ -8,8 +8,8 @@ use crate::text::{Loc, Span};
 
 #[derive(Debug, Default)]
 pub(super) struct LineEndMissing {
-    /// Its words, and the offset behind it.
-    last: Option<(Loc, u32)>,
+    /// Its words, the offset behind it, and how many bytes of padding follow.
+    last: Option<(Loc, u32, u32)>,
     /// Lines end in CR LF.
     windows: bool,
     size: u64,
@@ -24,13 +24,20 @@ impl LineEndMissing {
 impl SourceRule for LineEndMissing {
     fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let (block, site) = (read.block, &read.block.site);
-        let end = site.at + block.text.len() as u32;
-        self.windows |= site.lines == 1 && self.last.is_some_and(|(_, last)| site.at.saturating_sub(last) > 1);
-        self.last = Some((read.words(), end));
+        // Ctrl-Z and NUL, which a transmission puts behind the last line, are no part of it.
+        let padding = block.text.iter().rev().take_while(|b| matches!(b, 0 | 0x1A)).count();
+        if padding > 0 && padding == block.text.len() {
+            self.last = None;
+            return;
+        }
+        let end = site.at + (block.text.len() - padding) as u32;
+        self.windows |= site.lines == 1 && self.last.is_some_and(|(_, last, _)| site.at.saturating_sub(last) > 1);
+        self.last = Some((read.words(), end, padding as u32));
     }
 
     fn finish(&mut self, told: &mut Told<'_>) {
-        let Some((loc, end)) = self.last.filter(|(_, end)| u64::from(*end) >= self.size) else { return };
+        let ends_there = |(_, end, padding): &(Loc, u32, u32)| u64::from(*end) + u64::from(*padding) >= self.size;
+        let Some((loc, end, _)) = self.last.filter(ends_there) else { return };
         let found = Diagnostic::new(codes::L2011, loc, "the last block has no line end");
         let found = found.help("end the line");
         let text = if self.windows { b"\r\n".to_vec() } else { b"\n".to_vec() };

@@ -7,11 +7,23 @@ use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::{Surveyed, What};
 use crate::text::decode::readable;
 
+/// Most findings that wait for the end of the program.
+const MOST_WAITING: usize = 1 << 20;
+
+/// What holds, as far as the blocks in a row say.
 #[derive(Debug, Default)]
-pub(super) struct RedundantWord {
-    groups: [Option<f64>; 8],
+struct Modal {
+    groups: [Option<f64>; 5],
     feed: Option<f64>,
     speed: Option<f64>,
+}
+
+#[derive(Debug, Default)]
+pub(super) struct RedundantWord {
+    modal: Modal,
+    waiting: Vec<(Diagnostic, Fix)>,
+    /// A jump leads to a block number, or nobody knows where: then other words may hold at any block.
+    jumps: bool,
 }
 
 impl RedundantWord {
@@ -21,45 +33,88 @@ impl RedundantWord {
 }
 
 impl SourceRule for RedundantWord {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let block = read.block;
+        self.jumps |= block.items.iter().any(|item| match &item.what {
+            What::Uses(name) => is_number(name),
+            what => *what == What::UsesUnknown,
+        });
         let breaks = |what: &What| !matches!(what, What::Word { .. });
-        if block.skip || block.is_bad || block.items.iter().any(|item| breaks(&item.what)) {
-            *self = RedundantWord::default();
+        if self.jumps || block.skip || block.is_bad || block.items.iter().any(|item| breaks(&item.what)) {
+            self.modal = Modal::default();
             return;
         }
+        let Some(counts) = self.modal.feed_and_speed_count(block) else {
+            self.modal = Modal::default();
+            return;
+        };
         for item in block.items {
             let What::Word { letter, value } = item.what else { continue };
             let place = match letter {
-                b'G' => group(value).map(|group| &mut self.groups[group]),
-                b'F' => Some(&mut self.feed),
-                b'S' => Some(&mut self.speed),
+                b'G' => group(value).map(|group| &mut self.modal.groups[group]),
+                b'F' => Some(&mut self.modal.feed).filter(|_| counts),
+                b'S' => Some(&mut self.modal.speed).filter(|_| counts),
                 // A tool change, a stop: what holds behind them is for the machine to say.
                 b'T' | b'M' | b'D' => {
-                    *self = RedundantWord::default();
+                    self.modal = Modal::default();
                     None
                 }
                 _ => None,
             };
             let Some(place) = place else { continue };
-            if place.replace(value) == Some(value) && !self.is_alone(block) {
+            if place.replace(value) == Some(value) && !is_alone(block) && self.waiting.len() < MOST_WAITING {
                 let loc = read.loc(item.span);
                 let shown = readable(item.span.of(block.text)).into_owned();
                 let found = Diagnostic::new(codes::L2008, loc, format!("`{shown}` holds already"));
                 let found = found.help("remove the word");
                 let fix = Fix::removal(&found, block.text, block.site.at);
-                told.found_with(found, fix);
+                self.waiting.push((found, fix));
             }
+        }
+    }
+
+    fn finish(&mut self, told: &mut Told<'_>) {
+        let waiting = std::mem::take(&mut self.waiting);
+        for (found, fix) in waiting.into_iter().filter(|_| !self.jumps) {
+            told.found_with(found, fix);
         }
     }
 }
 
-impl RedundantWord {
-    /// A block of this word alone says something to people.
-    fn is_alone(&self, block: &Surveyed<'_>) -> bool {
-        block.items.len() < 2
+impl Modal {
+    /// Do F and S of this block say what they said before? `None` for a block with a G function that may give them, or
+    /// anything else, another meaning.
+    fn feed_and_speed_count(&mut self, block: &Surveyed<'_>) -> Option<bool> {
+        let mut kind = None;
+        for item in block.items {
+            let What::Word { letter: b'G', value } = item.what else { continue };
+            if group(value)? == FEED {
+                kind = Some(value);
+            }
+        }
+        let before = self.groups[FEED];
+        if kind.is_some() && kind != before {
+            // Another kind of feed or speed wants its value anew.
+            (self.feed, self.speed) = (None, None);
+        }
+        // Under G93 each block has a feed of its own.
+        Some(kind.or(before) != Some(BY_TIME))
     }
 }
+
+/// A block number: `N100`.
+fn is_number(name: &str) -> bool {
+    name.strip_prefix('N').is_some_and(|digits| digits.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// A block of this word alone says something to people.
+fn is_alone(block: &Surveyed<'_>) -> bool {
+    block.items.len() < 2
+}
+
+/// G94 and its like among the groups.
+const FEED: usize = 4;
+const BY_TIME: f64 = 93.0;
 
 /// The group of a modal G function, where all controls agree on it.
 fn group(value: f64) -> Option<usize> {
@@ -68,7 +123,7 @@ fn group(value: f64) -> Option<usize> {
         &[17.0, 18.0, 19.0],
         &[90.0, 91.0],
         &[40.0, 41.0, 42.0],
-        &[94.0, 95.0, 96.0, 97.0],
+        &[93.0, 94.0, 95.0, 96.0, 97.0],
     ];
     groups.iter().position(|group| group.contains(&value))
 }

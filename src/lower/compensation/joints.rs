@@ -45,6 +45,7 @@ impl Compensator {
         };
         match between(last, &mut next, self.d, &mut self.bench)? {
             Made::At(p) => {
+                reports::corner_without_effect(last, &next, out.diags);
                 last.stop = Some(p);
                 next.begin_at(p);
             }

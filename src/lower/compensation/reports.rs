@@ -240,6 +240,16 @@ pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
     ));
 }
 
+/// A corner that the block of `last` asks for, and that is none on the outside.
+pub fn corner_without_effect(last: &Piece, next: &Piece, diags: &Diags) {
+    if !last.rules.own_corner {
+        return;
+    }
+    let message = "the M function for the corner at the end of this element has no effect: the contour turns towards the tool there, or goes on straight";
+    let found = at(codes::G3218, last.origin, message).also(next.origin.loc, "element after");
+    diags.push(found.help("move it into the block that ends in the corner that is meant, or remove it"));
+}
+
 /// What no manual says about the joint in front of `next`.
 pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
     let (before, behind) = (last.mv.path.feed(), next.mv.path.feed());

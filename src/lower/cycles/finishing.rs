@@ -9,14 +9,13 @@
 
 use crate::diag::codes;
 use crate::geo::offset::{NoParallel, OffsetElement};
+use crate::geo::profile::{Grown, Profile, elements};
 use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 
-use super::slope::{Slope, reversed};
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::seen;
 use super::{CycleItem, Expand, Start};
 
 /// What arithmetic loses in a distance, mm.
@@ -59,25 +58,13 @@ fn level(finishing: &Finishing) -> Result<Vec<Element>, Failure> {
         return Ok(Vec::new());
     };
     let way = last.to() - first.from();
-    let along = if finishing.into.is_radial() { -way.x } else { -way.y };
+    let along = if finishing.into.is_radial() { way.x } else { way.y };
     let view = View::new(finishing.into, along);
-    let contour: Vec<Element> = finishing.contour.iter().map(|element| seen(&view, element)).collect();
-    let slope = Slope::new(&contour, true).map_err(super::roughing::no_slope)?;
-    let part = |element: &Element| unseen(&view, element);
-    Ok(slope.chain().iter().rev().map(|element| part(&reversed(element))).collect())
-}
-
-/// An element of the view on the part.
-fn unseen(view: &View, element: &Element) -> Element {
-    match *element {
-        Element::Line { from, to } => Element::Line { from: view.part(from), to: view.part(to) },
-        Element::Arc { from, to, center, sweep } => Element::Arc {
-            from: view.part(from),
-            to: view.part(to),
-            center: view.part(center),
-            sweep: if view.mirrors() { -sweep } else { sweep },
-        },
-    }
+    let contour: Vec<Element> = finishing.contour.iter().map(|element| view.element(element)).collect();
+    let start = view.point(first.from());
+    let legs = Profile::new(&contour, Grown::default()).rise(start, view.point(last.to()));
+    let level = elements(start, &legs).iter().map(|element| view.element_on_part(element)).collect();
+    Ok(level)
 }
 
 fn no_parallel(why: NoParallel) -> Failure {

@@ -1,7 +1,7 @@
 //! A recessing tool that works from a clear height.
 
 use crate::geo::Point2;
-use crate::geo::wall::Leg;
+use crate::geo::profile::Leg;
 use crate::ir::Feed;
 
 use super::track::Track;

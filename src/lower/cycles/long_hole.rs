@@ -24,6 +24,9 @@ impl Expand for LongHole {
             }
             cutter.retract();
         }
+        if let Some(home) = self.home {
+            cutter.rapid(home);
+        }
         Ok(())
     }
 }

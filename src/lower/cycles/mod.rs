@@ -18,10 +18,9 @@ pub mod path_milling;
 pub mod pocket;
 pub mod recess;
 pub mod region;
-pub mod roughing;
+pub mod ruled;
 #[cfg(test)]
 mod simulate;
-pub mod slope;
 pub mod spigot;
 pub mod thread;
 pub mod thread_milling;
@@ -87,7 +86,7 @@ impl Stroke {
     }
 }
 
-/// Sends what `cycle` does to `out`, starting in `start` (programmed frame).
+/// Sends what `cycle` does to `out`, starting in `start` (programmed frame). False for one that only travels.
 ///
 /// # Errors
 /// Arguments that describe no safe path.
@@ -97,13 +96,18 @@ pub fn expand(
     ctx: &CtxRef,
     origin: &Origin,
     out: &mut dyn Sink,
-) -> Result<(), Box<Diagnostic>> {
+) -> Result<bool, Box<Diagnostic>> {
     let (first, second, third) = ctx.plane.axes();
     let start = Start { at: *start, axes: [Axis::ALL[first], Axis::ALL[second], Axis::ALL[third]] };
     let mut beside: Option<CtxRef> = None;
+    let mut cuts = false;
     let mut send = |part: CycleItem| match part {
-        CycleItem::Move(mv) => out.movement(&mv, ctx, origin),
+        CycleItem::Move(mv) => {
+            cuts |= !mv.path.is_rapid();
+            out.movement(&mv, ctx, origin);
+        }
         CycleItem::Beside(mv, rules) => {
+            cuts |= !mv.path.is_rapid();
             let known = beside
                 .take()
                 .filter(|known| known.compensation.as_ref().is_some_and(|of| Rc::ptr_eq(of, &rules)))
@@ -116,7 +120,8 @@ pub fn expand(
     expand_family(cycle, &start, &mut send).map_err(|failure| {
         let found = Diagnostic::new(failure.code, origin.loc, failure.message);
         Box::new(found.called(origin.call).help(failure.help))
-    })
+    })?;
+    Ok(cuts)
 }
 
 macro_rules! expand_family {

@@ -9,7 +9,7 @@ use crate::geo::soft::Touch;
 use crate::geo::{Element, Point2, Vec2, arc, distance, gap, left};
 use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::cycle::milling::Place;
-use crate::ir::cycle::path_milling::Lift;
+use crate::ir::cycle::path_milling::{Between, Form, Lift};
 use crate::ir::cycle::{Family, PathMilling};
 use crate::ir::{Feed, Side};
 
@@ -26,21 +26,24 @@ impl Expand for PathMilling {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         let help = "check the contour, and the data of its approach";
         self.check().map_err(|fault| Failure::new(codes::G3331, fault.to_string(), help))?;
-        let (Some(comes), Some(goes)) = (self.comes(), self.goes()) else { return Ok(()) };
         let levels = self.levels();
-        self.ways_are_free(&comes, &goes)?;
+        let back = (self.alternates && levels.len() > 1).then(|| self.backwards());
+        let Some(forth) = Travel::along(self) else { return Ok(()) };
+        let back = back.as_ref().and_then(Travel::along);
+        for travel in [Some(&forth), back.as_ref()].into_iter().flatten() {
+            travel.path.ways_are_free(&travel.comes, &travel.goes)?;
+        }
         if levels.len() > 1 {
-            self.back_is_free(&comes, &goes)?;
+            self.back_is_free(&back.as_ref().unwrap_or(&forth).comes, &forth.goes)?;
         }
         let cutter = Cutter::new(&self.mill, Place::HERE, start, out);
-        let beside = |rules| (self.side != Side::None).then(|| Beside { side: self.side, rules: Rc::new(rules) });
-        let way = Compensation { is_way: true, feed: FeedAt::Centre, ..self.rules };
-        let mut tool = Tool { path: self, beside: beside(self.rules), on_the_way: beside(way), comes, goes, cutter };
+        let mut tool = Tool { travel: &forth, cutter };
         let mut from = self.mill.heights.reference;
-        for level in levels {
+        for (at, level) in levels.into_iter().enumerate() {
             if from != self.mill.heights.reference {
                 tool.lift(from);
             }
+            tool.travel = back.as_ref().filter(|_| at % 2 == 1).unwrap_or(&forth);
             tool.mill(from, level);
             from = level;
         }
@@ -117,7 +120,8 @@ impl PathMilling {
     }
 }
 
-struct Tool<'a> {
+/// A contour in the sense in which it is travelled.
+struct Travel<'a> {
     path: &'a PathMilling,
     /// None where the centre is on the contour itself.
     beside: Option<Beside>,
@@ -125,34 +129,57 @@ struct Tool<'a> {
     on_the_way: Option<Beside>,
     comes: Touch,
     goes: Touch,
+}
+
+impl<'a> Travel<'a> {
+    fn along(path: &'a PathMilling) -> Option<Travel<'a>> {
+        let beside = |rules| (path.side != Side::None).then(|| Beside { side: path.side, rules: Rc::new(rules) });
+        let way = Compensation { is_way: true, feed: FeedAt::Centre, ..path.rules };
+        let (comes, goes) = (path.comes()?, path.goes()?);
+        Some(Travel { path, beside: beside(path.rules), on_the_way: beside(way), comes, goes })
+    }
+
+    /// What the cutter is beside before it gets to the contour: on a line at a right angle to it nothing yet.
+    fn before(&self) -> Option<&Beside> {
+        self.on_the_way.as_ref().filter(|_| self.path.approach.form != Form::Square)
+    }
+}
+
+struct Tool<'t, 'a> {
+    travel: &'t Travel<'t>,
     cutter: Cutter<'a>,
 }
 
-impl Tool<'_> {
+impl Tool<'_, '_> {
     /// One level; everything down to `from` is cut beside the contour.
     fn mill(&mut self, from: f64, level: f64) {
-        let heights = self.path.mill.heights;
+        let Travel { path, comes, .. } = self.travel;
+        let heights = path.mill.heights;
         let first = from == heights.reference;
         if first {
             self.cutter.rise();
         }
-        let travel = match self.path.between {
+        let feed = match path.between {
             _ if first => None,
-            between if between.lift == Lift::None => Some(self.path.mill.feeds.plane),
+            between if between.lift == Lift::None => Some(path.mill.feeds.plane),
             between => between.feed,
         };
         // Over the point where the way to the contour begins.
-        let start = if self.beside.is_some() { self.comes.contour } else { self.comes.centre };
-        self.go(Some(start), None, travel.map_or(Way::Rapid, Way::Line));
+        let start = if self.travel.before().is_some() { comes.contour } else { comes.centre };
+        self.come(Some(start), None, feed.map_or(Way::Rapid, Way::Line));
         self.down(heights.above_cleared(from), level);
         self.along_the_contour(level);
         // From here on the centre of the tool itself is meant.
-        self.cutter.line(self.goes.centre, self.path.mill.feeds.plane);
+        self.cutter.line(self.travel.goes.centre, path.mill.feeds.plane);
     }
 
-    /// On the way to the contour, or from it.
-    fn go(&mut self, to: Option<Point2>, height: Option<f64>, way: Way) {
-        if let Some(beside) = &self.on_the_way {
+    /// To where the way to the contour begins.
+    fn come(&mut self, to: Option<Point2>, height: Option<f64>, way: Way) {
+        self.go(self.travel.before(), (to, height), way);
+    }
+
+    fn go(&mut self, beside: Option<&Beside>, (to, height): (Option<Point2>, Option<f64>), way: Way) {
+        if let Some(beside) = beside {
             return self.cutter.beside(beside, to, height, way);
         }
         match (way, to, height) {
@@ -170,44 +197,50 @@ impl Tool<'_> {
 
     /// At rapid traverse down to what is free, then at the feed for the depth.
     fn down(&mut self, free: f64, level: f64) {
-        let heights = &self.path.mill.heights;
-        let floor = if self.path.approach.spatial { heights.above(level) } else { level };
+        let path = self.travel.path;
+        let heights = &path.mill.heights;
+        let floor = if path.approach.spatial { heights.above(level) } else { level };
         // A way in space begins above its level, also where the tool was not lifted: else it would cut deeper than the level.
-        if self.path.approach.spatial && self.cutter.is_below(floor) {
-            self.go(None, Some(floor), Way::Rapid);
+        if path.approach.spatial && self.cutter.is_below(floor) {
+            self.come(None, Some(floor), Way::Rapid);
         }
         let stop = if (floor - free) * heights.outward() > 0.0 { floor } else { free };
         if self.cutter.is_above(stop) {
-            self.go(None, Some(stop), Way::Rapid);
+            self.come(None, Some(stop), Way::Rapid);
         }
         if self.cutter.is_above(floor) {
-            self.go(None, Some(floor), Way::Line(self.path.mill.feeds.depth));
+            self.come(None, Some(floor), Way::Line(path.mill.feeds.depth));
         }
     }
 
     fn along_the_contour(&mut self, level: f64) {
-        let path = self.path;
+        let Travel { path, comes, goes, .. } = self.travel;
         let feeds = path.mill.feeds;
         let Some(start) = path.contour.first().map(Element::from) else { return };
         let (falls, feed) = if path.approach.spatial { (Some(level), feeds.depth) } else { (None, feeds.plane) };
-        self.soft(self.comes.circle, start, falls, feed);
+        if path.approach.form != Form::None {
+            self.soft(comes.circle, start, falls, feed);
+        }
         for element in &path.contour {
             self.element(element);
         }
-        let rises = path.leave.spatial.then(|| path.mill.heights.above(level));
-        let end = if self.beside.is_some() { self.goes.contour } else { self.goes.centre };
-        self.soft(self.goes.circle, end, rises, feeds.plane);
+        // Square off the contour goes the move that ends the compensation.
+        if !matches!(path.leave.form, Form::None | Form::Square) {
+            let rises = path.leave.spatial.then(|| path.mill.heights.above(level));
+            let end = if self.travel.beside.is_some() { goes.contour } else { goes.centre };
+            self.soft(goes.circle, end, rises, feeds.plane);
+        }
     }
 
     fn soft(&mut self, circle: Option<Point2>, to: Point2, height: Option<f64>, feed: Feed) {
-        let ccw = self.path.turns_counter_clockwise();
+        let ccw = self.travel.path.turns_counter_clockwise();
         let way = circle.map_or(Way::Line(feed), |center| Way::Arc { center, ccw, tol: 0.0, feed });
-        self.go(Some(to), height, way);
+        self.go(self.travel.on_the_way.as_ref(), (Some(to), height), way);
     }
 
     fn element(&mut self, element: &Element) {
-        let feed = self.path.mill.feeds.plane;
-        let Some(beside) = &self.beside else { return self.cutter.element(element, feed) };
+        let feed = self.travel.path.mill.feeds.plane;
+        let Some(beside) = &self.travel.beside else { return self.cutter.element(element, feed) };
         let way = match *element {
             Element::Line { .. } => Way::Line(feed),
             Element::Arc { from, to, center, sweep } => {
@@ -220,10 +253,11 @@ impl Tool<'_> {
 
     /// Off the level that is cut.
     fn lift(&mut self, level: f64) {
-        let heights = self.path.mill.heights;
-        match self.path.between.lift {
+        let Between { lift, feed } = self.travel.path.between;
+        let heights = self.travel.path.mill.heights;
+        match lift {
             Lift::Retract => self.cutter.lift(heights.retract),
-            Lift::Clearance if self.path.between.feed.is_some() => self.cutter.lift(heights.above(level)),
+            Lift::Clearance if feed.is_some() => self.cutter.lift(heights.above(level)),
             Lift::Surface | Lift::Clearance => self.cutter.lift(heights.safe()),
             Lift::None => {}
         }

@@ -2,7 +2,7 @@
 //! computed.
 
 use crate::diag::Code;
-use crate::geo::{Plane, Point2, Vec2};
+use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::contour::{self, ArcShape, Coords};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::{Feed, Pos, Side};
@@ -104,6 +104,28 @@ impl View {
             Point2::new(p.y * self.along, p.x * self.out)
         } else {
             Point2::new(p.x * self.along, p.y * self.out)
+        }
+    }
+
+    /// An element of the part in the view.
+    pub fn element(&self, element: &Element) -> Element {
+        self.mapped(element, |p| self.point(p))
+    }
+
+    /// An element of the view on the part.
+    pub fn element_on_part(&self, element: &Element) -> Element {
+        self.mapped(element, |p| self.part(p))
+    }
+
+    fn mapped(&self, element: &Element, point: impl Fn(Point2) -> Point2) -> Element {
+        match *element {
+            Element::Line { from, to } => Element::Line { from: point(from), to: point(to) },
+            Element::Arc { from, to, center, sweep } => Element::Arc {
+                from: point(from),
+                to: point(to),
+                center: point(center),
+                sweep: if self.mirrors() { -sweep } else { sweep },
+            },
         }
     }
 

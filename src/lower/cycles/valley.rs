@@ -1,9 +1,9 @@
 //! A groove as a recessing tool sees it: between two walls that fall to one floor.
 
-use crate::geo::wall::{Leg, NoWall, Wall, quarters};
+use crate::geo::offset::shifted;
+use crate::geo::profile::Leg;
+use crate::geo::wall::{NoWall, Wall, quarters};
 use crate::geo::{Element, Point2, Vec2, left};
-
-use super::track::View;
 
 /// Heights closer than this belong to the floor, mm: half a unit of the fourth decimal is far more.
 const LEVEL: f64 = 1e-6;
@@ -47,19 +47,6 @@ pub enum NoValley {
     Open,
 }
 
-/// An element of the part in the view.
-pub fn seen(view: &View, element: &Element) -> Element {
-    match *element {
-        Element::Line { from, to } => Element::Line { from: view.point(from), to: view.point(to) },
-        Element::Arc { from, to, center, sweep } => Element::Arc {
-            from: view.point(from),
-            to: view.point(to),
-            center: view.point(center),
-            sweep: if view.mirrors() { -sweep } else { sweep },
-        },
-    }
-}
-
 /// The same element run through backwards and seen in a mirror, so that it falls where it rose.
 fn mirrored(element: &Element) -> Element {
     let mirror = |p: Point2| Point2::new(-p.x, p.y);
@@ -67,15 +54,6 @@ fn mirrored(element: &Element) -> Element {
         Element::Line { from, to } => Element::Line { from: mirror(to), to: mirror(from) },
         Element::Arc { from, to, center, sweep } => {
             Element::Arc { from: mirror(to), to: mirror(from), center: mirror(center), sweep }
-        }
-    }
-}
-
-fn shifted(element: &Element, by: Vec2) -> Element {
-    match *element {
-        Element::Line { from, to } => Element::Line { from: from + by, to: to + by },
-        Element::Arc { from, to, center, sweep } => {
-            Element::Arc { from: from + by, to: to + by, center: center + by, sweep }
         }
     }
 }
@@ -120,7 +98,7 @@ impl Valley {
     /// to the floor.
     pub fn slot(&self, width: f64, nose: f64, left: Oversize, above: Above) -> Option<Slot> {
         let wall = |chain: &[Element], along: f64| {
-            let mut moved: Vec<Element> = chain.iter().map(|e| shifted(e, Vec2::new(along, left.up))).collect();
+            let mut moved = shifted(chain, Vec2::new(along, left.up));
             let radius = nose + left.around;
             if above == Above::Nothing {
                 moved.splice(0..0, free_rim(moved.first()?, radius));
@@ -176,21 +154,9 @@ impl Slot {
 
     /// Least height of the cutting edge with the tool at `x`, not below the floor and not above `top`.
     pub fn depth_at(&self, x: f64, top: f64) -> f64 {
-        let free = |y: f64| self.begin(y) <= x + 1e-9 && self.end(y) >= x - 1e-9;
-        if free(self.floor) {
-            return self.floor;
-        }
-        // The walls only open upwards, so halving finds the height; the upper end is always free.
-        let (mut low, mut high) = (self.floor, top);
-        for _ in 0..60 {
-            let middle = (low + high) / 2.0;
-            if free(middle) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        high
+        let first = self.first.height(x + self.nose);
+        let second = self.second.height(self.nose - x - self.width);
+        (first.max(second) + self.around).max(self.floor).min(top)
     }
 
     /// The way down the first wall from `top` to the floor.

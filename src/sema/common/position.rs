@@ -18,6 +18,8 @@ pub struct Position {
     programmed: Pos,
     /// Where the last move of a block began; nothing where the position comes from elsewhere.
     from: Pos,
+    /// A cycle moved last.
+    by_cycle: bool,
     lost: AxisSet,
     start: Start,
 }
@@ -34,10 +36,22 @@ pub enum Missing {
 impl Position {
     /// The axes stand where `[start]` says.
     pub fn new(start: Start) -> Position {
-        Position { at: start.position(), programmed: Pos::UNKNOWN, from: Pos::UNKNOWN, lost: AxisSet::EMPTY, start }
+        Position {
+            at: start.position(),
+            programmed: Pos::UNKNOWN,
+            from: Pos::UNKNOWN,
+            by_cycle: false,
+            lost: AxisSet::EMPTY,
+            start,
+        }
     }
 
     // Questions.
+
+    /// Did a cycle move last, so that no block leads to where the tool stands?
+    pub fn moved_by_cycle(&self) -> bool {
+        self.by_cycle
+    }
 
     #[inline]
     pub fn get(&self, axis: Axis) -> Option<f64> {
@@ -103,6 +117,7 @@ impl Position {
     #[inline]
     pub fn move_to(&mut self, end: &Pos) {
         self.from = self.at;
+        self.by_cycle = false;
         self.at.update(end);
         self.arrived(end.known());
     }
@@ -125,6 +140,7 @@ impl Position {
     pub fn cycle_leaves(&mut self, end: &Pos, moved: AxisSet) {
         self.forget_way();
         self.at = *end;
+        self.by_cycle = true;
         self.arrived(moved);
     }
 
@@ -165,6 +181,13 @@ impl Position {
             self.programmed.forget(axis);
         }
         self.start.touch(axes);
+    }
+
+    /// The tool changes: where its tip is along this axis is not known.
+    pub fn forget_tip(&mut self, axis: Axis) {
+        self.start.change_tip(axis);
+        self.forget(AxisSet::of(axis));
+        self.not_lost(AxisSet::of(axis));
     }
 
     /// Forgets where these axes are, but not the numbers that the program wrote last.

@@ -12,6 +12,8 @@ pub struct Start {
     at: Pos,
     /// Axes that moved, or whose tool tip changed.
     touched: AxisSet,
+    /// Axes whose place the configuration says, but for another tool than the one in the spindle.
+    changed: AxisSet,
 }
 
 impl Start {
@@ -21,7 +23,7 @@ impl Start {
         for (&axis, &value) in &settings.start {
             at.set(axis, if diameter && axis == Axis::X { value / 2.0 } else { value });
         }
-        Start { at, touched: AxisSet::EMPTY }
+        Start { at, ..Start::default() }
     }
 
     /// Takes over positions for axes that have none.
@@ -47,6 +49,14 @@ impl Start {
         }
     }
 
+    /// The tip of another tool stands elsewhere along this axis.
+    pub fn change_tip(&mut self, axis: Axis) {
+        if self.at.get(axis).is_some() {
+            self.changed.insert(axis);
+        }
+        self.touch(AxisSet::of(axis));
+    }
+
     /// A work offset is selected in place of another one: the positions counted in that.
     pub fn end(&mut self) {
         self.touch(self.at.known());
@@ -54,6 +64,12 @@ impl Start {
 
     /// What to do where the position of an axis is not known: `usual`, and the key where it would say it.
     pub fn help(&self, axis: Axis, usual: &str) -> String {
+        if self.changed.contains(axis) {
+            let letter = axis.letter();
+            return format!(
+                "{usual}: `[start]` says {letter} of the tool before the first tool call, and the tip of another one stands elsewhere"
+            );
+        }
         if self.touched.contains(axis) {
             return usual.to_owned();
         }

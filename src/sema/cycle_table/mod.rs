@@ -43,6 +43,8 @@ pub enum Name {
     Q(u32),
     /// Part of a dotted cycle: the `.2` of `CYCL DEF 1.2`.
     Part(u32),
+    /// A word in such a part: the `DR` of `CYCL DEF 4.6`.
+    In(u32, &'static str),
 }
 
 impl fmt::Display for Name {
@@ -51,6 +53,7 @@ impl fmt::Display for Name {
             Name::Word(name) => f.write_str(name),
             Name::Q(number) => write!(f, "Q{number}"),
             Name::Part(part) => write!(f, ".{part}"),
+            Name::In(part, word) => write!(f, ".{part} {word}"),
         }
     }
 }

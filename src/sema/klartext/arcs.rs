@@ -219,6 +219,7 @@ impl Run<'_> {
     pub(super) fn tangent(&mut self, w: &Words) -> Outcome {
         let plane = self.st.plane();
         self.flat(w, plane, "CT")?;
+        self.follows_a_block("CT")?;
         let start = self.start_in(plane, "CT")?;
         let end = self.arc_end(w, plane, start)?;
         if w.axes.known().common(plane_axes(plane)).is_empty() {
@@ -226,6 +227,19 @@ impl Run<'_> {
         }
         self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Tangent, end)
+    }
+
+    /// CT and CTP go on from the element of the program in front of them, not from the way of a cycle.
+    pub(super) fn follows_a_block(&mut self, function: &str) -> Outcome {
+        if !self.st.position.moved_by_cycle() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K2946,
+            self.block_span(),
+            format!("{function} stands directly behind a cycle, whose way is no element of the contour"),
+            "put a line or an arc of the contour in front of it, or write the arc with CC and C, or with CR",
+        )
     }
 
     /// CT and CTP are arcs of the plane: no other axis can move along.

@@ -128,4 +128,18 @@ impl Run<'_> {
         );
         Err(Reported)
     }
+
+    /// The tool is smaller than the cycle asks for.
+    pub(super) fn tool_too_small<T>(&mut self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(
+                codes::K2942,
+                self.here.origin.loc,
+                format!("cycle {}: tool radius too small: {what}", cycle.number),
+            )
+            .also(cycle.loc, "the cycle is defined here")
+            .help("take a larger tool, or check the sizes of the definition"),
+        );
+        Err(Reported)
+    }
 }

@@ -26,8 +26,7 @@ impl State {
     /// Takes the tool that was called for the one in the spindle, whose tip lies somewhere else along the tool axis.
     pub(super) fn forget_tip(&mut self) {
         let axis = self.axis();
-        self.position.forget(AxisSet::of(axis));
-        self.position.not_lost(AxisSet::of(axis));
+        self.position.forget_tip(axis);
         self.polar.forget_last_of(AxisSet::of(axis));
     }
 }

@@ -95,7 +95,8 @@ impl State {
         if let Some(rules) = self.ctx.compensation.as_deref().copied() {
             let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
             let (outside, inside) = (Outside::default(), Inside::default());
-            self.compensate(crate::ir::Compensation { search, outside, inside, feed: self.feed.at, ..rules });
+            let (feed, own_corner) = (self.feed.at, false);
+            self.compensate(crate::ir::Compensation { search, outside, inside, feed, own_corner, ..rules });
         }
     }
 }
@@ -131,7 +132,11 @@ impl Run<'_> {
             }
             return Ok(());
         }
-        let switched = self.switch_side_to(w, side, arc);
+        let switched = if self.is_capturing() {
+            self.side_of_contour(side, w.comp_span)
+        } else {
+            self.switch_side_to(w, side, arc)
+        };
         match switched {
             Ok(()) => self.st.compensation.found(),
             Err(Reported) => self.st.compensation.lose(),
@@ -224,7 +229,8 @@ impl Run<'_> {
         let Some(rules) = self.st.ctx.compensation.as_deref().copied() else { return };
         let outside = if inside.is_some() { rules.outside } else { outside };
         let inside = inside.unwrap_or(rules.inside);
-        self.st.compensate(crate::ir::Compensation { outside, inside, ..rules });
+        let own_corner = outside != Outside::default();
+        self.st.compensate(crate::ir::Compensation { outside, inside, own_corner, ..rules });
         self.st.own_corner = OwnCorner::Waits;
     }
 

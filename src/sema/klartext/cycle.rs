@@ -152,8 +152,10 @@ impl Run<'_> {
             self.cycles.defined = Some(Defined::Refused);
             self.cycles.modal = false;
         }
-        if failed && !nature.is_machining() {
-            self.st.lose(AxisSet::MAIN);
+        match nature {
+            Nature::Setting(_) if failed => self.contours.lose(open.number),
+            _ if failed && !nature.is_machining() => self.st.lose(AxisSet::MAIN),
+            _ => {}
         }
         self.here = here;
     }
@@ -227,6 +229,7 @@ impl Run<'_> {
                 Ok(())
             }
             Nature::Preset => self.preset(open),
+            Nature::Setting(setting) => setting(self, open),
             Nature::Data => Ok(()),
             Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => {
                 let mm = self.level().frame.unit.mm();
@@ -299,6 +302,14 @@ impl Run<'_> {
                 }
                 result
             }
+        }
+    }
+
+    /// The program that calls run.
+    pub(super) fn program_of_cycle_12(&self) -> Option<String> {
+        match &self.cycles.defined {
+            Some(Defined::Program { name }) => Some(name.clone()),
+            _ => None,
         }
     }
 

@@ -5,6 +5,8 @@ use crate::text::Loc;
 
 use crate::sema::run::Site;
 
+use super::labels::Label;
+
 /// A definition that is being read.
 #[derive(Debug)]
 pub(super) struct Open {
@@ -25,6 +27,8 @@ pub(super) struct Open {
     pub parts: Vec<DottedValue>,
     pub table_row: bool,
     pub program: Option<String>,
+    /// Labels of contours.
+    pub contours: Vec<Label>,
     pub failed: bool,
 }
 
@@ -57,6 +61,7 @@ impl Open {
             parts: Vec::new(),
             table_row: false,
             program: None,
+            contours: Vec::new(),
             failed,
         }
     }
@@ -74,4 +79,8 @@ pub(super) struct DottedValue {
 pub(super) enum What {
     Value,
     Feed,
+    /// A length along an axis.
+    Along(Axis),
+    /// DR: 1 counter-clockwise, -1 clockwise.
+    Turn,
 }

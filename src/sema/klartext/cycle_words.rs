@@ -36,11 +36,21 @@ impl Run<'_> {
         let mut read = Read::default();
         let number = self.open_cycle().number;
         let nature = find(number).nature;
+        if number == 14 && self.open_cycle().part.is_some_and(|part| part > 0) {
+            return self.contour_labels(block, text);
+        }
         for &word in &block.words {
             if !self.takes_cycle_word(nature, number, word, &read, text) {
                 return self.cycle_word(word.span, number);
             }
             match word.addr {
+                Addr::Axis { axis, .. } if nature.is_machining() => {
+                    let value = self.number(word.value, word.span)?;
+                    self.keep_part(What::Along(axis), value);
+                }
+                Addr::TurnPlus | Addr::TurnMinus if nature.is_machining() => {
+                    self.keep_part(What::Turn, if word.addr == Addr::TurnPlus { 1.0 } else { -1.0 });
+                }
                 Addr::Axis { axis, incremental } => {
                     if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
                         && self.open_cycle().axes.iter().any(|other| other.axis == axis)
@@ -82,7 +92,7 @@ impl Run<'_> {
             }
         }
         match read.label {
-            Some((label, span)) if matches!(nature, Nature::AxisScaling | Nature::Rotation | Nature::Scaling) => {
+            Some((label, span)) if needs_its_value(nature, self.open_cycle().part) => {
                 self.fail_help(codes::K1006, span, format!("`{label}` has no number"), "write the number behind it")
             }
             _ => Ok(()),
@@ -202,12 +212,15 @@ impl Run<'_> {
             (Drilling(_), Addr::Name | Addr::Value) if drilling.is_some() => none,
             (Drilling(_), Addr::Feed) if drilling.is_some() => none && read.label.is_none() && feeds,
             (Drilling(_), _) if drilling.is_some() => false,
+            (Milling(_), _) if number < 20 => self.takes_in_old_pocket(number, word),
             (
-                Drilling(_) | Milling(_) | Machining | Pattern(_) | Data | Unknown | Preset,
+                Drilling(_) | Milling(_) | Machining | Pattern(_) | Setting(_) | Data | Unknown | Preset,
                 Addr::Assign(_) | Addr::AssignText(_),
             ) => true,
             // Refused where they are called, whatever they say.
             (Machining | Unknown, _) => true,
+            // The name of cycle 14.
+            (Setting(_), Addr::Name) => part == Some(0),
             (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
             (Tolerance, Addr::Name) => is_one_of(word, text, &["T", "HSC-MODE", "TA"]),
             (Tolerance, Addr::Value) => read.label.is_some(),
@@ -231,6 +244,34 @@ impl Run<'_> {
             (Tilt, Addr::Value) => read.label.is_some(),
             _ => false,
         }
+    }
+}
+
+impl Run<'_> {
+    /// Does the part of an old pocket take this word, and has it none yet?
+    fn takes_in_old_pocket(&mut self, number: u32, word: Word) -> bool {
+        let open = self.open_cycle();
+        let Some(part) = open.part.filter(|part| *part > 0) else { return word.addr == Addr::Name };
+        let what = match word.addr {
+            Addr::Name => return true,
+            Addr::Value => What::Value,
+            Addr::Feed => What::Feed,
+            Addr::TurnPlus | Addr::TurnMinus => What::Turn,
+            Addr::Axis { axis, incremental: false } if word.value != Value::None => What::Along(axis),
+            _ => return false,
+        };
+        let same = |a: What| std::mem::discriminant(&a) == std::mem::discriminant(&what);
+        let again = open.parts.iter().any(|known| known.part == part && same(known.what));
+        !again && find(number).takes_in_part(part, what)
+    }
+}
+
+/// Is a name without a number a mistake here?
+fn needs_its_value(nature: Nature, part: Option<u32>) -> bool {
+    match nature {
+        Nature::AxisScaling | Nature::Rotation | Nature::Scaling => true,
+        Nature::Milling(_) => part.is_some_and(|part| part > 0),
+        _ => false,
     }
 }
 

@@ -246,7 +246,7 @@ impl Run<'_> {
     }
 
     /// Cycles 1, 2 and 17: the tool stands at the set-up clearance and comes back to it.
-    fn old_levels(&mut self, cycle: &DefinedCycle, axis: Axis) -> Outcome<Levels> {
+    pub(super) fn old_levels(&mut self, cycle: &DefinedCycle, axis: Axis) -> Outcome<Levels> {
         let span = self.block_span();
         let start = self.position_of(axis, span, &format!("cycle {}", cycle.number))?;
         let mm = cycle.mm;

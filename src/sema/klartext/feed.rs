@@ -86,6 +86,11 @@ impl FeedState {
         self.of_tool = feed.map(|feed| (Feed::PerMinute(feed), feed));
     }
 
+    /// Feeds do not count: one that is missing is not worth a report.
+    pub fn presume(&mut self) {
+        self.modal.presume();
+    }
+
     /// M136 and M137
     pub fn switch(&mut self, per_revolution: bool) {
         self.modal.switch(FeedKind::per_revolution(per_revolution));
@@ -99,6 +104,10 @@ impl FeedState {
 
 impl Run<'_> {
     pub(super) fn set_feed(&mut self, w: &Words) -> Outcome {
+        if self.is_capturing() {
+            self.feed_in_contour(w);
+            return Ok(());
+        }
         let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
             FeedWord::Value(f) => {
@@ -174,7 +183,7 @@ impl Run<'_> {
     /// Feed of a move that cuts; `None` for rapid traverse.
     #[inline]
     pub(super) fn move_feed(&mut self, w: &Words) -> Outcome<Option<Feed>> {
-        if w.feed == FeedWord::Max {
+        if w.feed == FeedWord::Max && !self.is_capturing() {
             return Ok(None);
         }
         match self.st.feed.word() {

@@ -286,7 +286,7 @@ impl Run<'_> {
         }
     }
 
-    fn call_subprogram(&mut self, label: &Label) -> Outcome {
+    pub(super) fn call_subprogram(&mut self, label: &Label) -> Outcome {
         let place = self.find_label(label)?;
         let kind = FrameKind::Subprogram { label_at: place.at };
         let program = self.level().program;

@@ -29,6 +29,7 @@ impl Run<'_> {
             && self.contour_is_plain()
             && !st.compensation.is_lost()
             && !self.contour_waits()
+            && !self.is_capturing()
     }
 
     /// Executes the next block where it stands, if it is an `L` of X, Y, Z, F and R0 while nothing else is on.

@@ -64,6 +64,7 @@ impl SpindleState {
 impl Run<'_> {
     /// Refuses M functions that no path can be computed with, before anything of the block acts.
     pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
+        self.no_m_in_contour(w)?;
         let compensated = self.st.compensation.is_on() || matches!(w.comp, Some(Comp::Side(Side::Left | Side::Right)));
         for m in w.m() {
             match entry(m.number) {

@@ -149,8 +149,9 @@ impl Run<'_> {
             return Ok(None);
         }
         let step = self.above_zero(cycle, PLUNGE)?;
-        let feeds =
-            Feeds { plane: self.cycle_feed(cycle, MILLING_FEED, None)?, depth: self.cycle_feed(cycle, FEED, None)? };
+        let plane = self.cycle_feed(cycle, MILLING_FEED, None)?;
+        let depth = if cycle.gives_q(FEED) { self.cycle_feed(cycle, FEED, None)? } else { plane };
+        let feeds = Feeds { plane, depth };
         let heights = Heights {
             retract: call.retract.height(&heights),
             reference: heights.surface,
@@ -208,38 +209,47 @@ impl Run<'_> {
         let finishes = operation != 1;
         let (wall, floor) = (finishes && allowance > 0.0, finishes && mill.heights.allowance > 0.0);
         if operation == 2 && !wall && !floor {
-            self.report(
-                Diagnostic::new(
-                    codes::K8103,
-                    self.here.origin.loc,
-                    format!(
-                        "cycle {}: Q215 = 2 finishes, and neither Q368 nor Q369 leaves anything to finish",
-                        cycle.number
-                    ),
-                )
-                .also(cycle.loc, "the cycle is defined here")
-                .help("give the allowances that roughing left: without them the cycle does nothing"),
-            );
+            self.nothing_to_finish(cycle, "Q215 = 2 finishes, and neither Q368 nor Q369 leaves anything to finish");
             return Ok(None);
         }
         Ok(Some(Asked { rough: operation != 2, wall, floor, allowance, step, feed }))
     }
 
-    /// Does the tool go round counter-clockwise inside, clockwise outside? By Q351, with M3.
+    pub(super) fn nothing_to_finish(&mut self, cycle: &DefinedCycle, what: &str) {
+        self.report(
+            Diagnostic::new(codes::K8103, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
+                .also(cycle.loc, "the cycle is defined here")
+                .help("give the allowances that roughing left: without them the cycle does nothing"),
+        );
+    }
+
+    /// Does the tool go round counter-clockwise inside, clockwise outside? By Q351, with M3; cycles without it climb.
     pub(super) fn climbs(&mut self, cycle: &DefinedCycle) -> Outcome<bool> {
-        let climbs = match self.cycle_number(cycle, CLIMB)? {
+        let by_choice = cycle.gives_q(CLIMB);
+        let climbs = match if by_choice { self.cycle_number(cycle, CLIMB)? } else { 1.0 } {
             1.0 => true,
             -1.0 => false,
             other => return self.cycle_value(cycle, &format!("the kind of milling Q351 = {other} is not +1 or -1")),
         };
+        self.turns_by_m3(cycle, CLIMB)?;
+        Ok(climbs)
+    }
+
+    /// Climb and up-cut milling, by `q`, are defined for M3.
+    pub(super) fn turns_by_m3(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome {
         if self.st.spindle.turn() == Some(Turn::CounterClockwise) {
             self.report(
                 Diagnostic::new(
                     codes::K9031,
                     self.here.origin.loc,
                     format!(
-                        "cycle {}: climb and up-cut milling (Q351) are defined for M3, and the spindle turns by M4",
-                        cycle.number
+                        "cycle {}: climb {} defined for M3, and the spindle turns by M4",
+                        cycle.number,
+                        if cycle.gives_q(q) {
+                            format!("and up-cut milling ({q}) are")
+                        } else {
+                            "milling is".to_owned()
+                        }
                     ),
                 )
                 .also(cycle.loc, "the cycle is defined here")
@@ -247,7 +257,7 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        Ok(climbs)
+        Ok(())
     }
 
     /// Width of a cut: Q370 radii.
@@ -332,7 +342,12 @@ impl Run<'_> {
 fn ends_anywhere(made: &Cycle) -> bool {
     match made {
         Cycle::Pocket(pocket) => pocket.home.is_none(),
-        Cycle::Spigot(_) | Cycle::Facing(_) => true,
+        Cycle::Spigot(_)
+        | Cycle::Facing(_)
+        | Cycle::Ruled(_)
+        | Cycle::Region(_)
+        | Cycle::PilotHoles(_)
+        | Cycle::PathMilling(_) => true,
         _ => false,
     }
 }

@@ -9,9 +9,12 @@ mod approach;
 mod arcs;
 mod blank;
 mod bore_milling;
+mod capture;
 mod change;
 mod compensation;
 mod contour;
+mod contour_cycles;
+mod contour_train;
 mod cycle;
 mod cycle_definition;
 mod cycle_words;
@@ -20,6 +23,7 @@ mod drilling;
 mod eval;
 mod faces;
 mod feed;
+mod finishing;
 mod fk;
 mod flow;
 mod frames;
@@ -33,6 +37,7 @@ mod m_table;
 mod machining;
 mod milling;
 mod numbered_functions;
+mod old_pockets;
 mod path;
 mod pattern_def;
 mod patterns;
@@ -42,8 +47,11 @@ mod pockets;
 mod point_table;
 mod polar;
 mod probing;
+mod program_pattern;
 mod refused;
 mod rotary;
+mod ruled;
+mod slots;
 mod state;
 mod studs;
 mod survey;
@@ -89,6 +97,8 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         vars: Vars::default(),
         proposed: RefCell::default(),
         cycles: Cycles::default(),
+        contours: contour_cycles::Contours::default(),
+        capture: None,
         defined: tool::Defined::default(),
         approach: None,
         free: None,
@@ -204,6 +214,10 @@ struct Run<'a> {
     /// Numbers proposed for tools without one.
     proposed: RefCell<Proposed>,
     cycles: Cycles,
+    /// What cycles 14, 20 and 270 say.
+    contours: contour_cycles::Contours,
+    /// A contour whose subprogram runs.
+    capture: Option<Box<capture::Capture>>,
     /// Tools of TOOL DEF.
     defined: tool::Defined,
     /// An approach that waits for the first element of its contour.
@@ -329,6 +343,7 @@ impl Run<'_> {
     }
 
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        self.may_stand_in_contour(block)?;
         match block.stmt {
             Stmt::Empty | Stmt::Bad => Ok(()),
             Stmt::Path(function) => self.path_block(function, block),
@@ -437,6 +452,9 @@ impl Run<'_> {
     }
 
     fn function(&mut self, function: Function) {
+        if self.is_capturing() {
+            return;
+        }
         if let Some(approach) = &mut self.approach
             && approach.held.len() < approach::MOST_HELD
         {

@@ -94,7 +94,13 @@ impl Run<'_> {
             );
         }
         self.switch_side(w, motion.is_arc())?;
-        self.shape_corners(w)?;
+        if let Err(reported) = self.shape_corners(w) {
+            // The contour lacks this element.
+            self.st.end_compensation();
+            self.st.contour = None;
+            self.st.compensation.lose();
+            return Err(reported);
+        }
         // M functions and the feed act before the end point is computed: M94 and M126 change what it means.
         let moves = !is_line || !w.axes.known().is_empty();
         if w.m().is_empty() {

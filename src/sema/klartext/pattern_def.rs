@@ -14,7 +14,7 @@ use crate::text::{Loc, Span, number::decimal};
 
 use super::cycles::SURFACE;
 use super::cycles::call::{Call, Retract};
-use super::patterns::PLACES_A_STEP;
+use super::patterns::{FIRST_PLACED, PLACES_A_STEP};
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
 
@@ -25,7 +25,7 @@ const MOST: usize = 99_999;
 #[derive(Debug)]
 pub(super) struct Places {
     list: Vec<Place>,
-    loc: Loc,
+    pub loc: Loc,
 }
 
 /// One of them.
@@ -44,7 +44,6 @@ impl Places {
         Places { list, loc }
     }
 
-    #[cfg(test)]
     pub fn iter(&self) -> impl Iterator<Item = &Place> {
         self.list.iter()
     }
@@ -309,9 +308,12 @@ impl Run<'_> {
     }
 
     fn run_pattern(&mut self, w: &super::words::Words, places: &Places) -> Outcome {
+        if let Some(name) = self.program_of_cycle_12() {
+            return self.run_program_pattern(w, places, &name);
+        }
         let cycle = self.pattern_subject("CYCL CALL PAT")?;
-        if cycle.number < 20 {
-            return self.cycle_unbuilt(&cycle, "a pattern of an old cycle");
+        if cycle.number < FIRST_PLACED {
+            return self.cycle_unbuilt(&cycle, "running it at the places of a pattern");
         }
         let own = self.cycle_length(&cycle, SURFACE)?;
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {

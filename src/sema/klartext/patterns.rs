@@ -24,6 +24,9 @@ use super::{Outcome, Reported, Run};
 /// Most places of a pattern.
 const MOST: f64 = 99_999.0;
 
+/// Cycles from this number on say their heights, and have no contour with a place of its own.
+pub(super) const FIRST_PLACED: u32 = 200;
+
 /// Places whose computing is one step.
 pub(super) const PLACES_A_STEP: u64 = 16;
 
@@ -34,8 +37,8 @@ impl Run<'_> {
         let cycle = self.pattern_subject(&by)?;
         let Some(places) = places else { return self.cycle_unbuilt(pattern, "this pattern") };
         self.all_are_set(pattern, &by)?;
-        if cycle.number < 20 {
-            return self.cycle_unbuilt(pattern, &format!("a pattern of the old cycle {}", cycle.number));
+        if cycle.number < FIRST_PLACED {
+            return self.cycle_unbuilt(pattern, &format!("a pattern of cycle {}", cycle.number));
         }
         if self.cycle_option(pattern, ON_ARCS)? != 0.0 {
             return self.cycle_unbuilt(pattern, "going from place to place on arcs (Q365=1)");
@@ -167,7 +170,7 @@ impl Run<'_> {
         let plane = plane_axes(self.st.plane());
         let named = w.axes.known();
         let all = plane.union(AxisSet::of(axis));
-        if cycle.number < 20
+        if cycle.number < FIRST_PLACED
             || !w.incremental.is_empty()
             || !named.without(all).is_empty()
             || !all.without(named).is_empty()

@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{MOST_LEVELS, Mill, Place, parts};
-use crate::ir::cycle::pocket::{Between, Finish, Insertion, Pocket, Room, Shape, Strategy};
+use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Room, Shape, Strategy};
 
 use super::cycles::DefinedCycle;
 use super::cycles::call::Call;
@@ -27,7 +27,8 @@ impl Run<'_> {
     pub(super) fn rectangular_pocket(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
         let Some((mill, asked)) = self.pocket_of(cycle, call)? else { return Ok(None) };
         let half = [self.above_zero(cycle, FIRST_SIDE)? / 2.0, self.above_zero(cycle, SECOND_SIDE)? / 2.0];
-        let corner = self.corner_of(cycle, mill.radius)?;
+        let corner = self.not_below_zero(cycle, CORNER)?;
+        let corner = self.corner_of(cycle, ("Q220", corner), mill.radius)?;
         let turn = Deg(self.cycle_option(cycle, TURN)?);
         let start = self.call_point(cycle)?;
         let to_middle = self.way_to_middle(cycle, half)?;
@@ -129,14 +130,13 @@ impl Run<'_> {
         Ok(Point2::new(x, y))
     }
 
-    /// The radius of the corners; 0 for that of the cutter.
-    fn corner_of(&mut self, cycle: &DefinedCycle, radius: f64) -> Outcome<f64> {
-        let corner = self.not_below_zero(cycle, CORNER)?;
+    /// The radius of the corners; 0 for that of the cutter, which is said.
+    pub(super) fn corner_of(&mut self, cycle: &DefinedCycle, (word, corner): (&str, f64), radius: f64) -> Outcome<f64> {
         if corner >= radius {
             return Ok(corner);
         }
         let text = format!(
-            "cycle {}: the corners get the radius of the cutter, {radius} mm, and not Q220 = {corner}",
+            "cycle {}: the corners get the radius of the cutter, {radius} mm, and not {word} = {corner}",
             cycle.number
         );
         if self.job.diags.first_text(codes::K8102, &text) {
@@ -149,8 +149,18 @@ impl Run<'_> {
         Ok(0.0)
     }
 
+    /// Does the cutter fit into the shape?
+    pub(super) fn fits(&mut self, cycle: &DefinedCycle, shape: &Shape, radius: f64) -> Outcome<f64> {
+        let room = shape.room(radius).least();
+        if room >= -1e-9 {
+            return Ok(room.max(0.0));
+        }
+        let what = format!("the cutter is {} mm wide, and there are {} mm", 2.0 * radius, 2.0 * (room + radius));
+        self.tool_too_large(cycle, &what)
+    }
+
     /// A pocket that is entered straight down.
-    fn pocket(
+    pub(super) fn pocket(
         &mut self,
         cycle: &DefinedCycle,
         mill: Mill,
@@ -158,13 +168,9 @@ impl Run<'_> {
         shape: Shape,
         (place, width): (Place, f64),
     ) -> Outcome<Pocket> {
-        let room = shape.room(mill.radius).least();
-        if room < -1e-9 || asked.rough && room - asked.allowance < -1e-9 {
-            let what = if room < -1e-9 {
-                format!("the cutter is {} mm wide, and there are {} mm", 2.0 * mill.radius, 2.0 * (room + mill.radius))
-            } else {
-                format!("the allowance Q368 = {} mm leaves the cutter no room", asked.allowance)
-            };
+        let room = self.fits(cycle, &shape, mill.radius)?;
+        if asked.rough && room - asked.allowance < -1e-9 {
+            let what = format!("the allowance Q368 = {} mm leaves the cutter no room", asked.allowance);
             return self.tool_too_large(cycle, &what);
         }
         let finish = (asked.wall || asked.floor).then_some(Finish {
@@ -173,7 +179,7 @@ impl Run<'_> {
             feed: asked.feed,
             step: asked.step,
             speed: None,
-            arc: Some(room.max(0.0) / 2.0),
+            onto: Onto::Quarter(room / 2.0),
             inserts: true,
         });
         Ok(Pocket {
@@ -225,7 +231,7 @@ impl Run<'_> {
         }
     }
 
-    fn milled(&mut self, cycle: &DefinedCycle, pocket: Pocket) -> Outcome<Option<Cycle>> {
+    pub(super) fn milled(&mut self, cycle: &DefinedCycle, pocket: Pocket) -> Outcome<Option<Cycle>> {
         self.budget.take(pocket.places.len() as u64);
         Ok(Some(Cycle::Pocket(self.sound(cycle, pocket)?)))
     }

@@ -210,6 +210,7 @@ impl Run<'_> {
         let feed = self.arc_feed(w)?;
         let end = self.polar_end(w, &pole, (radius, angle), true)?;
         self.flat(w, pole.plane, "CTP")?;
+        self.follows_a_block("CTP")?;
         self.start_in(pole.plane, "CTP")?;
         let feed = self.plunged(w, feed, &end, None);
         let arc = Arc { plane: pole.plane, shape: ArcShape::Tangent, turns: 0 };

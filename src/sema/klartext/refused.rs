@@ -26,7 +26,7 @@ impl Run<'_> {
                 "write the name of the table: `SEL TABLE \"NAME.D\"`",
             ),
             Refused::Contour => {
-                self.fail(codes::K9018, span, format!("{name}: contours of SL cycles are not supported yet"))
+                self.fail(codes::K9018, span, format!("{name}: contours that are put together are not supported"))
             }
             Refused::GlobalDef => self.global_def(block, text),
             Refused::Function if is_harmless(block.span.of(text)) => {

@@ -11,6 +11,7 @@ use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
 use crate::text::Loc;
 
+use super::active_tool::Change;
 use super::contour::{Contour, OwnCorner};
 use super::feed::FeedState;
 use super::frames::FrameState;
@@ -21,7 +22,7 @@ use super::tool::ToolState;
 use super::transformation::Transformation;
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct State {
     /// R+ and R- leave an axis beside its nominal position.
     pub position: Position,
@@ -88,6 +89,17 @@ impl State {
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),
         }
+    }
+
+    /// A contour is described from here on: it depends neither on where the tool stands nor on what its moves may do.
+    pub fn begin_contour(&mut self) {
+        self.position.forget(AxisSet::ALL);
+        self.position.not_lost(AxisSet::ALL);
+        self.polar.forget_last();
+        self.feed.presume();
+        self.feed.share_plunges(None);
+        self.contour = None;
+        self.tool.change = Change::None;
     }
 
     /// How the compiler compensates from now on.

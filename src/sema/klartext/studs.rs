@@ -16,7 +16,7 @@ use super::milling::Asked;
 use super::{Outcome, Run};
 
 /// Beside the blank the tool goes down so far away, mm.
-const ASIDE: f64 = 2.0;
+pub(super) const ASIDE: f64 = 2.0;
 
 impl Run<'_> {
     /// Cycle 256.

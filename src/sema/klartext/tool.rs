@@ -400,6 +400,17 @@ impl Run<'_> {
         }
     }
 
+    /// The radius of a tool by its number, with the oversize of the table, where it is known.
+    pub(super) fn radius_by_number(&self, number: u32) -> Option<f64> {
+        if self.st.tool.measured {
+            return None;
+        }
+        let data = self.job.settings.tools.by_number(number, 0);
+        let own = self.defined.get(&number).and_then(|(_, radius)| *radius);
+        let radius = own.or_else(|| data.and_then(|data| data.radius))?;
+        Some(radius + data.map_or(0.0, |data| data.deltas[1]))
+    }
+
     pub(super) fn spindle_speed(&mut self, speed: f64, span: Span) -> Outcome {
         if speed < 0.0 {
             return self.fail(codes::O9002, span, format!("the spindle speed is {speed}"));

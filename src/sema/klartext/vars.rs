@@ -27,7 +27,7 @@ const Q_COUNT: u32 = 2000;
 const QL_COUNT: u32 = 500;
 
 /// The parameters that every program sees.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Vars {
     q: Vec<Option<Slot>>,
     qr: Vec<Option<Slot>>,

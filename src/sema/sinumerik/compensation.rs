@@ -267,6 +267,7 @@ impl Channel<'_> {
                 _ => FeedAt::HollowContour,
             },
             is_way: false,
+            own_corner: false,
             joints_are_documented: true,
             alarms: ALARMS,
         })

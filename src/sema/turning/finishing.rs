@@ -4,6 +4,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2, cross, left};
+use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 use crate::ir::cycle::roughing::Nose;
@@ -42,9 +43,10 @@ impl Run<'_> {
         let feed = self.cutting_feed()?;
         let descending = match w.get(b'E') {
             None => {
-                let lowered = feed.with_value(feed.value() * DESCENDING_SHARE);
-                self.note_descending(&contour, stance.into);
-                Descending::Cut { feed: lowered }
+                if descends(&contour, stance.into) {
+                    self.note_descending();
+                }
+                Descending::Cut { feed: reduced(feed) }
             }
             Some(num) if num.value == 0.0 => Descending::Left,
             Some(num) => Descending::Cut { feed: feed.with_value(self.above_zero(num, "the plunging feed")?) },
@@ -247,14 +249,17 @@ impl Run<'_> {
         )
     }
 
-    fn note_descending(&self, contour: &[Element], into: Towards) {
-        if descends(contour, into) {
-            let message =
-                "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that";
-            let found = Diagnostic::new(codes::T2028, self.here.origin.loc, message);
-            self.report(found.help("program E with the feed for descending elements"));
-        }
+    pub(super) fn note_descending(&self) {
+        let message =
+            "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that";
+        let found = Diagnostic::new(codes::T2028, self.here.origin.loc, message);
+        self.report(found.help("program E with the feed for descending elements"));
     }
+}
+
+/// Of descending elements where E is missing.
+pub(super) fn reduced(feed: Feed) -> Feed {
+    feed.with_value(feed.value() * DESCENDING_SHARE)
 }
 
 /// Does any element go into the material?

@@ -160,7 +160,7 @@ impl Run<'_> {
     }
 
     /// A feed of the cycle in the mode in force.
-    fn own_feed(&self, w: &Words, letter: u8, active: Feed) -> Outcome<Feed> {
+    pub(super) fn own_feed(&self, w: &Words, letter: u8, active: Feed) -> Outcome<Feed> {
         let Some(num) = w.get(letter) else { return Ok(active) };
         Ok(active.with_value(self.above_zero(num, "a feed")?))
     }
@@ -242,7 +242,11 @@ impl Run<'_> {
             (Some(Blank::Bar { right, .. }), Towards::MinusZ) => Some(right),
             _ => None,
         };
-        let height = corner.or(stock).map_or(tool * out - clearance, |height| height * out);
+        // Elsewhere the tool would stay lower than the bar afterwards.
+        let back = self.choice(w, b'H', 0, 2)? == 0;
+        let left = self.left_by_roughing(contour, into).filter(|_| back).map_or(f64::INFINITY, |left| left * out);
+        let stock = stock.map(|height| (height * out).min(left));
+        let height = corner.map(|height| height * out).or(stock).unwrap_or(tool * out - clearance);
         Ok(height.max(rim) * out)
     }
 }

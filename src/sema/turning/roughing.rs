@@ -2,23 +2,26 @@
 //!
 //! Source: T 7, 8.1 and 8.2 (docs/sources.md).
 
-use std::f64::consts::PI;
-
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Element, Point2, Vec2, distance};
-use crate::ir::cycle::roughing::{Falling, Nose, RoughingEnd, Smoothing};
+use crate::geo::{Element, Point2, Vec2};
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::layers::{Allowance, Blank, Layers, Relief, Trace};
+use crate::ir::cycle::roughing::{Corner, Nose};
 use crate::ir::cycle::turning::Towards;
-use crate::ir::cycle::{Cycle, Roughing};
 use crate::machine::{Axis, RecessDepth};
 
 use super::chain::Coord;
-use super::geometry::Blank;
+use super::finishing::reduced;
+use super::geometry::Blank as Stock;
 use super::outline::Outline;
 use super::readings::Question;
 use super::technology::Oversize;
 use super::tool_side::tool_is_left;
 use super::words::Words;
 use super::{Outcome, Reported, Run};
+
+/// How far G81 and G82 lift off, mm.
+const RECTANGLE_LIFT: f64 = 1.0;
 
 impl Run<'_> {
     /// G81 along Z, G82 along X: a rectangle between the tool and a corner.
@@ -60,16 +63,30 @@ impl Run<'_> {
             false => Towards::PlusZ,
         };
         let feed = self.cutting_feed()?;
-        let entry = if self.choice(w, b'Q', 0, 1)? == 1 { Some(feed) } else { None };
+        let infeed = if self.choice(w, b'Q', 0, 1)? == 1 { Some(feed) } else { None };
         let back = self.choice(w, b'V', 0, 1)? == 1;
-        let roughing = Roughing {
-            oversize: self.rectangle_oversize(into)?,
-            entry,
-            end: if back { RoughingEnd::Start } else { RoughingEnd::Beside },
-            ..Roughing::rectangle(at, corner, into, most, 0.0, feed)
-        };
-        self.send_cycle(&Cycle::Roughing(roughing));
+        let layers = self.beside(Layers::rectangle(at, corner, into, most, RECTANGLE_LIFT, feed))?;
+        self.send_cycle(&Cycle::Layers(Layers {
+            allowance: Allowance { axes: self.rectangle_oversize(into)?, around: 0.0 },
+            blank: Blank::Corner(Corner { infeed, back }),
+            ..layers
+        }));
         Ok(())
+    }
+
+    /// Cuts that begin at the tool.
+    fn beside(&self, layers: Option<Layers>) -> Outcome<Layers> {
+        layers.map_or_else(
+            || {
+                self.fail_help(
+                    codes::T2025,
+                    self.block_span(),
+                    "the tool does not stand beside the contour, so there is no side to begin at",
+                    "position the tool in front of the contour, at the corner of the blank",
+                )
+            },
+            Ok,
+        )
     }
 
     pub(super) fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
@@ -151,68 +168,78 @@ impl Run<'_> {
             self.check_forms(&section, left)?;
         }
         self.check_stock(&contour, at, into, number)?;
-        self.note_bridged(&contour, at, into, number);
-        let plunges = matches!(number, 819 | 829);
-        let idle = w.get(b'E').is_some_and(|num| num.value == 0.0);
-        if let Some(num) = w.get(b'E').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "plunging behind a part that stands higher is not supported",
-                "program E0, or use a recess cycle",
-            );
-        }
-        let beside = matches!(number, 817 | 827);
-        let nose = self.nose_of_tool()?;
         let feed = self.cutting_feed()?;
-        let corner = if into.is_radial() { Point2::new(at.x - 1.0, at.y) } else { Point2::new(at.x, at.y - 1.0) };
-        let roughing = Roughing {
-            contour,
-            nose: nose.unwrap_or(Nose { radius: 0.0, tip: into.unit() }),
-            blank: into.depth_coordinate(at),
-            oversize: self.contour_oversize(w)?,
-            smoothing: match self.choice(w, b'H', 1, 2)? {
-                0 => Smoothing::EachCut,
-                1 => Smoothing::LastCut,
-                _ => Smoothing::Never,
+        let layers = self.beside(Layers::from_corner(&contour, into, at, most, self.cycle_clearance(), feed))?;
+        let layers = self.with_reliefs(w, layers, number)?;
+        let layers = Layers {
+            nose: self.nose_of_tool()?.unwrap_or(Nose { radius: 0.0, tip: into.unit() }),
+            blank: Blank::Corner(Corner { infeed: None, back: !matches!(number, 817 | 827) }),
+            allowance: Allowance { axes: self.contour_oversize(w)?, around: 0.0 },
+            trace: match self.choice(w, b'H', 1, 2)? {
+                0 => Trace::Level,
+                1 => Trace::Last,
+                _ => Trace::None,
             },
-            falling: if plunges && !idle { Falling::Refused } else { Falling::Bridged },
-            lift: self.cycle_clearance(),
-            end: if beside { RoughingEnd::Beside } else { RoughingEnd::Start },
-            ..Roughing::rectangle(at, corner, into, most, 0.0, feed)
+            ..layers
         };
-        self.send_cycle(&Cycle::Roughing(roughing));
+        self.send_cycle(&Cycle::Layers(layers));
         self.st.oversize = None;
         Ok(())
     }
 
-    /// Parts that fall behind a higher one are left standing: worth a word.
-    fn note_bridged(&self, contour: &[Element], at: Point2, into: Towards, number: u16) {
-        let out = -(into.unit().x + into.unit().y);
-        let mut points: Vec<Point2> = Vec::with_capacity(contour.len() + 1);
-        for element in contour {
-            points.push(element.from());
-            points.extend(extremes(element));
+    /// What becomes of parts that fall behind a higher one: G819 and G829 cut them, the others where E says so.
+    fn with_reliefs(&self, w: &Words, mut layers: Layers, number: u16) -> Outcome<Layers> {
+        let falls = !layers.reliefs().is_empty();
+        let plunges = match w.get(b'E') {
+            Some(num) => num.value != 0.0,
+            None => matches!(number, 819 | 829),
+        };
+        if !plunges || !falls {
+            if falls || layers.leans_over() {
+                let message =
+                    format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
+                self.report(Diagnostic::new(codes::T2026, self.here.origin.loc, message));
+            }
+            return Ok(layers);
         }
-        points.extend(contour.last().map(Element::to));
-        let along = |p: &Point2| if into.is_radial() { (p.x - at.x).abs() } else { (p.y - at.y).abs() };
-        if points.first().map(along) > points.last().map(along) {
-            points.reverse();
+        let feed = layers.feeds.rough;
+        layers.relief = Relief::Cut;
+        layers.feeds.plunge = if w.has(b'E') { self.own_feed(w, b'E', feed)? } else { reduced(feed) };
+        if !w.has(b'E') {
+            self.note_descending();
         }
-        let lower = |pair: &[Point2]| (into.depth_coordinate(pair[1]) - into.depth_coordinate(pair[0])) * out < -1e-6;
-        // What runs back towards the tool lies behind what it came from.
-        let back = |pair: &[Point2]| along(&pair[1]) - along(&pair[0]) < -1e-6;
-        if points.windows(2).any(|pair| lower(pair) || back(pair)) {
-            let message = format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
-            self.report(Diagnostic::new(codes::T2026, self.here.origin.loc, message));
+        self.check_flank(&layers, number)?;
+        Ok(layers)
+    }
+
+    /// The flank of the tool clears the falling side of a relief cut.
+    fn check_flank(&self, layers: &Layers, number: u16) -> Outcome {
+        let steepest = layers.steepest_fall();
+        match self.known_tool().and_then(|tool| tool.clearance).filter(|angle| *angle > 0.0) {
+            Some(angle) if steepest > angle + 1e-6 => self.fail_help(
+                codes::T2030,
+                self.block_span(),
+                format!("the contour falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"),
+                "take a tool with a larger clearance angle (`[tools.N] clearance`), or leave these parts out with E0",
+            ),
+            Some(_) => Ok(()),
+            None => {
+                let message =
+                    format!("G{number} cuts falling parts: whether the flank of the tool clears them is not checked");
+                let found = Diagnostic::new(codes::T2031, self.here.origin.loc, message);
+                self.report(
+                    found.help("give the clearance angle of the tool in partc.toml: `[tools.N] clearance = 30`"),
+                );
+                Ok(())
+            }
         }
     }
 
     /// From the tool the contour has to rise; a tool on the wrong side would cut into the finished part.
     fn check_side(&self, contour: &[Element], at: Point2, into: Towards, number: u16) -> Outcome {
         let bored = match self.geometry.blank {
-            Some(Blank::Bar { bore, .. }) => bore > 0.0,
-            Some(Blank::Casting { bore, .. }) => bore,
+            Some(Stock::Bar { bore, .. }) => bore > 0.0,
+            Some(Stock::Casting { bore, .. }) => bore,
             None => false,
         };
         let inside = into == Towards::PlusX;
@@ -258,24 +285,6 @@ impl Run<'_> {
             Some((_, loc)) => self.oversize_refused(loc, "an equidistant or negative oversize is not supported here"),
         }
     }
-}
-
-/// Points of an arc that are farthest along an axis, in its order.
-fn extremes(element: &Element) -> Vec<Point2> {
-    let Element::Arc { from, center, sweep, .. } = *element else { return Vec::new() };
-    let radius = distance(from, center);
-    let first = libm::atan2(from.y - center.y, from.x - center.x);
-    let turned = |angle: f64| (angle - first) * sweep.signum();
-    let mut found: Vec<(f64, Point2)> = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.5), (-1.0, 0.0, 1.0), (0.0, -1.0, 1.5)]
-        .map(|(x, y, half_turns)| {
-            let way = libm::fmod(turned(half_turns * PI) + 4.0 * PI, 2.0 * PI);
-            (way, center + Vec2::new(x, y) * radius)
-        })
-        .into_iter()
-        .filter(|(way, _)| *way < sweep.abs())
-        .collect();
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.into_iter().map(|(_, point)| point).collect()
 }
 
 /// Into the material: from the tool to the contour.

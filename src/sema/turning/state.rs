@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef};
+use crate::ir::cycle::Layers;
 use crate::machine::{AxisSet, Settings, Unit};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::feed::ModalFeed;
@@ -36,6 +37,8 @@ pub(super) struct State {
     pub moved: bool,
     /// Something was cut from the blank already.
     pub cut: bool,
+    /// The last roughing, and the shift of the zero it counts from.
+    pub roughed: Vec<(Rc<Layers>, f64)>,
     pub ctx: CtxRef,
 }
 
@@ -75,6 +78,7 @@ impl State {
             shift: Shift::default(),
             moved: false,
             cut: false,
+            roughed: Vec::new(),
             ctx: Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() }),
         }
     }

@@ -1,14 +1,19 @@
 //! Where the tool stands, seen from the bar or the casting of the section BLANK.
 //!
-//! What a program cut before is not subtracted from the blank: a cycle that cuts from the tool on begins outside of all of it.
+//! Of what a program cut before only roughing counts, and only for the recesses behind it: a cycle that cuts from the tool on begins outside of all of it.
+
+use std::rc::Rc;
 
 use crate::diag::codes;
 use crate::geo::{Element, Point2, distance};
-use crate::ir::cycle::Cycle;
 use crate::ir::cycle::turning::Towards;
+use crate::ir::cycle::{Cycle, Layers};
 
 use super::geometry::Blank;
 use super::{Outcome, Run};
+
+/// So many roughing cycles are known.
+const ROUGHED: usize = 16;
 
 /// What arithmetic loses in a position, mm.
 const SLACK: f64 = 1e-6;
@@ -100,6 +105,22 @@ impl Run<'_> {
 
     /// Threads and holes leave the surfaces as they are.
     pub(super) fn cycle_cuts(&mut self, cycle: &Cycle) {
-        self.st.cut |= matches!(cycle, Cycle::Roughing(_) | Cycle::Finishing(_));
+        self.st.cut |= matches!(cycle, Cycle::Layers(_) | Cycle::Finishing(_));
+        if let Cycle::Layers(layers) = cycle {
+            if self.st.roughed.len() == ROUGHED {
+                self.st.roughed.remove(0);
+            }
+            self.st.roughed.push((Rc::new(layers.clone()), self.st.shift.total()));
+        }
+    }
+
+    /// Height of the stock over a contour after the roughing so far, where that is known to have passed all of it.
+    pub(super) fn left_by_roughing(&self, contour: &[Element], into: Towards) -> Option<f64> {
+        let along = contour.iter().flat_map(|e| [e.from(), e.to()]).map(|p| into.cutting_coordinate(p));
+        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let out = -(into.unit().x + into.unit().y);
+        let same = |at: &&(Rc<Layers>, f64)| at.0.into == into && at.1 == self.st.shift.total();
+        let heights = self.st.roughed.iter().filter(same).filter_map(|(layers, _)| layers.leaves_standing(low, high));
+        heights.min_by(|a, b| (a * out).total_cmp(&(b * out)))
     }
 }

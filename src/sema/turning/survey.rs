@@ -21,7 +21,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
         let is_bad = passed.block.stmt == Stmt::Bad || !passed.problems.is_empty();
         let (block, text, site) = (passed.block, passed.text, passed.site);
         notes.clear();
-        notes.comments.extend(block.comment);
+        comments(text, block.comment, &mut notes.comments);
         if visitor.items() {
             note(block, &mut notes);
         }
@@ -37,6 +37,22 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
             items: &notes.items,
         };
         visitor.block(&surveyed, job);
+    }
+}
+
+/// The comments of a block from its first one on: `[one] [two]`.
+fn comments(text: &[u8], first: Option<Span>, list: &mut Vec<Span>) {
+    let mut next = first;
+    while let Some(comment) = next {
+        list.push(comment);
+        let behind = comment.end as usize + 1;
+        let rest = text.get(behind..).unwrap_or_default();
+        let open = behind + rest.len() - rest.trim_ascii_start().len() + 1;
+        let is_comment = rest.trim_ascii_start().starts_with(b"[");
+        next = is_comment.then(|| {
+            let end = memchr::memchr(b']', &text[open..]).map_or(text.len(), |at| open + at);
+            Span { start: open as u32, end: end as u32 }
+        });
     }
 }
 

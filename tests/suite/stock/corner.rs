@@ -1,7 +1,7 @@
 //! Stock removal at a corner: random calls of CYCLE951.
 
 use super::layers::{chance, real};
-use super::removal::{Blank, Made, Part, Piece, ROUGH, Side, Tally, UNLIMITED, made, run, steps};
+use super::removal::{Blank, Language, Made, PLUNGE, Part, Piece, ROUGH, Side, Tally, UNLIMITED, made, run, steps};
 use super::turning::P;
 use crate::damage::Dice;
 
@@ -225,7 +225,8 @@ impl Case {
             most: self.most,
             blank: Blank::Box { front: 0.0, top: self.seen_way()[1] },
             limits: UNLIMITED,
-            exact: true,
+            plunge: PLUNGE,
+            steps: Some(0.0),
         }
     }
 
@@ -270,7 +271,7 @@ fn transition(a: P, p: P, b: P, corner: Corner) -> (P, Option<Piece>, P) {
 }
 
 fn judge(case: &Case, tally: &mut Tally) -> Result<(), String> {
-    let (text, moves) = match made(&case.text(), &case.config())? {
+    let (text, moves) = match made(Language::Sinumerik, &case.text(), &case.config())? {
         Made::Moves { text, moves, .. } => (text, moves),
         // The allowance fills the blank.
         Made::Refused("G3046", _) => {

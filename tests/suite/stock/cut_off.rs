@@ -2,7 +2,7 @@
 
 use super::grooves::Tool;
 use super::layers::{chance, real};
-use super::removal::{LOST, Made, Tally, made, run};
+use super::removal::{LOST, Language, Made, Tally, made, run};
 use super::turning::{P, Stock};
 use crate::damage::Dice;
 use crate::meant::{Found, Way};
@@ -128,7 +128,7 @@ fn points(way: &Way, from: P, shift: f64) -> Vec<P> {
 }
 
 fn judge(case: &Case, tally: &mut Tally) -> Result<(), String> {
-    let (text, moves) = match made(&case.text(), &case.config())? {
+    let (text, moves) = match made(Language::Sinumerik, &case.text(), &case.config())? {
         Made::Moves { text, moves, .. } => (text, moves),
         Made::Refused(_, why) if why.contains("reach below the diameter") => {
             tally.refused += 1;

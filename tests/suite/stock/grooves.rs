@@ -32,6 +32,15 @@ enum Corner {
     Chamfer(f64),
 }
 
+impl Corner {
+    fn size(self) -> f64 {
+        match self {
+            Corner::Sharp => 0.0,
+            Corner::Round(size) | Corner::Chamfer(size) => size,
+        }
+    }
+}
+
 /// One wall, falling towards +x, its rim at x = 0.
 #[derive(Debug, Clone, Copy)]
 struct Wall {
@@ -153,7 +162,8 @@ impl Case {
     }
 
     fn distance(&self) -> f64 {
-        let way = self.width + 2.0 * self.depth + 3.0;
+        // The rim of the one stays outside of what is judged of the other.
+        let way = self.width + 2.0 * self.depth + 3.0 + self.outer.map(Corner::size).iter().sum::<f64>();
         if self.towards_plus() { way } else { -way }
     }
 

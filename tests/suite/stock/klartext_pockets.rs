@@ -6,39 +6,36 @@ use partc::internals::machine::Settings;
 use partc::internals::machine::tools::{Tool, ToolKey};
 
 use super::super::damage::Dice;
-use super::pockets::{Case, FINISH, Outline, PLUNGE, ROUGH, number};
+use super::milling::{many, turned};
+use super::pockets::{Case, FINISH, Outline, PLUNGE, ROUGH, Sizes, number, sizes};
 
 /// Plunging angle of the tool, degrees.
 const ANGLE: f64 = 4.0;
 
 struct Common {
-    radius: f64,
-    depth: f64,
-    step: f64,
-    wall: f64,
-    floor: f64,
+    sizes: Sizes,
     overlap: f64,
     climb: i32,
     plunging: usize,
     infeed: f64,
-    at: [f64; 2],
+}
+
+impl std::ops::Deref for Common {
+    type Target = Sizes;
+
+    fn deref(&self) -> &Sizes {
+        &self.sizes
+    }
 }
 
 fn common(dice: &mut Dice, most: usize) -> Common {
-    let radius = number(dice, 1.0, 10.0);
-    let depth = number(dice, 1.0, 12.0);
-    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
+    let sizes = sizes(dice);
     Common {
-        radius,
-        depth,
-        step: number(dice, depth / 5.0, depth * 1.2),
-        wall: some(dice, 0.6 * radius),
-        floor: some(dice, 0.4 * depth),
+        sizes,
         overlap: number(dice, 0.3, 1.999),
         climb: if dice.roll(2) == 0 { 1 } else { -1 },
         plunging: dice.roll(most + 1),
-        infeed: if dice.roll(2) == 0 { 0.0 } else { number(dice, depth / 4.0, depth) },
-        at: [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)],
+        infeed: if dice.roll(2) == 0 { 0.0 } else { number(dice, sizes.depth / 4.0, sizes.depth) },
     }
 }
 
@@ -67,30 +64,8 @@ fn case(
     c: &Common,
     home: Option<[f64; 2]>,
 ) -> Case {
-    let Common { radius, depth, step, wall, floor, .. } = *c;
     let slope = (c.plunging > 0).then(|| ANGLE.to_radians().tan());
-    let language = "klartext";
-    Case {
-        language,
-        text,
-        outline,
-        places,
-        radius,
-        depth,
-        step,
-        wall,
-        floor,
-        rough: true,
-        finish,
-        slope,
-        home,
-        cleared: None,
-    }
-}
-
-fn turned([x, y]: [f64; 2], turn: f64) -> [f64; 2] {
-    let (sin, cos) = turn.to_radians().sin_cos();
-    [x * cos - y * sin, x * sin + y * cos]
+    Case { finish, slope, home, ..Case::of("klartext", text, outline, places, c) }
 }
 
 fn rectangle(dice: &mut Dice) -> Case {
@@ -138,11 +113,9 @@ fn slot(dice: &mut Dice) -> Case {
 fn bow(dice: &mut Dice) -> Case {
     let c = common(dice, 2);
     let half = c.radius + c.wall + if dice.roll(4) == 0 { 0.0 } else { number(dice, 0.0, 2.5 * c.radius) };
-    let about = half * 5.0 + number(dice, 0.0, 20.0);
     let count = 1 + dice.roll(3);
     let index = 360.0 / count as f64;
-    let room = (half / about).asin().to_degrees() * 2.2;
-    let sweep = number(dice, 5.0, (index - room).max(6.0)).min((350.0 - room).floor());
+    let (about, sweep) = super::pockets::bow(dice, half, index);
     let start = number(dice, -180.0, 180.0);
     let by_middle = dice.roll(3) == 0;
     let center = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
@@ -175,39 +148,29 @@ pub fn settings() -> Settings {
 }
 
 /// Many cases at random by a generator, the number by `PARTC_POCKETS`.
-pub fn judge_many(usual: u64, random: impl Fn(&mut Dice) -> Case) {
-    let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
-    let (count, seed) = (from("PARTC_POCKETS", usual), from("PARTC_POCKETS_SEED", 1));
-    let settings = settings();
-    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
-    let mut bad = Vec::new();
-    for _ in 0..count {
-        let shift = dice.roll(100) as f64 / 100.0;
-        let case = random(&mut dice);
-        if let Err(why) = case.judge(&settings, shift) {
-            bad.push(format!("{why}\n{}{case:?}", case.text));
-        }
-    }
-    bad.sort_by_key(String::len);
-    assert!(bad.is_empty(), "{} of {count} fail, such as\n{}", bad.len(), bad[..bad.len().min(4)].join("\n\n"));
+pub fn judge_many(usual: u64, settings: &Settings, random: impl Fn(&mut Dice) -> Case) {
+    many("PARTC_POCKETS", usual, |dice, shift| {
+        let case = random(dice);
+        case.judge(settings, shift).map_err(|why| format!("{why}\n{}{case:?}", case.text)).map(|()| true)
+    });
 }
 
 #[test]
 fn klartext_rectangles_at_random() {
-    judge_many(100, rectangle);
+    judge_many(100, &settings(), rectangle);
 }
 
 #[test]
 fn klartext_circles_at_random() {
-    judge_many(60, circle);
+    judge_many(60, &settings(), circle);
 }
 
 #[test]
 fn klartext_slots_at_random() {
-    judge_many(100, slot);
+    judge_many(100, &settings(), slot);
 }
 
 #[test]
 fn klartext_circular_slots_at_random() {
-    judge_many(80, bow);
+    judge_many(80, &settings(), bow);
 }

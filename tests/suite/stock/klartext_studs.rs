@@ -1,9 +1,9 @@
-//! Cycles 230, 232, 256 and 257 with sizes at random: the properties of docs/cycles.md, column by column.
+//! Cycles 213, 215, 230, 232, 233, 256 and 257 with sizes at random: the properties of docs/cycles.md, column by column.
 
 use partc::internals::machine::Settings;
 
 use super::super::damage::Dice;
-use super::milling::{Cut, EXACT, Stock, track_of};
+use super::milling::{Cut, EXACT, Stock, beside, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, number};
 
 /// From path to path of a face.
@@ -65,12 +65,6 @@ fn program(radius: f64, at: [f64; 2], calls: &[String]) -> String {
         text += &format!("CYCL DEF {call}\nL X{:+} Y{:+} R0 FMAX M99\n", at[0], at[1]);
     }
     text + "M30\nEND PGM P MM\n"
-}
-
-/// Distance of `p` from a rectangle with round corners, below 0 inside.
-fn beside([x, y]: [f64; 2], half: [f64; 2], corner: f64) -> f64 {
-    let q = [x.abs() - half[0] + corner, y.abs() - half[1] + corner];
-    q[0].max(0.0).hypot(q[1].max(0.0)) + q[0].max(q[1]).min(0.0) - corner
 }
 
 fn stud(dice: &mut Dice) -> Case<'static> {
@@ -143,42 +137,118 @@ fn face(dice: &mut Dice) -> Case<'static> {
     let floor = if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, 0.4 * depth) };
     let size = [0, 1].map(|_| number(dice, 3.0, 80.0) * if dice.roll(2) == 0 { 1.0 } else { -1.0 });
     let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
-    let own = format!(
-        "232 NAME Q389={} Q225={} Q226={} Q227=0 Q386={:.4} Q218={:.4} Q219={:.4} Q202={step:.4} Q369={floor:.4} Q370={} Q207={ROUGH} Q385={FINISH} Q253={LINK} Q200=2 Q357={} Q204=10",
+    let common = format!(
+        "Q389={} Q227=0 Q386={:.4} Q218={:.4} Q219={:.4} Q202={step:.4} Q369={floor:.4} Q370={} Q207={ROUGH} Q385={FINISH} Q253={LINK} Q200=2 Q357={} Q204=10",
         dice.roll(3),
-        at[0],
-        at[1],
         -depth,
         size[0],
         size[1],
         number(dice, 0.3, 1.999),
         number(dice, 0.0, 5.0)
     );
-    let text = program(radius, [0.0; 2], &[own]);
+    let by_call = dice.roll(2) == 0;
+    let asked: &[u32] = [&[0][..], &[1], &[1, 2]][if floor > 0.0 { dice.roll(3) } else { dice.roll(2) }];
+    // Places of the call that are not the corner from which signed lengths count.
+    let placed = if size[0] > 0.0 && size[1] > 0.0 { dice.roll(6) } else { 5 };
+    let (text, ends) = if by_call {
+        let along = dice.roll(2);
+        let position = if placed == 5 { String::new() } else { format!(" Q367={placed}") };
+        let calls: Vec<String> =
+            asked.iter().map(|q215| format!("233 NAME Q215={q215} Q350={along}{position} {common}")).collect();
+        (program(radius, at, &calls), if *asked == [1] { floor - depth } else { -depth })
+    } else {
+        let own = format!("232 NAME Q225={} Q226={} {common}", at[0], at[1]);
+        (program(radius, [0.0; 2], &[own]), -depth)
+    };
+    let back = [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
+    let at = if by_call { [0, 1].map(|i| at[i] - back[placed][i] * size[i]) } else { at };
     let low = [0, 1].map(|i| at[i].min(at[i] + size[i]));
     let high = [0, 1].map(|i| at[i].max(at[i] + size[i]));
     let wanted = move |p: [f64; 2]| {
         let inside = (0..2).all(|i| p[i] > low[i] + EXACT && p[i] < high[i] - EXACT);
-        if inside { (-depth, -depth) } else { (0.0, -depth) }
+        if inside { (ends, ends) } else { (0.0, ends) }
     };
     let step = step.max(floor);
     Case { text, radius, step, low, high, wanted: Box::new(wanted), feeds: (&[LINK], &[LINK, ROUGH, FINISH]) }
 }
 
-fn judge_many(usual: u64, random: impl Fn(&mut Dice) -> Case<'static>) {
-    let from = |name: &str, usual: u64| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual);
-    let (count, seed) = (from("PARTC_POCKETS", usual), from("PARTC_POCKETS_SEED", 1));
-    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
-    let mut bad = Vec::new();
-    for _ in 0..count {
-        let shift = dice.roll(100) as f64 / 100.0;
-        let case = random(&mut dice);
-        if let Err(why) = case.judge(shift) {
-            bad.push(format!("{why}\n{}", case.text));
-        }
+/// Cycles 213 and 215: what stands on the wall is taken in one circuit.
+fn finished_stud(dice: &mut Dice) -> Case<'static> {
+    let radius = number(dice, 1.0, 10.0);
+    let depth = number(dice, 1.0, 12.0);
+    let step = number(dice, depth / 5.0, depth * 1.2);
+    let more = number(dice, 0.0, 2.0 * radius);
+    let round = dice.roll(2) == 0;
+    let mut half = [number(dice, 1.0, 25.0), number(dice, 1.0, 25.0)];
+    if round {
+        half[1] = half[0];
     }
-    bad.sort_by_key(String::len);
-    assert!(bad.is_empty(), "{} of {count} fail, such as\n{}", bad.len(), bad[..bad.len().min(4)].join("\n\n"));
+    let corner = if round { half[0] } else { number(dice, 0.0, half[0].min(half[1])) };
+    let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
+    let own = if round {
+        format!("215 NAME Q222={:.4} Q223={:.4}", 2.0 * (half[0] + more), 2.0 * half[0])
+    } else {
+        format!("213 NAME Q218={:.4} Q219={:.4} Q220={corner} Q221={more}", 2.0 * half[0], 2.0 * half[1])
+    };
+    let own = format!(
+        "{own} Q200=2 Q201={:.4} Q206={PLUNGE} Q202={step:.4} Q207={ROUGH} Q203=0 Q204=10 Q216={} Q217={}",
+        -depth, at[0], at[1]
+    );
+    let text = program(radius, [0.0; 2], &[own]);
+    let wanted = move |[x, y]: [f64; 2]| {
+        let away = beside([x - at[0], y - at[1]], half, corner);
+        if away < -EXACT {
+            (0.0, 0.0)
+        } else if away < EXACT || away > more - EXACT {
+            (0.0, -depth)
+        } else {
+            (-depth, -depth)
+        }
+    };
+    let reach = half[0].hypot(half[1]) + more + 1.0;
+    let (low, high) = (at.map(|v| v - reach), at.map(|v| v + reach));
+    Case { text, radius, step, low, high, wanted: Box::new(wanted), feeds: (&[PLUNGE], &[ROUGH]) }
+}
+
+/// Cycle 230: a face whose paths keep inside of its sides.
+fn multipass(dice: &mut Dice) -> Case<'static> {
+    let radius = number(dice, 2.0, 12.0);
+    let sign = |dice: &mut Dice| if dice.roll(2) == 0 { 1.0 } else { -1.0 };
+    let size = [number(dice, 3.0, 80.0) * sign(dice), (2.0 * radius + number(dice, 0.1, 60.0)) * sign(dice)];
+    let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
+    // Paths that are at most a diameter apart leave nothing.
+    let least = ((size[1].abs() - 2.0 * radius) / (2.0 * radius)).ceil() as usize + 1;
+    let cuts = least.max(2) + dice.roll(4);
+    let own = format!(
+        "230 NAME Q225={} Q226={} Q227=-1.5 Q218={:.4} Q219={:.4} Q240={cuts} Q206={PLUNGE} Q207={ROUGH} Q209={LINK} Q200=11.5",
+        at[0], at[1], size[0], size[1]
+    );
+    let text = program(radius, [0.0; 2], &[own]);
+    let low = [0, 1].map(|i| at[i].min(at[i] + size[i]));
+    let high = [0, 1].map(|i| at[i].max(at[i] + size[i]));
+    // The corners of the face lie inside of the circle of the cutter at the ends of the outer paths.
+    let wanted = move |p: [f64; 2]| {
+        let inside = (0..2).all(|i| p[i] > low[i] + EXACT && p[i] < high[i] - EXACT);
+        let beside = p[1] < low[1] - EXACT || p[1] > high[1] + EXACT;
+        if inside {
+            (-1.5, -1.5)
+        } else if beside {
+            (0.0, 0.0)
+        } else {
+            (0.0, -1.5)
+        }
+    };
+    // The cells reach over the sides, so that a cut beside them shows.
+    let over = [low.map(|v| v - 2.0), high.map(|v| v + 2.0)];
+    let feeds: (&[f64], &[f64]) = (&[PLUNGE], &[LINK, ROUGH]);
+    Case { text, radius, step: 1.5, low: over[0], high: over[1], wanted: Box::new(wanted), feeds }
+}
+
+fn judge_many(usual: u64, random: impl Fn(&mut Dice) -> Case<'static>) {
+    many("PARTC_POCKETS", usual, |dice, shift| {
+        let case = random(dice);
+        case.judge(shift).map_err(|why| format!("{why}\n{}", case.text)).map(|()| true)
+    });
 }
 
 #[test]
@@ -187,6 +257,16 @@ fn klartext_studs_at_random() {
 }
 
 #[test]
+fn klartext_finished_studs_at_random() {
+    judge_many(60, finished_stud);
+}
+
+#[test]
 fn klartext_faces_at_random() {
     judge_many(100, face);
+}
+
+#[test]
+fn klartext_multipass_at_random() {
+    judge_many(100, multipass);
 }

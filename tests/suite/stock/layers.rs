@@ -3,7 +3,7 @@
 use core::fmt::Write;
 
 use super::removal::{
-    Blank, FINISH, Limits, Made, PLUNGE, Part, Piece, ROUGH, Side, Tally, UNLIMITED, made, run, steps, top,
+    Blank, FINISH, Language, Limits, Made, PLUNGE, Part, Piece, ROUGH, Side, Tally, UNLIMITED, made, run, steps, top,
 };
 use super::turning::P;
 use crate::damage::Dice;
@@ -270,7 +270,8 @@ impl Case {
                 Cycle::Outline => Blank::Line(self.outline.clone()),
             },
             limits: self.limits,
-            exact: !(self.by_tip && self.cycle == Cycle::Classic),
+            plunge: PLUNGE,
+            steps: (!(self.by_tip && self.cycle == Cycle::Classic)).then_some(0.0),
         }
     }
 }
@@ -328,7 +329,7 @@ fn outline(dice: &mut Dice, pieces: &[Piece]) -> Vec<P> {
 }
 
 /// A contour that rises on the whole, from the origin on.
-fn contour(dice: &mut Dice, valleys: bool, closes: bool) -> Vec<Piece> {
+pub fn contour(dice: &mut Dice, valleys: bool, closes: bool) -> Vec<Piece> {
     let mut list: Vec<Piece> = Vec::new();
     let mut at = [0.0, 0.0];
     let add = |list: &mut Vec<Piece>, at: &mut P, by: P, arc: Option<(P, bool)>| {
@@ -388,7 +389,7 @@ fn contour(dice: &mut Dice, valleys: bool, closes: bool) -> Vec<Piece> {
 }
 
 fn judge(case: &Case, tally: &mut Tally) -> Result<(), String> {
-    let (text, moves, codes) = match made(&case.text(), &case.config())? {
+    let (text, moves, codes) = match made(Language::Sinumerik, &case.text(), &case.config())? {
         Made::Moves { text, moves, codes } => (text, moves, codes),
         // A blank that the allowance fills, a contour that meets itself, an area that begins in the blank, a start in it.
         Made::Refused("G3046" | "S2091" | "G3303" | "G3301", _) => {

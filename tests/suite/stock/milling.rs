@@ -166,6 +166,18 @@ pub struct Stock {
     top: Vec<f64>,
 }
 
+/// Distance of `p` from a rectangle about the origin with round corners, below 0 inside.
+pub fn beside([x, y]: [f64; 2], half: [f64; 2], corner: f64) -> f64 {
+    let q = [x.abs() - half[0] + corner, y.abs() - half[1] + corner];
+    q[0].max(0.0).hypot(q[1].max(0.0)) + q[0].max(q[1]).min(0.0) - corner
+}
+
+/// A point that is turned about the origin, in degrees.
+pub fn turned([x, y]: [f64; 2], turn: f64) -> [f64; 2] {
+    let (sin, cos) = turn.to_radians().sin_cos();
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
 /// What a move met.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Met {

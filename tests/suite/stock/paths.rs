@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
-use super::milling::{Cut, EXACT, Stock, track};
+use super::milling::{Cut, EXACT, Stock, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
 
 /// How much nearer than asked a path may come: what the contour loses where its roundings are computed.
@@ -23,6 +23,7 @@ struct Piece {
 
 #[derive(Debug)]
 struct Case {
+    language: &'static str,
     text: String,
     pieces: Vec<Piece>,
     corners: Vec<P>,
@@ -85,7 +86,7 @@ impl Case {
 
     /// Cuts a block and says what is wrong; false where the cutter was said to have no path.
     fn judge(&self, settings: &Settings, shift: f64) -> Result<bool, String> {
-        let cuts = match track(&self.text, settings) {
+        let cuts = match track_of(self.language, &self.text, settings) {
             Ok(cuts) => cuts,
             Err(codes) if codes.iter().all(|code| code.starts_with("G3")) => return Ok(false),
             Err(codes) => return Err(format!("refused: {codes:?}")),
@@ -163,7 +164,13 @@ impl Case {
 }
 
 /// A contour through `corners` with a rounding at each in between, as it is written, and as it is.
-fn rounded(corners: &[P], rounding: f64) -> (String, Vec<Piece>) {
+fn rounded(corners: &[P], rounding: f64, klartext: bool) -> (String, Vec<Piece>) {
+    let line = |[x, y]: P, rounding: f64| match (klartext, rounding > 0.0) {
+        (true, true) => format!("L X{x:+} Y{y:+}\nRND R{rounding}\n"),
+        (true, false) => format!("L X{x:+} Y{y:+}\n"),
+        (false, true) => format!("G1 X{x} Y{y} RND={rounding}\n"),
+        (false, false) => format!("G1 X{x} Y{y}\n"),
+    };
     let mut text = String::new();
     let mut pieces = Vec::new();
     let mut at = corners[0];
@@ -172,12 +179,12 @@ fn rounded(corners: &[P], rounding: f64) -> (String, Vec<Piece>) {
         let unit = |a: P, b: P| [(b[0] - a[0]) / away(a, b), (b[1] - a[1]) / away(a, b)];
         let u = unit(a, b);
         if i + 1 == corners.len() || rounding == 0.0 {
-            let _ = writeln!(text, "G1 X{} Y{}", b[0], b[1]);
+            text += &line(b, 0.0);
             pieces.push(Piece { from: at, to: b, center: None });
             at = b;
             continue;
         }
-        let _ = writeln!(text, "G1 X{} Y{} RND={rounding}", b[0], b[1]);
+        text += &line(b, rounding);
         let v = unit(b, corners[i + 1]);
         let cross = u[0] * v[1] - u[1] * v[0];
         let turn = cross.atan2(u[0] * v[0] + u[1] * v[1]);
@@ -191,7 +198,8 @@ fn rounded(corners: &[P], rounding: f64) -> (String, Vec<Piece>) {
     (text, pieces)
 }
 
-fn random(dice: &mut Dice) -> Case {
+/// What is milled, without the program that says so.
+fn shape(dice: &mut Dice, klartext: bool) -> (Case, String, P) {
     let radius = number(dice, 1.0, 6.0);
     let depth = number(dice, 1.0, 10.0);
     let step = number(dice, depth / 4.0, depth * 1.2);
@@ -228,11 +236,23 @@ fn random(dice: &mut Dice) -> Case {
     }
     let around: Vec<P> =
         if closed { corners.iter().chain(corners.first()).copied().collect() } else { corners.clone() };
-    let (contour, pieces) = rounded(&around, rounding);
+    let (contour, pieces) = rounded(&around, rounding, klartext);
     let twice: f64 = corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum();
     let side = 40 + dice.roll(3);
     let outside = (twice > 0.0) == (side == 42);
-    let finish = dice.roll(2) == 0;
+    let finish = !klartext && dice.roll(2) == 0;
+    let (wall, floor) = (if klartext && side == 40 { 0.0 } else { wall }, if klartext { 0.0 } else { floor });
+    let language = if klartext { "klartext" } else { "sinumerik" };
+    let text = String::new();
+    let start = around[0];
+    let case =
+        Case { language, text, pieces, corners, closed, side, outside, radius, depth, step, wall, floor, finish };
+    (case, contour, start)
+}
+
+fn random(dice: &mut Dice) -> Case {
+    let (case, contour, start) = shape(dice, false);
+    let Case { side, finish, radius, depth, step, wall, floor, .. } = case;
     let way = |dice: &mut Dice| {
         let shape = if side == 40 { 1 } else { 1 + dice.roll(3) };
         (shape + 10 * dice.roll(2), number(dice, 0.5, 2.0 * radius))
@@ -250,9 +270,44 @@ fn random(dice: &mut Dice) -> Case {
             unit + digits
         );
     }
-    let _ = write!(text, "M30\nE_A:\nG0 X{} Y{}\n{contour}E_E:\n", around[0][0], around[0][1]);
+    let _ = write!(text, "M30\nE_A:\nG0 X{} Y{}\n{contour}E_E:\n", start[0], start[1]);
     let wall = if side == 40 { 0.0 } else { wall };
-    Case { text, pieces, corners, closed, side, outside, radius, depth, step, wall, floor, finish }
+    Case { text, wall, ..case }
+}
+
+/// Cycle 25, with cycle 270 or without it.
+fn contour_train(dice: &mut Dice) -> Case {
+    let (case, contour, start) = shape(dice, true);
+    let Case { side, radius, depth, step, wall, .. } = case;
+    let mut text =
+        format!("BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL CALL 1 Z S3000\nL X+7 Y+3 Z+50 R0 FMAX M3\n");
+    text += "CYCL DEF 14.0 CONTOUR GEOMETRY\nCYCL DEF 14.1 CONTOUR LABEL 1\n";
+    let way = dice.roll(2) == 0;
+    if way {
+        let form = if side == 40 { 2 } else { 1 + dice.roll(3) };
+        let (size, angle, length) =
+            (number(dice, 0.5, 2.0 * radius), number(dice, 20.0, 200.0), number(dice, 0.5, 2.0 * radius));
+        let _ =
+            writeln!(text, "CYCL DEF 270 WAYS Q390={form} Q391={} Q392={size} Q393={angle} Q394={length}", side - 40);
+    }
+    let kind = if side == 40 { ["+1", "+0"][dice.roll(2)] } else { ["+1", "-1", "+0"][dice.roll(3)] };
+    let _ = writeln!(
+        text,
+        "CYCL DEF 25 TRAIN Q1={} Q3={wall} Q5=+0 Q7=+10 Q10={step} Q11={PLUNGE} Q12={ROUGH} Q15={kind}\nCYCL CALL",
+        -depth
+    );
+    let word = ["", " RL", " RR"][side - 40];
+    let _ = write!(text, "M30\nLBL 1\nL X{:+} Y{:+}{word}\n{contour}LBL 0\nEND PGM P MM\n", start[0], start[1]);
+    Case { text, ..case }
+}
+
+#[test]
+fn contour_trains_at_random_keep_the_properties_of_cycles() {
+    let settings = Settings::default();
+    super::milling::many("PARTC_TRAINS", 60, |dice, shift| {
+        let case = contour_train(dice);
+        case.judge(&settings, shift).map_err(|why| format!("{why}\n{}{case:?}", case.text))
+    });
 }
 
 #[test]

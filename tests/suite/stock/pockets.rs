@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
-use super::milling::{Cut, EXACT, Stock, many, track_of};
+use super::milling::{Cut, EXACT, Stock, beside, many, track_of, turned};
 
 /// Feeds by which the cuts are told apart.
 pub const ROUGH: f64 = 1000.0;
@@ -41,15 +41,14 @@ pub struct Case {
     pub home: Option<[f64; 2]>,
     /// What was cleared before, and how deep.
     pub cleared: Option<(Outline, f64)>,
+    /// Feeds at which it goes down.
+    pub plunges: &'static [f64],
 }
 
 /// Distance of `p` from the wall, above 0 inside.
 fn inside(outline: &Outline, [x, y]: [f64; 2]) -> f64 {
     match *outline {
-        Outline::Rectangle { half, corner } => {
-            let q = [x.abs() - half[0] + corner, y.abs() - half[1] + corner];
-            corner - q[0].max(0.0).hypot(q[1].max(0.0)) - q[0].max(q[1]).min(0.0)
-        }
+        Outline::Rectangle { half, corner } => -beside([x, y], half, corner),
         Outline::Circle { radius } => radius - x.hypot(y),
         Outline::Slot { from, to, half } => half - (x - x.clamp(from, to)).hypot(y),
         Outline::Bow { radius, sweep, half } => {
@@ -152,7 +151,7 @@ impl Case {
                 return Err(format!("goes into the material too steeply: {cut:?}"));
             }
             let plunges = cut.is_vertical() || self.language == "klartext" && falls > EXACT;
-            if plunges && !cut.is_rapid() && cut.feed != Some(PLUNGE) {
+            if plunges && cut.feed.is_some_and(|feed| !self.plunges.contains(&feed)) {
                 return Err(format!("goes down at the feed of the plane: {cut:?}"));
             }
         }
@@ -230,31 +229,83 @@ fn random(dice: &mut Dice) -> Case {
     }
 }
 
-struct Common {
-    radius: f64,
-    depth: f64,
-    step: f64,
-    wall: f64,
-    floor: f64,
-    width: f64,
-    direction: usize,
-    at: [f64; 2],
+/// What a pocket of any language has.
+#[derive(Debug, Clone, Copy)]
+pub struct Sizes {
+    pub radius: f64,
+    pub depth: f64,
+    pub step: f64,
+    pub wall: f64,
+    pub floor: f64,
+    pub at: [f64; 2],
 }
 
-fn common(dice: &mut Dice) -> Common {
+pub fn sizes(dice: &mut Dice) -> Sizes {
     let radius = number(dice, 1.0, 10.0);
     let depth = number(dice, 1.0, 12.0);
-    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.0, high) };
-    Common {
+    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
+    Sizes {
         radius,
         depth,
         step: number(dice, depth / 5.0, depth * 1.2),
         wall: some(dice, 0.6 * radius),
         floor: some(dice, 0.4 * depth),
-        width: number(dice, 0.3 * radius, 2.0 * radius),
-        direction: dice.roll(4),
         at: [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)],
     }
+}
+
+impl Case {
+    /// A pocket that is roughed.
+    pub fn of(language: &'static str, text: String, outline: Outline, places: Vec<([f64; 2], f64)>, c: &Sizes) -> Case {
+        let Sizes { radius, depth, step, wall, floor, .. } = *c;
+        let (finish, plunges) = ([false; 2], &[PLUNGE]);
+        let (slope, home, cleared) = (None, None, None);
+        Case {
+            language,
+            text,
+            outline,
+            places,
+            radius,
+            depth,
+            step,
+            wall,
+            floor,
+            rough: true,
+            finish,
+            slope,
+            home,
+            cleared,
+            plunges,
+        }
+    }
+}
+
+struct Common {
+    sizes: Sizes,
+    width: f64,
+    direction: usize,
+}
+
+impl std::ops::Deref for Common {
+    type Target = Sizes;
+
+    fn deref(&self) -> &Sizes {
+        &self.sizes
+    }
+}
+
+fn common(dice: &mut Dice) -> Common {
+    let sizes = sizes(dice);
+    let width = number(dice, 0.3 * sizes.radius, 2.0 * sizes.radius);
+    Common { sizes, width, direction: dice.roll(4) }
+}
+
+/// A circular slot about the middle of its pitch circle, one of several that are `index` degrees apart: the radius of that, and the
+/// angle of the slot.
+pub fn bow(dice: &mut Dice, half: f64, index: f64) -> (f64, f64) {
+    let about = half * 5.0 + number(dice, 0.0, 20.0);
+    let room = (half / about).asin().to_degrees() * 2.2;
+    (about, number(dice, 5.0, (index - room).max(6.0)).min((350.0 - room).floor()))
 }
 
 /// How the tool is inserted by POCKET3 and POCKET4: the tens, `_RAD1` and `_DP1`.
@@ -278,14 +329,13 @@ fn rectangle(dice: &mut Dice) -> Case {
     let reference = dice.roll(5);
     let corner_of = [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]][reference];
     let gmode = if reference == 0 { 0 } else { 1000 * (reference + 1) };
-    let (sin, cos) = turn.to_radians().sin_cos();
-    let (dx, dy) = (corner_of[0] * half[0], corner_of[1] * half[1]);
-    let centre = [c.at[0] + dx * cos - dy * sin, c.at[1] + dx * sin + dy * cos];
+    let way = turned([corner_of[0] * half[0], corner_of[1] * half[1]], turn);
+    let centre = [c.at[0] + way[0], c.at[1] + way[1]];
     let before = [0, 1].map(|i| number(dice, 0.1, half[i]).min(half[i]));
     let cleared = (dice.roll(4) == 0).then(|| number(dice, 0.1, c.depth).min(c.depth));
     let ad = cleared.unwrap_or(0.0);
     let call = |text: &mut String, vari: usize, feed: f64| {
-        let Common { depth, step, wall, floor, width, direction, at: [x, y], .. } = c;
+        let (Sizes { depth, step, wall, floor, at: [x, y], .. }, width, direction) = (c.sizes, c.width, c.direction);
         let [ap1, ap2] = before.map(|half| 2.0 * half);
         let _ = writeln!(
             text,
@@ -332,7 +382,7 @@ fn circle(dice: &mut Dice) -> Case {
     let cleared = (dice.roll(4) == 0).then(|| number(dice, 0.1, c.depth).min(c.depth));
     let ad = cleared.unwrap_or(0.0);
     let call = |text: &mut String, vari: usize, feed: f64| {
-        let Common { depth, step, wall, floor, width, direction, at: [x, y], .. } = c;
+        let (Sizes { depth, step, wall, floor, at: [x, y], .. }, width, direction) = (c.sizes, c.width, c.direction);
         let _ = writeln!(
             text,
             "POCKET4(10,0,2,{depth},{},{x},{y},{step},{wall},{floor},{feed},{PLUNGE},{direction},{},{width},{},{ad},{rad},{pitch},0,1,2,0,1,1)",
@@ -358,14 +408,12 @@ fn slots(dice: &mut Dice) -> Case {
     // Complete, roughing, and roughing with a call of its own for the wall, or for wall and floor.
     let units: &[usize] = [&[0][..], &[1], &[1, 2], &[1, 4]][dice.roll(4)];
     let midf = if dice.roll(2) == 0 { 0.0 } else { number(dice, 1.0, 5.0) };
-    let Common { radius, depth, step, direction, at: [x, y], .. } = c;
+    let (Sizes { radius, depth, step, at: [x, y], .. }, direction) = (c.sizes, c.direction);
     let (centred, transfer) = (count == 1 && dice.roll(2) == 0, 700 * dice.roll(2));
     let mut text = header(radius, "7");
     let places = (0..count).map(|i| ([x, y], start + i as f64 * index)).collect();
     let outline = if bow {
-        let about = half * 2.0 + number(dice, 0.0, 20.0) + 3.0 * half;
-        let room = (half / about).asin().to_degrees() * 2.2;
-        let sweep = number(dice, 5.0, (index - room).max(6.0)).min(350.0 - room);
+        let (about, sweep) = self::bow(dice, half, index);
         for unit in units {
             let _ = writeln!(
                 text,
@@ -397,14 +445,15 @@ fn slots(dice: &mut Dice) -> Case {
     };
     text.push_str("M30\n");
     let floor = if bow { 0.0 } else { c.floor };
-    let c = Common { wall, floor, ..c };
+    let c = Sizes { wall, floor, ..c.sizes };
     case(text, outline, places, &c, [*units != [1], !bow && [&[0][..], &[1, 2]].contains(&units)])
 }
 
 /// POCKET1 and POCKET2.
 fn old_pocket(dice: &mut Dice) -> Case {
-    let c = Common { floor: 0.0, ..common(dice) };
-    let Common { radius, depth, step, wall, direction, at: [x, y], .. } = c;
+    let direction = dice.roll(4);
+    let c = Sizes { floor: 0.0, ..sizes(dice) };
+    let Sizes { radius, depth, step, wall, at: [x, y], .. } = c;
     let unit = dice.roll(3);
     let midf = if dice.roll(2) == 0 { 0.0 } else { number(dice, 1.0, 5.0) };
     let mut text = header(radius, "7");
@@ -429,8 +478,8 @@ fn old_pocket(dice: &mut Dice) -> Case {
 }
 
 fn long_holes(dice: &mut Dice) -> Case {
-    let c = Common { wall: 0.0, floor: 0.0, ..common(dice) };
-    let Common { radius, depth, step, at: [x, y], .. } = c;
+    let c = Sizes { wall: 0.0, floor: 0.0, ..sizes(dice) };
+    let Sizes { radius, depth, step, at: [x, y], .. } = c;
     let (count, start) = (1 + dice.roll(3), number(dice, 0.0, 360.0));
     let rad = 4.0 * radius + number(dice, 0.0, 20.0);
     let length = 2.0 * radius + number(dice, 0.01, 40.0);
@@ -444,25 +493,8 @@ fn long_holes(dice: &mut Dice) -> Case {
     case(text, outline, places, &c, [false, false])
 }
 
-fn case(text: String, outline: Outline, places: Vec<([f64; 2], f64)>, c: &Common, finish: [bool; 2]) -> Case {
-    let Common { radius, depth, step, wall, floor, .. } = *c;
-    let (language, slope, home) = ("sinumerik", None, None);
-    Case {
-        language,
-        text,
-        outline,
-        places,
-        radius,
-        depth,
-        step,
-        wall,
-        floor,
-        rough: true,
-        finish,
-        slope,
-        home,
-        cleared: None,
-    }
+fn case(text: String, outline: Outline, places: Vec<([f64; 2], f64)>, c: &Sizes, finish: [bool; 2]) -> Case {
+    Case { finish, ..Case::of("sinumerik", text, outline, places, c) }
 }
 
 #[test]

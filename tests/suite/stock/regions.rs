@@ -5,33 +5,38 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
-use super::milling::{Cut, EXACT, Stock, many, track};
+use super::milling::{Cut, EXACT, Stock, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
 
 /// How much nearer than asked a path may come: what the rings of a contour may lose.
 const NEARER: f64 = 2e-5;
 
-type P = [f64; 2];
+pub type P = [f64; 2];
 
 /// A closed polygon, or a circle.
 #[derive(Debug, Clone)]
-enum Ring {
+pub enum Ring {
     Corners(Vec<P>),
     Circle { center: P, radius: f64 },
 }
 
 #[derive(Debug)]
-struct Case {
-    text: String,
+pub struct Case {
+    pub language: &'static str,
+    pub text: String,
     /// The outline, and the islands.
-    rings: Vec<Ring>,
-    radius: f64,
-    depth: f64,
-    step: f64,
-    wall: f64,
-    floor: f64,
+    pub rings: Vec<Ring>,
+    pub radius: f64,
+    pub depth: f64,
+    pub step: f64,
+    pub wall: f64,
+    pub floor: f64,
     /// Wall and floor are finished.
-    finish: [bool; 2],
+    pub finish: [bool; 2],
+    /// What is left on the wall then.
+    pub left: f64,
+    /// Radius of the path in inside corners.
+    pub corners: f64,
 }
 
 fn to_segment(p: P, a: P, b: P) -> f64 {
@@ -45,7 +50,7 @@ impl Ring {
         corners.iter().enumerate().map(|(i, a)| (*a, corners[(i + 1) % corners.len()]))
     }
 
-    fn distance(&self, p: P) -> f64 {
+    pub fn distance(&self, p: P) -> f64 {
         match self {
             Ring::Corners(corners) => Ring::sides(corners).map(|(a, b)| to_segment(p, a, b)).fold(f64::MAX, f64::min),
             Ring::Circle { center, radius } => ((p[0] - center[0]).hypot(p[1] - center[1]) - radius).abs(),
@@ -99,10 +104,14 @@ impl Case {
     }
 
     /// Cuts the blank and says what is wrong; false where the cutter was said to have no path.
-    fn judge(&self, shift: f64) -> Result<bool, String> {
-        let cuts = match track(&self.text, &Settings::default()) {
+    pub fn judge(&self, shift: f64) -> Result<bool, String> {
+        let cuts = match track_of(self.language, &self.text, &Settings::default()) {
             Ok(cuts) => cuts,
-            Err(codes) if codes.iter().all(|code| code.starts_with("G3321")) => return Ok(false),
+            Err(codes)
+                if codes.iter().all(|code| code.starts_with("G3321") || code.contains("no room for the radius Q8")) =>
+            {
+                return Ok(false);
+            }
             Err(codes) => return Err(format!("refused: {codes:?}")),
         };
         let size = 62.0;
@@ -112,7 +121,7 @@ impl Case {
         for (cut, finishing) in cuts.iter().zip(finishing(&cuts)) {
             let lowest = cut.from[2].min(cut.to[2]);
             if lowest < 0.0 {
-                let wall = if finishing && self.finish[0] { 0.0 } else { self.wall };
+                let wall = if finishing && self.finish[0] { self.left } else { self.wall };
                 let found = self.least(cut);
                 if found < self.radius + wall - NEARER {
                     return Err(format!("gouges the wall: {found} of {} at {cut:?}", self.radius + wall));
@@ -137,16 +146,17 @@ impl Case {
 
     /// Every column that a cutter between the walls can reach is cut down to the floor.
     fn complete(&self, stock: &Stock, cell: f64) -> Result<(), String> {
-        let wall = if self.finish[0] { 0.0 } else { self.wall };
+        let wall = if self.finish[0] { self.left } else { self.wall };
         let floor = if self.finish[1] && !self.finish[0] { -self.depth } else { -self.depth + self.floor };
-        let least = self.radius + wall;
+        // In inside corners the path is as round as that of a larger cutter.
+        let (least, reach) = (self.radius + wall + self.corners, self.radius + self.corners);
         for (p, top) in stock.columns() {
             if top < 0.0 && self.room(p) < -EXACT {
                 return Err(format!("the column at {p:?} in the wall is cut"));
             }
             let stands = top > floor + EXACT && self.room(p) >= wall;
             // Could a cutter between the walls stand over it?
-            if stands && stock.around(p, self.radius - EXACT).any(|c| self.room(c) >= least) {
+            if stands && stock.around(p, reach - EXACT).any(|c| self.room(c) >= least) {
                 return Err(format!("the column at {p:?} ends at {top}, not at {floor} (columns {cell} apart)"));
             }
         }
@@ -154,13 +164,8 @@ impl Case {
     }
 }
 
-/// A star about the origin, islands that keep off each other.
-fn random(dice: &mut Dice) -> Case {
-    let radius = number(dice, 1.5, 5.0);
-    let depth = number(dice, 1.0, 8.0);
-    let step = number(dice, depth / 3.0, depth * 1.2);
-    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.0, high) };
-    let (wall, floor) = (some(dice, 0.4 * radius), some(dice, 0.3 * depth));
+/// A star about the origin, in either sense.
+pub fn star(dice: &mut Dice) -> Vec<P> {
     let count = 3 + dice.roll(7);
     let start = number(dice, 0.0, 360.0);
     let round = |v: f64| (v * 1000.0).round() / 1000.0;
@@ -174,7 +179,18 @@ fn random(dice: &mut Dice) -> Case {
     if dice.roll(2) == 0 {
         corners.reverse();
     }
-    let mut rings = vec![Ring::Corners(corners)];
+    corners
+}
+
+/// A star, and islands in it that keep off each other.
+fn random(dice: &mut Dice) -> Case {
+    let radius = number(dice, 1.5, 5.0);
+    let depth = number(dice, 1.0, 8.0);
+    let step = number(dice, depth / 3.0, depth * 1.2);
+    let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.0, high) };
+    let (wall, floor) = (some(dice, 0.4 * radius), some(dice, 0.3 * depth));
+    let round = |v: f64| (v * 1000.0).round() / 1000.0;
+    let mut rings = vec![Ring::Corners(star(dice))];
     for _ in 0..dice.roll(4) {
         let center = [number(dice, -25.0, 25.0), number(dice, -25.0, 25.0)];
         let size = number(dice, 1.0, 7.0);
@@ -233,7 +249,8 @@ fn random(dice: &mut Dice) -> Case {
         text += &ring.contour(&format!("R{i}"));
     }
     // The floor is finished up to the allowance on the wall, the wall down to that on the floor.
-    Case { text, rings, radius, depth, step, wall, floor, finish }
+    let (left, corners, language) = (0.0, 0.0, "sinumerik");
+    Case { language, text, rings, radius, depth, step, wall, floor, finish, left, corners }
 }
 
 #[test]

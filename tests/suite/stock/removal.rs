@@ -119,8 +119,9 @@ pub struct Part {
     pub most: f64,
     pub blank: Blank,
     pub limits: Limits,
-    /// Roughing leaves no more than its allowances and what the nose cannot reach.
-    pub exact: bool,
+    pub plunge: f64,
+    /// How much roughing leaves at most on its allowances and what the nose cannot reach, where that is known.
+    pub steps: Option<f64>,
 }
 
 impl Piece {
@@ -244,6 +245,12 @@ impl Part {
 
     /// Judges the moves.
     pub fn check(&self, steps: &[Step]) -> Result<(), String> {
+        self.cut(steps)?;
+        self.comes_back(steps)
+    }
+
+    /// All but where they end.
+    pub fn cut(&self, steps: &[Step]) -> Result<(), String> {
         let end = self.end();
         let (left, right) = (-6.0 + STEP * 0.37, end[0] + 4.0);
         let mut stock = Stock::new(left, right, STEP, |_| f64::NEG_INFINITY);
@@ -263,10 +270,11 @@ impl Part {
         }
         let finished = first_finish < steps.len();
         let stands = if finished { high } else { self.with_allowances(&stock, &high, STEP) };
-        if finished || self.exact {
-            self.complete(&stock, &self.limited(&stock, stands), finished)?;
+        match self.steps {
+            _ if finished => self.complete(&stock, &self.limited(&stock, stands), None),
+            None => Ok(()),
+            rough => self.complete(&stock, &self.limited(&stock, stands), rough),
         }
-        self.comes_back(steps)
     }
 
     /// One move: what it takes, and whether it may.
@@ -306,17 +314,17 @@ impl Part {
         if touched && level && step.feed == ROUGH && deep > self.most + 1e-4 {
             return Err(format!("{deep} deep, infeed {}", self.most));
         }
-        if touched && step.feed == PLUNGE && b[1] > a[1] + 1e-9 {
+        if touched && step.feed == self.plunge && b[1] > a[1] + 1e-9 {
             return Err("goes up at the plunge feed".to_owned());
         }
-        if touched && ![ROUGH, PLUNGE, FINISH].contains(&step.feed) {
+        if touched && ![ROUGH, self.plunge, FINISH].contains(&step.feed) {
             return Err(format!("cuts with the feed {}", step.feed));
         }
         Ok(())
     }
 
-    /// What stands afterwards is what the nose cannot reach.
-    fn complete(&self, stock: &Stock, wanted: &[f64], finished: bool) -> Result<(), String> {
+    /// What stands afterwards is what the nose cannot reach, and the steps of roughing.
+    fn complete(&self, stock: &Stock, wanted: &[f64], rough: Option<f64>) -> Result<(), String> {
         let end = self.end()[0].min(self.limits.far);
         let mut floor = stock.clone();
         floor.heights = (0..wanted.len())
@@ -355,15 +363,15 @@ impl Part {
             }
             let near = (-2isize..=2).map(|d| best[(i as isize + d).clamp(0, best.len() as isize - 1) as usize]);
             let most = near.fold(f64::NEG_INFINITY, f64::max);
-            if *y > most + 0.05 {
-                return Err(format!("{} stands at {x}, finished {finished}", y - most));
+            if *y > most + 0.05 + rough.unwrap_or(0.0) {
+                return Err(format!("{} stands at {x}, finished {}", y - most, rough.is_none()));
             }
         }
         Ok(())
     }
 
     /// The cycle ends where its own approach ended.
-    fn comes_back(&self, steps: &[Step]) -> Result<(), String> {
+    pub fn comes_back(&self, steps: &[Step]) -> Result<(), String> {
         let approach = steps.iter().take_while(|step| step.rapid).map(|step| step.sweep.ends().1);
         let Some(last) = steps.last().map(|step| step.sweep.ends().1) else { return Err("no move".to_owned()) };
         let near = |p: P| (p[0] - last[0]).abs() < 1e-5 && (p[1] - last[1]).abs() < 1e-5;
@@ -422,10 +430,21 @@ pub enum Made {
     Refused(&'static str, String),
 }
 
+/// Whose program it is.
+#[derive(Debug, Clone, Copy)]
+pub enum Language {
+    Sinumerik,
+    Turning,
+}
+
 /// Compiles a program for a lathe.
-pub fn made(text: &str, config: &str) -> Result<Made, String> {
+pub fn made(language: Language, text: &str, config: &str) -> Result<Made, String> {
     let settings = settings(config);
-    let program = Program::in_language("sinumerik", "C.MPF", text.as_bytes()).map_err(|e| e.to_string())?;
+    let (language, name) = match language {
+        Language::Sinumerik => ("sinumerik", "C.MPF"),
+        Language::Turning => ("heidenhain-turning", "C.NC"),
+    };
+    let program = Program::in_language(language, name, text.as_bytes()).map_err(|e| e.to_string())?;
     let compiled = std::panic::catch_unwind(|| compile(&program, &settings, &NoFiles));
     let outcome = compiled.map_err(|_| "the compiler panics".to_owned())?.map_err(|e| e.to_string())?;
     let Some(text) = outcome.text else {

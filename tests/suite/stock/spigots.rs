@@ -6,7 +6,7 @@ use partc::Settings;
 
 use super::super::common::settings;
 use super::super::damage::Dice;
-use super::milling::{Cut, EXACT, NOTHING, Stock, track};
+use super::milling::{Cut, EXACT, NOTHING, Stock, beside, track};
 use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
 
 /// A finished outline, or that of a blank, about its own origin.
@@ -38,10 +38,7 @@ impl Outline {
     /// Distance of a point from the outline, below 0 inside.
     fn outside(&self, [x, y]: [f64; 2]) -> f64 {
         match self {
-            Outline::Rectangle { half, corner } => {
-                let q = [x.abs() - half[0] + corner, y.abs() - half[1] + corner];
-                q[0].max(0.0).hypot(q[1].max(0.0)) + q[0].max(q[1]).min(0.0) - corner
-            }
+            Outline::Rectangle { half, corner } => beside([x, y], *half, *corner),
             Outline::Circle { radius } => x.hypot(y) - radius,
             Outline::Polygon { corners } => {
                 let sides = corners.iter().zip(corners.iter().cycle().skip(1));

@@ -20,7 +20,7 @@ use crate::ir::cycle::recess::Operation;
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{Above, NoValley, Oversize, Slot, Valley, seen};
+use super::valley::{Above, NoValley, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
 /// Most plunges of a groove, and most steps of a plunge.
@@ -82,11 +82,11 @@ struct Groove<'g> {
 
 impl<'g> Groove<'g> {
     fn of(grooving: &'g Grooving, view: &View) -> Result<Groove<'g>, Failure> {
-        let mut contour: Vec<Element> = grooving.contour.iter().map(|element| seen(view, element)).collect();
+        let mut contour: Vec<Element> = grooving.contour.iter().map(|element| view.element(element)).collect();
         let allowance = &grooving.allowance;
         let mut walls = allowance.walls;
         if grooving.runs_towards_minus() {
-            contour = contour.iter().rev().map(backwards).collect();
+            contour = contour.iter().rev().map(Element::reversed).collect();
             walls.reverse();
         }
         let valley = Valley::new(&contour).map_err(no_groove)?;
@@ -251,14 +251,6 @@ impl<'g> Groove<'g> {
             cutter.line(Point2::new(meet, self.finished.floor), feed);
             cutter.lift();
         }
-    }
-}
-
-/// The same element run through from its end.
-fn backwards(element: &Element) -> Element {
-    match *element {
-        Element::Line { from, to } => Element::Line { from: to, to: from },
-        Element::Arc { from, to, center, sweep } => Element::Arc { from: to, to: from, center, sweep: -sweep },
     }
 }
 

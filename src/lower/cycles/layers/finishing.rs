@@ -152,7 +152,8 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
         if stop.y > end.y + LEVEL { touches().unwrap_or(stop) } else { stop }
     };
     if region.least.is_finite() && first.from().y < region.least - LEVEL {
-        match profile.first_above(region.least, start.x) {
+        // The nose may meet what rises out of the border in front of the place where it would touch the first point.
+        match profile.first_above(region.least, f64::NEG_INFINITY) {
             Some(x) => start = Point2::new(x, region.least),
             // All of it lies outside of the limits.
             None => return Ok(Path { start, legs: Vec::new() }),

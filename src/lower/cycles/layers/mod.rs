@@ -18,12 +18,13 @@ mod region;
 mod relief;
 
 use crate::diag::codes;
-use crate::geo::profile::Leg;
+use crate::geo::profile::{LEVEL, Leg};
 use crate::geo::{Plane, Point2, Vec2};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
-use crate::ir::cycle::layers::Layers;
+use crate::ir::cycle::layers::{Blank, Layers};
 use crate::ir::cycle::recess::Operation;
+use crate::ir::cycle::roughing::Corner;
 
 use super::infeed::steps as infeed_steps;
 use super::track::{Failure, Strokes, Track, View};
@@ -106,6 +107,11 @@ impl Cutter<'_> {
     /// To where the cycle begins, around the blank.
     fn approach(&mut self, from: Option<Point2>) -> Result<(), Failure> {
         let home = self.region.home();
+        if self.corner().is_some() {
+            // The tool stands there.
+            self.at = home;
+            return Ok(());
+        }
         if let Some(from) = from {
             let to = self.region.tip(home);
             let ways = [vec![to], vec![Point2::new(from.x, to.y), to], vec![Point2::new(to.x, from.y), to]];
@@ -126,6 +132,16 @@ impl Cutter<'_> {
     /// Back to where the cycle began, above all that stands in front of the tool.
     fn go_home(&mut self) {
         let home = self.region.home();
+        if let Some(corner) = self.corner() {
+            let is_beside = (self.at.x - home.x).abs() <= LEVEL;
+            if corner.back || !is_beside {
+                // The steps of the cuts may stand in front of a lower tool.
+                self.rapid_y(home.y.max(self.at.y));
+                self.rapid_x(home.x);
+                self.rapid(home);
+            }
+            return;
+        }
         let needed = self.region.highest_before(self.at.x.max(home.x));
         if self.at.y < needed {
             self.rapid_y(needed + self.region.layers.clearance.lift);
@@ -134,9 +150,16 @@ impl Cutter<'_> {
         self.rapid(home);
     }
 
-    /// Off the material in both axes, back by `way` at most.
-    fn lift(&mut self, way: f64, feed: Feed) {
-        let to = self.at + Vec2::new(-way, way);
+    fn corner(&self) -> Option<&Corner> {
+        match &self.region.layers.blank {
+            Blank::Corner(corner) => Some(corner),
+            Blank::Outline(_) | Blank::On(_) => None,
+        }
+    }
+
+    /// Off the material: up, and back by no more than `back`.
+    fn lift(&mut self, up: f64, back: f64, feed: Feed) {
+        let to = self.at + Vec2::new(-up.min(back).max(0.0), up);
         self.line(to, feed);
     }
 }

@@ -17,7 +17,49 @@ impl Cutter<'_> {
             let (before, y) = (pair[0], pair[1]);
             self.cut(y, before);
         }
+        if region.layers.trace == Trace::Last {
+            self.along_contour();
+        }
         Ok(())
+    }
+
+    /// To where a cut at the height `y` begins, which ends at `hit`; returns the place.
+    fn enter(&mut self, y: f64, hit: f64, front: f64) -> f64 {
+        let layers = self.region.layers;
+        // Who begins at a corner stands clear already.
+        let entry = if self.corner().is_some() { 0.0 } else { layers.clearance.entry };
+        let clear = front - entry - self.region.nose();
+        let begin = if hit > clear + LEVEL { clear } else { hit - layers.clearance.entry };
+        self.rapid_x(begin);
+        match self.corner().and_then(|corner| corner.infeed) {
+            Some(feed) => self.line(Point2::new(begin, y), feed),
+            None => self.rapid_y(y),
+        }
+        begin
+    }
+
+    /// Off the contour and back to where the cut began.
+    fn back_to(&mut self, begin: f64) {
+        let layers = self.region.layers;
+        let way = layers.clearance.lift;
+        // Who begins at a corner goes back no farther.
+        let back = if self.corner().is_some() { way.min(self.at.x - begin) } else { way };
+        self.lift(way, back, layers.feeds.rough);
+        self.rapid_x(begin);
+    }
+
+    /// Once along the contour with its allowances, as far as the cuts go.
+    fn along_contour(&mut self) {
+        let region = self.region;
+        let (floor, crest) = (region.floor(), region.crest);
+        let place = |height: f64| region.rough.first_above(height, f64::NEG_INFINITY);
+        let (Some(hit), Some(end)) = (place(floor), place(crest)) else { return };
+        let feed = region.layers.feeds.rough;
+        let begin = self.enter(floor, hit, region.front);
+        self.line(Point2::new(hit, floor), feed);
+        self.legs(&region.rough.climb(self.at, crest), feed);
+        self.line(Point2::new(end.max(self.at.x), self.at.y), feed);
+        self.back_to(begin);
     }
 
     /// One cut at the height `y`, with the way up to the cut before.
@@ -31,20 +73,16 @@ impl Cutter<'_> {
             // There is nothing between this cut and the one before.
             return;
         }
-        let clear = front - layers.clearance.entry - region.nose();
-        let begin = if hit > clear + LEVEL { clear } else { hit - layers.clearance.entry };
-        self.rapid_x(begin);
-        self.rapid_y(y);
+        let begin = self.enter(y, hit, front);
         self.straight(hit);
-        if layers.trace != Trace::None {
+        if matches!(layers.trace, Trace::Level | Trace::Overlapping) {
             let start = self.at;
             self.legs(&region.rough.climb(start, before), layers.feeds.rough);
         }
         if layers.trace == Trace::Overlapping {
             self.overlap();
         }
-        self.lift(layers.clearance.lift, layers.feeds.rough);
-        self.rapid_x(begin);
+        self.back_to(begin);
     }
 
     /// Level to `x`, with the interruptions that break the chip.

@@ -2,12 +2,12 @@
 
 use crate::diag::codes;
 use crate::geo::profile::{Grown, LEVEL, Profile};
+use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::layers::{Blank, LEAST_DIP, Layers, Relief, Segmentation};
 use crate::ir::cycle::recess::Operation;
 use crate::lower::cycles::infeed;
 use crate::lower::cycles::track::{Failure, View};
-use crate::lower::cycles::valley::seen;
 
 use super::MOST_CUTS;
 
@@ -34,6 +34,8 @@ pub struct Region<'l> {
     pub least: f64,
     /// The area ends below the blank.
     pub is_capped: bool,
+    /// Greatest height of the contour with its allowances, or of the blank.
+    pub crest: f64,
 }
 
 /// Allowances along the cutting axis, upwards and around.
@@ -48,7 +50,7 @@ impl<'l> Region<'l> {
     /// G3040, G3046, G3047, G3302, G3303.
     pub fn of(layers: &'l Layers, view: View) -> Result<Region<'l>, Failure> {
         check_nose(layers, &view)?;
-        let contour: Vec<Element> = layers.contour.iter().map(|element| seen(&view, element)).collect();
+        let contour: Vec<Element> = layers.contour.iter().map(|element| view.element(element)).collect();
         let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return Err(no_contour()) };
         let (start, end) = (first.from(), last.to());
         if end.x < start.x - LEVEL {
@@ -57,12 +59,14 @@ impl<'l> Region<'l> {
         let axes = if layers.into.is_radial() { layers.allowance.axes } else { layers.allowance.axes.yx() };
         let left = Left { along: axes.x, up: axes.y, around: layers.allowance.around };
         let limits = Limits::of(layers, &view);
+        let home = view.point(layers.parked());
         let blank = match &layers.blank {
-            Blank::Outline(list) => Profile::hull(&list.iter().map(|e| seen(&view, e)).collect::<Vec<_>>()),
+            Blank::Outline(list) => Profile::hull(&list.iter().map(|e| view.element(e)).collect::<Vec<_>>()),
             Blank::On(by) => {
                 let by = if layers.into.is_radial() { *by } else { by.yx() };
                 Profile::new(&contour, Grown { along: by.x, up: by.y, disc: 0.0 }).between(f64::NEG_INFINITY, end.x)
             }
+            Blank::Corner(_) => Profile::hull(&[Element::Line { from: home, to: Point2::new(end.x, home.y) }]),
         };
         let (front, back) = blank.ends().ok_or_else(no_blank)?;
         let top = blank.highest(front, back).min(limits.top);
@@ -104,6 +108,8 @@ impl<'l> Region<'l> {
             }
         }
         check_chips(layers, end.x - front, &levels)?;
+        let heights = contour.iter().flat_map(quarters).flat_map(|e| [e.from().y, e.to().y]);
+        let crest = (heights.fold(f64::NEG_INFINITY, f64::max) + left.up + left.around).min(top);
         let behind = rough.mirrored();
         let mut finished = Profile::new(&contour, Grown { along: 0.0, up: -nose, disc: nose });
         if limits.bottom.is_finite() {
@@ -122,6 +128,7 @@ impl<'l> Region<'l> {
             far,
             least: limits.bottom,
             is_capped: limits.top.is_finite(),
+            crest,
         })
     }
 
@@ -248,19 +255,22 @@ fn no_blank() -> Failure {
     Failure::new(codes::G3046, message, "check the size of the blank, the allowances and the contour")
 }
 
-/// The contour with what lies in front of it and behind it: level or tangential, and a wall at the end.
+/// The contour with what lies in front of it and behind it: level or tangential, and a wall at the end. Seen from a corner of
+/// the stock the wall stands at the end itself.
 fn prolonged(contour: &[Element], left: &Left, layers: &Layers, front: f64) -> Vec<Element> {
     let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return Vec::new() };
     let (start, end) = (first.from(), last.to());
+    let corner = matches!(layers.blank, Blank::Corner(_));
     let nose = layers.nose.radius;
     let more = layers.clearance.lift + left.along + left.up + left.around + nose;
     let rises = |u: Option<Vec2>| u.filter(|u| u.y > LEVEL && u.x >= -LEVEL);
     let before = match rises(first.start_direction()) {
-        Some(u) => start - u * more,
-        None => start - Vec2::new(more + (start.x - front).max(0.0), 0.0),
+        Some(u) if !corner => start - u * more,
+        _ => start - Vec2::new(more + (start.x - front).max(0.0), 0.0),
     };
     let disc = left.around + nose;
     let (foot, beyond) = match (rises(last.end_direction()), last.end_direction()) {
+        _ if corner => (end, end),
         (Some(u), _) => (end, end + u * more),
         // The nose goes on as far as it touches a falling end, and at a level one as far as its own centre.
         (None, Some(u)) => {

@@ -3,14 +3,14 @@
 use crate::diag::codes;
 use crate::geo::Point2;
 use crate::geo::profile::{Dip, LEVEL, backwards, mirrored};
-use crate::ir::cycle::layers::{LEAST_DIP, Relief};
+use crate::ir::cycle::layers::{LEAST_DIP, Relief, Trace};
 use crate::lower::cycles::track::Failure;
 
 use super::{Cutter, MOST_CUTS, infeed_steps};
 
 impl Cutter<'_> {
     /// # Errors
-    /// G3040 too many cuts.
+    /// G3040 too many cuts, G3047 steps of the cuts in the way.
     pub(super) fn relieve(&mut self) -> Result<(), Failure> {
         let region = self.region;
         if region.layers.relief == Relief::Left {
@@ -20,6 +20,11 @@ impl Cutter<'_> {
         // The contour begins where it first rises to the deepest cut.
         let Some(begin) = region.rough.first_above(floor - 3.0 * LEVEL, f64::NEG_INFINITY) else { return Ok(()) };
         let mut dips = region.rough.dips(Point2::new(begin, floor), region.top(), LEAST_DIP);
+        if region.layers.trace == Trace::None && !dips.is_empty() {
+            let message = "the contour falls behind a higher part, and without a cut along the contour steps stand where the tool has to pass";
+            let help = "let the cuts follow the contour, or leave the falling part out";
+            return Err(Failure::new(codes::G3047, message, help));
+        }
         dips.reverse();
         // Those inside of others come behind them.
         let mut list: Vec<(Dip, f64)> = dips.into_iter().map(|dip| (dip, dip.rim)).collect();
@@ -68,7 +73,8 @@ impl Cutter<'_> {
             let at = self.at;
             self.legs(&region.rough.climb(at, before), layers.feeds.rough);
             let wide = self.at.x - left(before);
-            self.lift(layers.clearance.lift.min((wide / 2.0).max(0.0)), layers.feeds.rough);
+            let way = layers.clearance.lift.min((wide / 2.0).max(0.0));
+            self.lift(way, way, layers.feeds.rough);
             before = y;
         }
         self.rapid_y(self.at.y.max(air));

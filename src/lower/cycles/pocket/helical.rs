@@ -58,9 +58,12 @@ impl Tool<'_> {
         let heights = self.pocket.mill.heights;
         let (center, ccw) = (Point2::origin(), self.pocket.counter_clockwise);
         if crate::geo::distance(at, center) < SMALLEST_APPROACH / 2.0 {
-            self.cutter.plunge(floor);
-            if at.x > 1e-3 {
-                self.cutter.arc(at, center, ccw, feed);
+            // Straight down, but no deeper at a time than turns would lead.
+            for level in heights.levels_to(floor, heights.step) {
+                self.cutter.plunge(level);
+                if at.x > 1e-3 {
+                    self.cutter.arc(at, center, ccw, feed);
+                }
             }
             return;
         }

@@ -10,7 +10,7 @@ use crate::geo::{Deg, Element, Point2, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::pocket::{Between, Finish, Insertion, Pocket, Shape, Strategy};
+use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Shape, Strategy};
 
 use super::cutter::Cutter;
 use super::track::Failure;
@@ -98,10 +98,17 @@ impl Tool<'_> {
                 self.next(area, point, from);
             }
             self.insert(area, from, level);
+            if matches!(self.pocket.insertion, Insertion::Strokes { .. }) {
+                continue;
+            }
             self.rings(area, feed, |pocket, ring| pocket.is_cleared(ring.half, ring.corner, level));
             from = level;
         }
         match self.pocket.between {
+            _ if matches!(self.pocket.insertion, Insertion::Strokes { .. }) => {
+                self.half_a_stroke(area, feed);
+                self.cutter.lift(heights.safe());
+            }
             Between::Straight => {
                 self.back(area, area.entry, feed);
                 self.cutter.lift(heights.safe());
@@ -156,7 +163,7 @@ impl Tool<'_> {
     fn insertion_point(&self, area: &Area, level: f64) -> Point2 {
         match self.pocket.insertion {
             Insertion::Helix { radius, .. } if !self.enters_cleared(level) => area.entry + self.helix_arm(area, radius),
-            Insertion::Sway { .. } if !self.enters_cleared(level) => area.sway.from(),
+            Insertion::Sway { .. } | Insertion::Strokes { .. } if !self.enters_cleared(level) => area.sway.from(),
             _ => area.entry,
         }
     }
@@ -196,21 +203,38 @@ impl Tool<'_> {
             }
             Insertion::Sway { angle, .. } => {
                 self.cutter.plunge(from);
-                self.sway(&area.sway, from, to, angle);
+                let strokes = strokes((from - to).abs(), area.sway.length(), angle);
+                let height = |stroke: usize| from + (to - from) * stroke as f64 / strokes as f64;
+                self.sway(&area.sway, (1..strokes).map(height).chain([to]), feed);
+            }
+            Insertion::Strokes { fall } => {
+                let feed = self.pocket.mill.feeds.plane;
+                self.cutter.sink(from, feed);
+                self.sway(&area.sway, heights.levels_to(to, fall).into_iter(), feed);
             }
         }
     }
 
-    /// To and fro along `line`, one stroke more on the level.
-    fn sway(&mut self, line: &Element, from: f64, to: f64, angle: Deg) {
-        let feed = self.pocket.mill.feeds.depth;
-        let strokes = strokes((from - to).abs(), line.length(), angle);
+    /// To and fro along `line`, down to these heights, one stroke more on the last of them.
+    fn sway(&mut self, line: &Element, heights: impl Iterator<Item = f64>, feed: Feed) {
         let back = reversed(line);
-        for stroke in 1..=strokes + 1 {
-            let height = if stroke >= strokes { to } else { from + (to - from) * stroke as f64 / strokes as f64 };
-            let element = if stroke % 2 == 1 { line } else { &back };
-            self.cutter.fall(element, height, feed);
+        let mut ways = [line, &back].into_iter().cycle();
+        let mut last = None;
+        // The last height ends the pairs, so that no way is lost.
+        for (height, way) in heights.zip(ways.by_ref()) {
+            self.cutter.fall(way, height, feed);
+            last = Some(height);
         }
+        if let (Some(way), Some(height)) = (ways.next(), last) {
+            self.cutter.fall(way, height, feed);
+        }
+    }
+
+    /// From the end of the last stroke to the middle of the slot.
+    fn half_a_stroke(&mut self, area: &Area, feed: Feed) {
+        let Some(core) = &area.core else { return };
+        let way = if self.cutter.stands_at(core.to()) { reversed(core) } else { *core };
+        self.cutter.element(&way.ending_at(way.middle()), feed);
     }
 
     /// From the last ring to `point` on cleared ground: along an arc of the middle line, which alone lies open there.
@@ -282,8 +306,10 @@ impl Tool<'_> {
         let (touch, ccw) = (ring.start(), self.pocket.counter_clockwise);
         let inward = if ccw { left(along) } else { -left(along) };
         let center = touch + inward * radius;
+        let semicircle = self.pocket.finish.is_some_and(|finish| finish.onto == Onto::Semicircle);
         let (from, to) = match radius < SMALLEST_APPROACH {
             true => (center, center),
+            false if semicircle => (center + inward * radius, center + inward * radius),
             false => (center - along * radius, center + along * radius),
         };
         // In the middle all is cleared, beside the wall there may be an allowance.

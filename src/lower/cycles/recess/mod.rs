@@ -18,7 +18,7 @@ use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{Above, NoValley, Oversize, Slot, Valley, seen};
+use super::valley::{Above, NoValley, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
 /// Most levels of one groove.
@@ -91,7 +91,7 @@ impl<'r> Groove<'r> {
         };
         let along = if recess.into.is_radial() { last.x - first.x } else { last.y - first.y };
         let view = View::new(recess.into, along);
-        let contour: Vec<Element> = recess.contour.iter().map(|element| seen(&view, element)).collect();
+        let contour: Vec<Element> = recess.contour.iter().map(|element| view.element(element)).collect();
         let valley = Valley::new(&contour).map_err(no_groove)?;
 
         let tool = &recess.tool;

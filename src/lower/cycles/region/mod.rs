@@ -2,18 +2,18 @@
 
 mod carriers;
 mod loops;
+mod pilot_holes;
 mod walls;
 
 use crate::diag::codes;
-use crate::geo::{Deg, Element, Point2, distance, left};
+use crate::geo::{Deg, Element, Point2, Vec2, distance, left};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
-use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::{Family, Region};
 
 use super::cutter::Cutter;
 use super::pocket::{endless_strokes, strokes};
-use super::slope::reversed;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 use loops::{Area, Entry, Loop, Part};
@@ -47,12 +47,12 @@ impl Expand for Region {
         };
         let floor = match self.finish {
             Some(Finish { floor: true, wall, .. }) => {
-                self.rings(&area, &walls, radius + if wall { 0.0 } else { self.allowance })?
+                self.rings(&area, &walls, radius + if wall { self.left } else { self.allowance })?
             }
             _ => Vec::new(),
         };
         let wall = match self.finish {
-            Some(Finish { wall: true, .. }) => area.parts(radius, &walls).ok_or_else(unproved)?,
+            Some(Finish { wall: true, .. }) => area.parts(radius + self.left, &walls).ok_or_else(unproved)?,
             _ => Vec::new(),
         };
         if self.finish.is_some_and(|finish| finish.wall) && wall.is_empty() {
@@ -84,8 +84,12 @@ impl Expand for Region {
                 tool.cutter.speed(speed.finishing);
             }
             for part in &wall {
+                let most = match finish.onto {
+                    Onto::Quarter(most) => Some(self.widest_arc(part, &walls).min(most)),
+                    Onto::Usual | Onto::Semicircle => None,
+                };
                 for ring in part.loops() {
-                    tool.wall(ring, finish);
+                    tool.wall(ring, finish, most.unwrap_or(APPROACH));
                 }
             }
             for part in &floor {
@@ -163,11 +167,16 @@ impl Region {
         if taken { Ok(inner) } else { Err(start_point()) }
     }
 
+    /// Half of the room that the cutter has between the walls of a part.
+    fn widest_arc(&self, part: &Part, walls: &Walls) -> f64 {
+        entry(part, walls).map_or(0.0, |entry| (entry.room - part.away) / 2.0)
+    }
+
     /// Radius of the helix at a place that is `room` from the walls; 0 for one straight down.
     fn helix_arm(&self, room: f64, least: f64) -> f64 {
         match self.insertion {
             Insertion::Helix { radius, .. } => radius.min(room - least).min(self.mill.radius).max(0.0),
-            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } => 0.0,
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Sway { .. } | Insertion::Strokes { .. } => 0.0,
         }
     }
 
@@ -344,7 +353,7 @@ impl Tool<'_> {
             }
             (Insertion::Sway { angle, .. }, Some(end)) => {
                 let there = Element::Line { from: begin, to: end };
-                let back = reversed(&there);
+                let back = there.reversed();
                 let strokes = strokes((from - to).abs(), there.length(), angle);
                 for stroke in 1..=strokes + 1 {
                     let done = stroke.min(strokes) as f64 / strokes as f64;
@@ -388,14 +397,14 @@ impl Tool<'_> {
     }
 
     /// A wall, level by level.
-    fn wall(&mut self, ring: &Loop, finish: &Finish) {
+    fn wall(&mut self, ring: &Loop, finish: &Finish, arc: f64) {
         let heights = self.region.mill.heights;
         let ccw = self.region.counter_clockwise;
         let Some((element, touch)) = ring.middle_of_longest() else { return };
         let elements = ring.beginning_at(element, touch, ccw);
         let Some(along) = elements.first().and_then(Element::start_direction) else { return };
         let inward = if ccw { left(along) } else { -left(along) };
-        let radius = self.approach_radius(touch, inward, along);
+        let radius = self.approach_radius(touch, inward, along, arc);
         let (center, from, to) = (
             touch + inward * radius,
             touch + inward * radius - along * radius,
@@ -420,13 +429,13 @@ impl Tool<'_> {
     }
 
     /// The radius of an arc onto the wall that stays between the walls; 0 where none does.
-    fn approach_radius(&self, touch: Point2, inward: crate::geo::Vec2, along: crate::geo::Vec2) -> f64 {
-        let mut radius = APPROACH.max(self.region.allowance);
+    fn approach_radius(&self, touch: Point2, inward: Vec2, along: Vec2, arc: f64) -> f64 {
+        let mut radius = arc.max(self.region.allowance);
         while radius >= SMALLEST_APPROACH {
             let center = touch + inward * radius;
             // The arcs lie on a circle that touches the wall: there is room where its centre has it.
             let ends = [center - along * radius, center + along * radius, center];
-            let least = self.region.mill.radius;
+            let least = self.region.mill.radius + self.region.left;
             if self.walls.distance(center) >= least + radius - NOTHING
                 && ends.iter().all(|p| self.walls.distance(*p) >= least)
             {
@@ -440,10 +449,10 @@ impl Tool<'_> {
     /// The floor at its depth.
     fn floor(&mut self, part: &Part, finish: &Finish) {
         let heights = self.region.mill.heights;
-        let least = self.region.mill.radius + if finish.wall { 0.0 } else { self.region.allowance };
+        let least = self.region.mill.radius + if finish.wall { self.region.left } else { self.region.allowance };
         self.cut.clear();
-        self.cleared = heights.rough_floor();
-        self.floor_of(part, least, heights.rough_floor(), finish.feed);
+        self.cleared = if self.region.cleared { heights.rough_floor() } else { heights.reference };
+        self.floor_of(part, least, self.cleared, finish.feed);
         self.up();
     }
 
@@ -502,7 +511,7 @@ impl Loop {
         if as_it_runs {
             parts.collect()
         } else {
-            let mut turned: Vec<Element> = parts.map(|part| reversed(&part)).collect();
+            let mut turned: Vec<Element> = parts.map(|part| part.reversed()).collect();
             turned.reverse();
             turned
         }

@@ -1,10 +1,11 @@
 //! A machining cycle as its definition left it.
 
+use crate::machine::Axis;
 use crate::sema::cycle_table::Name;
 use crate::text::Loc;
 
-use super::super::cycle_definition::{DottedValue, Open, What};
-use super::{Q, Row};
+use super::super::cycle_definition::{DottedValue, Open};
+use super::{Q, Row, What};
 
 /// A machining cycle as it was defined.
 #[derive(Debug)]
@@ -54,14 +55,32 @@ impl DefinedCycle {
     pub fn gives(&self, name: Name) -> bool {
         match name {
             Name::Q(number) => self.sets(Q(number)),
+            // Where a feed has a place of its own, it is not the value of the part.
+            Name::Part(part) if self.row().takes_in_part(part, What::Feed) => self.in_part(part, What::Value).is_some(),
             Name::Part(part) => self.part(part).is_some(),
+            Name::In(part, "F") => self.in_part(part, What::Feed).is_some(),
+            Name::In(part, "DR") => self.in_part(part, What::Turn).is_some(),
+            Name::In(part, "RADIUS") => self.in_part(part, What::Value).is_some(),
+            Name::In(part, _) => self.along(part).is_some(),
             Name::Word(_) => false,
         }
     }
 
+    /// What a part of an old cycle holds.
+    pub fn in_part(&self, part: u32, what: What) -> Option<f64> {
+        self.parts.iter().find(|p| p.part == part && p.what == what).map(|p| p.value)
+    }
+
+    /// The axis of a part of an old cycle, and the length along it.
+    pub fn along(&self, part: u32) -> Option<(Axis, f64)> {
+        self.parts.iter().find_map(|p| match p.what {
+            What::Along(axis) if p.part == part => Some((axis, p.value)),
+            _ => None,
+        })
+    }
+
     /// The value in a part of an old cycle: its number, or the feed where it has no number.
     pub fn part(&self, part: u32) -> Option<f64> {
-        let of = |what: What| self.parts.iter().find(|p| p.part == part && p.what == what).map(|p| p.value);
-        of(What::Value).or_else(|| of(What::Feed))
+        self.in_part(part, What::Value).or_else(|| self.in_part(part, What::Feed))
     }
 }

@@ -2,13 +2,17 @@
 
 pub(super) mod bores;
 pub(super) mod call;
+pub(super) mod contours;
 mod defined;
 pub(super) mod drilling;
 pub(super) mod faces;
+pub(super) mod finishing;
 pub(super) mod milling;
 mod named;
+pub(super) mod old_pockets;
 pub(super) mod patterns;
 pub(super) mod pockets;
+pub(super) mod slots;
 pub(super) mod studs;
 mod tapping_in_steps;
 pub(super) mod threads;
@@ -25,8 +29,11 @@ use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
 
+pub(super) use super::cycle_definition::What;
+
 use call::Call;
 
+use super::cycle_definition::Open;
 use super::{Outcome, Run};
 
 /// A cycle: what its definition gives, and what it does.
@@ -55,6 +62,8 @@ pub(super) enum Nature {
     Tolerance,
     Preset,
     /// Sets data that other cycles use.
+    Setting(SettingOf),
+    /// The same, for cycles that are refused.
     Data,
     /// Drills when called.
     Drilling(&'static Drilling),
@@ -69,6 +78,9 @@ pub(super) enum Nature {
 
 /// Makes the cycle where it is called; nothing where it does nothing.
 pub(super) type MillingOf = fn(&mut Run<'_>, &DefinedCycle, Call) -> Outcome<Option<Cycle>>;
+
+/// Keeps what the definition says.
+pub(super) type SettingOf = fn(&mut Run<'_>, &Open) -> Outcome;
 
 /// Makes the places of a pattern.
 pub(super) type PlacesOf = fn(&mut Run<'_>, &DefinedCycle) -> Outcome<Vec<Point2>>;
@@ -107,7 +119,8 @@ impl fmt::Display for Q {
 impl Nature {
     /// Does it act at once, so that what it says would be lost if it were not taken?
     pub fn acts(self) -> bool {
-        !self.is_machining() && !matches!(self, Nature::Pattern(_) | Nature::Data | Nature::Unknown)
+        !self.is_machining()
+            && !matches!(self, Nature::Pattern(_) | Nature::Setting(_) | Nature::Data | Nature::Unknown)
     }
 
     /// Does it run when it is called?
@@ -133,9 +146,19 @@ impl Row {
     pub fn has_parts(&self, number: u32) -> bool {
         match self.nature {
             Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Unknown => false,
-            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => number < 20,
+            Nature::Drilling(_) | Nature::Milling(_) | Nature::Setting(_) | Nature::Machining => number < 20,
             _ => true,
         }
+    }
+
+    /// Does the part of an old cycle take such a word?
+    pub fn takes_in_part(&self, part: u32, what: What) -> bool {
+        self.signature.parameters.iter().any(|known| match (known.name, what) {
+            (Name::Part(of) | Name::In(of, "RADIUS"), What::Value) => of == part,
+            (Name::In(of, "F"), What::Feed) | (Name::In(of, "DR"), What::Turn) => of == part,
+            (Name::In(of, word), What::Along(_)) => of == part && !matches!(word, "F" | "DR" | "RADIUS"),
+            _ => false,
+        })
     }
 
     /// The parameters that a definition has to set.
@@ -163,11 +186,15 @@ impl Row {
 const FAMILIES: &[&[Row]] = &[
     drilling::ROWS,
     tapping_in_steps::ROWS,
+    old_pockets::ROWS,
     pockets::ROWS,
+    slots::ROWS,
+    finishing::ROWS,
     studs::ROWS,
     faces::ROWS,
     bores::ROWS,
     threads::ROWS,
+    contours::ROWS,
     patterns::ROWS,
     transformations::ROWS,
     named::ROWS,

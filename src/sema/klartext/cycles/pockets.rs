@@ -17,36 +17,30 @@ pub(in super::super) const START_ANGLE: Q = Q(376);
 pub(in super::super) const NUMBER: Q = Q(377);
 pub(in super::super) const STEP: Q = Q(378);
 
+/// The parameters of a cycle of its own, those that all pockets and slots have, and how it goes down.
+macro_rules! parameters {
+    ($($own:expr),* ; $($down:expr),*) => {
+        &[
+            Q215, $($own),*, Q368, Q207, Q351, Q201, Q202, Q369, Q206, Q338, SET_UP, AT_SURFACE, SECOND, $($down),*, Q385, Q439,
+        ]
+    };
+}
+
 pub(super) const ROWS: &[Row] = &[
     cycle(
         251,
         "CYCL DEF 251",
         "RECTANGULAR POCKET",
         |run, cycle, call| run.rectangular_pocket(cycle, call),
-        &[
-            Q215,
+        parameters![
             q(FIRST_SIDE, Kind::Length, "length of the pocket along the first axis").needed(),
             q(SECOND_SIDE, Kind::Length, "length of the pocket along the second axis").needed(),
             q(super::milling::CORNER, Kind::Length, "radius of the corners; the cutter's where that is larger")
                 .default("0"),
-            Q368,
             q(TURN, Kind::Angle, "angle by which the pocket is turned about the place of the call").default("0"),
             q(POSITION, Kind::Number, "place of the call: 0 the middle, 1 to 4 the corners from the lower left one on")
-                .default("0"),
-            Q207,
-            Q351,
-            Q201,
-            Q202,
-            Q369,
-            Q206,
-            Q338,
-            SET_UP,
-            AT_SURFACE,
-            SECOND,
-            Q370,
-            Q366,
-            Q385,
-            Q439,
+                .default("0");
+            Q370, Q366
         ],
     ),
     cycle(
@@ -54,24 +48,9 @@ pub(super) const ROWS: &[Row] = &[
         "CYCL DEF 252",
         "CIRCULAR POCKET",
         |run, cycle, call| run.circular_pocket(cycle, call),
-        &[
-            Q215,
-            q(DIAMETER, Kind::Length, "diameter of the pocket").needed(),
-            Q368,
-            Q207,
-            Q351,
-            Q201,
-            Q202,
-            Q369,
-            Q206,
-            Q338,
-            SET_UP,
-            AT_SURFACE,
-            SECOND,
-            Q370,
-            Q366,
-            Q385,
-            Q439,
+        parameters![
+            q(DIAMETER, Kind::Length, "diameter of the pocket").needed();
+            Q370, Q366
         ],
     ),
     cycle(
@@ -79,31 +58,17 @@ pub(super) const ROWS: &[Row] = &[
         "CYCL DEF 253",
         "SLOT MILLING",
         |run, cycle, call| run.slot(cycle, call),
-        &[
-            Q215,
+        parameters![
             q(FIRST_SIDE, Kind::Length, "length of the slot").needed(),
             q(SECOND_SIDE, Kind::Length, "width of the slot").needed(),
-            Q368,
             q(SLOT_TURN, Kind::Angle, "angle by which the slot is turned about the place of the call").default("0"),
             q(
                 POSITION,
                 Kind::Number,
                 "place of the call: 0 the middle, 1 the left end, 2 and 3 the centres of the left and the right arc, 4 the right end",
             )
-            .default("0"),
-            Q207,
-            Q351,
-            Q201,
-            Q202,
-            Q369,
-            Q206,
-            Q338,
-            SET_UP,
-            AT_SURFACE,
-            SECOND,
-            Q366,
-            Q385,
-            Q439,
+            .default("0");
+            Q366
         ],
     ),
     cycle(
@@ -111,10 +76,8 @@ pub(super) const ROWS: &[Row] = &[
         "CYCL DEF 254",
         "CIRCULAR SLOT",
         |run, cycle, call| run.circular_slot(cycle, call),
-        &[
-            Q215,
+        parameters![
             q(SECOND_SIDE, Kind::Length, "width of the slot").needed(),
-            Q368,
             q(PITCH_CIRCLE, Kind::Length, "diameter of the pitch circle").needed(),
             q(
                 POSITION,
@@ -127,20 +90,8 @@ pub(super) const ROWS: &[Row] = &[
             q(START_ANGLE, Kind::Angle, "angle of the centre of the first arc; of the middle for Q367 = 2").needed(),
             q(OPENING, Kind::Angle, "angle of the slot between the centres of its arcs").needed(),
             q(STEP, Kind::Angle, "angle from slot to slot").default("0"),
-            q(NUMBER, Kind::Count, "number of slots").default("1"),
-            Q207,
-            Q351,
-            Q201,
-            Q202,
-            Q369,
-            Q206,
-            Q338,
-            SET_UP,
-            AT_SURFACE,
-            SECOND,
-            Q366,
-            Q385,
-            Q439,
+            q(NUMBER, Kind::Count, "number of slots").default("1");
+            Q366
         ],
     ),
 ];

@@ -18,13 +18,22 @@ pub(in super::super) const APPROACH: Q = Q(437);
 const Q215: Parameter =
     q(OPERATION, Kind::Number, "0 roughs and finishes, 1 roughs, 2 finishes what Q368 and Q369 leave").default("1");
 
+/// The parameters of a cycle of its own, those that both studs have, and where it approaches.
+macro_rules! parameters {
+    ($($own:expr),* ; $approach:expr) => {
+        &[
+            $($own),*, Q207, Q351, Q201, Q202, Q206, SET_UP, AT_SURFACE, SECOND, Q370, $approach, Q215, Q369, Q338, Q385,
+        ]
+    };
+}
+
 pub(super) const ROWS: &[Row] = &[
     cycle(
         256,
         "CYCL DEF 256",
         "RECTANGULAR STUD",
         |run, cycle, call| run.rectangular_stud(cycle, call),
-        &[
+        parameters![
             q(FIRST_SIDE, Kind::Length, "length of the stud along the first axis").needed(),
             q(RAW.0, Kind::Length, "length of the blank along the first axis").needed(),
             q(SECOND_SIDE, Kind::Length, "length of the stud along the second axis").needed(),
@@ -33,22 +42,9 @@ pub(super) const ROWS: &[Row] = &[
             Q368,
             q(TURN, Kind::Angle, "angle by which the stud is turned about the place of the call").default("0"),
             q(POSITION, Kind::Number, "place of the call: 0 the middle, 1 to 4 the corners from the lower left one on")
-                .default("0"),
-            Q207,
-            Q351,
-            Q201,
-            Q202,
-            Q206,
-            SET_UP,
-            AT_SURFACE,
-            SECOND,
-            Q370,
+                .default("0");
             q(APPROACH, Kind::Number, "place of the approach: 0 beside the middle of the +X side; others are refused")
-                .default("0"),
-            Q215,
-            Q369,
-            Q338,
-            Q385,
+                .default("0")
         ],
     ),
     cycle(
@@ -56,24 +52,11 @@ pub(super) const ROWS: &[Row] = &[
         "CYCL DEF 257",
         "CIRCULAR STUD",
         |run, cycle, call| run.circular_stud(cycle, call),
-        &[
+        parameters![
             q(DIAMETER, Kind::Length, "diameter of the stud").needed(),
             q(RAW_DIAMETER, Kind::Length, "diameter of the blank").needed(),
-            Q368,
-            Q207,
-            Q351,
-            Q201,
-            Q202,
-            Q206,
-            SET_UP,
-            AT_SURFACE,
-            SECOND,
-            Q370,
-            q(START_ANGLE, Kind::Angle, "angle of the approach, 0 to 359; -1 for 0").default("-1"),
-            Q215,
-            Q369,
-            Q338,
-            Q385,
+            Q368;
+            q(START_ANGLE, Kind::Angle, "angle of the approach, 0 to 359; -1 for 0").default("-1")
         ],
     ),
 ];

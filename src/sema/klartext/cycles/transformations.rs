@@ -120,8 +120,5 @@ pub(super) const ROWS: &[Row] = &[
         &[q(DATUM, Kind::Count, "number of the work offset: 1 is G54").needed()],
         REMOVE,
     ),
-    data(14, "CYCL DEF 14", "CONTOUR GEOMETRY"),
-    data(20, "CYCL DEF 20", "CONTOUR DATA"),
-    data(270, "CYCL DEF 270", "CONTOUR TRAIN DATA"),
     data(271, "CYCL DEF 271", "OCM CONTOUR DATA"),
 ];

@@ -68,6 +68,12 @@ impl Run<'_> {
         let item = item(waiting);
         let (name, loc) = (name(&item), waiting.here.loc(&self.job, waiting.span));
         let found = match *fault {
+            Fault::Open { missing: 0, .. } if item.center.radius.is_some() && item.center.angle.is_none() => Diagnostic::new(
+                codes::K9002,
+                loc,
+                format!("{name} has CCPR and lacks CCPA: partc cannot construct an arc whose centre lies anywhere on a circle about the pole"),
+            )
+            .help("write CCPA, the angle of the centre about the pole"),
             Fault::Open { missing: 0, .. } => Diagnostic::new(
                 codes::K9002,
                 loc,
@@ -120,6 +126,7 @@ impl Run<'_> {
             offer(item.length.is_none(), "LEN".to_owned());
         } else {
             offer(item.radius.is_none(), "R".to_owned());
+            offer(item.center.radius.is_some() && item.center.angle.is_none(), "CCPA".to_owned());
             offer(item.center.x.is_none() && item.center.radius.is_none(), format!("CC{first} and CC{second}"));
         }
         match words.pop() {

@@ -75,6 +75,11 @@ impl Free {
         found.map(|(_, serial, _)| *serial).filter(|serial| self.window.knows(*serial))
     }
 
+    /// Elements stand in front, and none of them has a number.
+    fn has_no_numbers(&self) -> bool {
+        self.numbers.is_empty() && self.window.next_serial() > 1
+    }
+
     /// Have several blocks of elements this number? One block may come again and again.
     fn is_twice(&self, number: u32) -> bool {
         let mut places = self.numbers.iter().filter(|(of, ..)| *of == number).map(|(_, _, loc)| (loc.file, loc.line));

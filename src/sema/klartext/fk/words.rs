@@ -467,6 +467,14 @@ impl Run<'_> {
         if let Some(serial) = number.and_then(|number| free.serial_of(number as u32)) {
             return Ok(serial);
         }
+        if free.has_no_numbers() {
+            return self.fail_help(
+                codes::K3004,
+                said.span,
+                format!("`{text}` names a block by its number, and the blocks in front have none"),
+                "number the blocks of the program, as the control shows them, or write absolute values",
+            );
+        }
         self.fail_help(
             codes::K3004,
             said.span,

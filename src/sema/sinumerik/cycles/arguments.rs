@@ -45,7 +45,7 @@ impl Cycle {
     pub(super) fn place(&self, key: Key) -> Option<usize> {
         let at = self.signature.parameters.iter().position(|parameter| match parameter.name {
             Name::Word(name) => name.strip_prefix('_').unwrap_or(name) == key.0,
-            Name::Q(_) | Name::Part(_) => false,
+            Name::Q(_) | Name::Part(_) | Name::In(..) => false,
         });
         at.map(|at| at + 1)
     }

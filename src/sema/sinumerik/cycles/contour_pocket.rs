@@ -5,7 +5,7 @@
 use crate::diag::codes;
 use crate::geo::{Deg, Element, Point2, crossing};
 use crate::ir::captured::Captured;
-use crate::ir::cycle::pocket::{Finish, Insertion};
+use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::region::RegionFault;
 use crate::ir::cycle::{Cycle, Family, Region};
 
@@ -66,6 +66,8 @@ impl CycleCall<'_, '_> {
         Ok(Region {
             counter_clockwise: self.goes_counter_clockwise(Around::Inside)?,
             allowance: self.magnitude(UXY),
+            left: 0.0,
+            cleared: true,
             width: self.width(DXY, mill.radius)?,
             outline: Vec::new(),
             islands: Vec::new(),
@@ -78,7 +80,7 @@ impl CycleCall<'_, '_> {
                 feed: mill.feeds.plane,
                 step: mill.heights.step,
                 speed: None,
-                arc: None,
+                onto: Onto::Usual,
                 inserts: false,
             }),
             lifts_high,

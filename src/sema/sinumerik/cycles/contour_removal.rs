@@ -294,6 +294,18 @@ impl CycleCall<'_, '_> {
             return self.kind_fault(VARI, "millions 1 cuts reliefs, 2 leaves them");
         }
         self.own_way("the digits of `_VARI` are read from stored calls");
+        if args.digit(VARI, 5) == 0 {
+            self.own_way("0 in the hundred thousands of `_VARI` is taken as 1: cuts follow the contour");
+        }
+        if args.digit(VARI, 6) == 0 {
+            self.own_way("0 in the millions of `_VARI` is taken as 1: relief cuts are machined");
+        }
+        let limited = |place: u32| args.digit(GMODE, 3) == 1 && args.digit(GMODE, place) == 1;
+        for (place, limit, name) in [(4, 6, "`_XB`, ten thousands"), (5, 7, "`_ZB`, hundred thousands")] {
+            if args.digit(AMODE, place) == 1 && limited(limit) {
+                self.own_way(&format!("{name} of `_AMODE` 1, is an absolute coordinate"));
+            }
+        }
         Ok(())
     }
 
@@ -337,6 +349,7 @@ impl CycleCall<'_, '_> {
         match blank {
             Blank::Outline(list) => side.place(Extent::of(list).corners(side).0),
             Blank::On(by) => grown(*by),
+            Blank::Corner(_) => grown(Vec2::zeros()),
         }
     }
 

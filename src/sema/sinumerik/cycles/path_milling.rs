@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::geo::Element;
 use crate::geo::soft::Shape;
 use crate::ir::captured::Captured;
-use crate::ir::cycle::path_milling::{Between, Lift, PathFault, Way};
+use crate::ir::cycle::path_milling::{Between, Form, Lift, PathFault, Way};
 use crate::ir::cycle::{Cycle, Family, PathMilling};
 use crate::ir::{Compensation, Side};
 use crate::machine::options::cycles::BackwardSide;
@@ -92,6 +92,7 @@ impl CycleCall<'_, '_> {
             leave: self.soft_way(AS2, LP2, side)?,
             finishes_floor,
             between: Between { lift, feed },
+            alternates: false,
         };
         if let Err(fault) = path.check() {
             return self.path_fault(fault);
@@ -179,7 +180,7 @@ impl CycleCall<'_, '_> {
                 "in space the tool falls over the whole way at the feed for the depth, and rises at that of the plane",
             );
         }
-        Ok(Way { shape, size: length, spatial })
+        Ok(Way { form: Form::Soft(shape), size: length, spatial })
     }
 
     fn no_such_way<T>(&self, kind: Key) -> Outcome<T> {

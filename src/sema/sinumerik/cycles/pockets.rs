@@ -4,7 +4,9 @@
 
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::pocket::{Between, Cleared, Finish, Insertion, Pocket, PocketFault, Shape, Speed, Strategy};
+use crate::ir::cycle::pocket::{
+    Between, Cleared, Finish, Insertion, Onto, Pocket, PocketFault, Shape, Speed, Strategy,
+};
 use crate::ir::cycle::{Cycle, Family, LongHole};
 
 use super::super::Outcome;
@@ -200,7 +202,7 @@ impl CycleCall<'_, '_> {
             self.slots_are_apart(chord(ends[0].x, least_turn(&places)), 2.0 * mill.radius)?;
         }
         self.own_way("the length is taken over the outer edges, and the depth goes down at each end");
-        self.send_cycle(Cycle::LongHole(LongHole { mill, holes }));
+        self.send_cycle(Cycle::LongHole(LongHole { mill, holes, home: None }));
         Ok(())
     }
 
@@ -281,7 +283,7 @@ impl CycleCall<'_, '_> {
             feed: mill.feeds.plane,
             step: mill.heights.step,
             speed: None,
-            arc: None,
+            onto: Onto::Usual,
             inserts: false,
         });
         let width =
@@ -490,6 +492,13 @@ impl CycleCall<'_, '_> {
     /// Says where the way down is another one than asked for.
     fn insertion_has_room(&self, pocket: &Pocket) {
         let straight = "the pocket has no room for it; a cutter that cannot plunge breaks";
+        let turns = pocket.shape.room(pocket.rough_distance()).least();
+        if pocket.strategy == Strategy::Helix && turns < SMALLEST_ARM / 2.0 {
+            self.says_once(
+                "there is no room for the helical turns: the tool goes straight down by the infeeds",
+                straight,
+            );
+        }
         match pocket.insertion {
             Insertion::Helix { radius, .. } if pocket.rough => {
                 let made = pocket.helix_radius(radius);

@@ -1,0 +1,188 @@
+//! Describing a contour: the blocks of a subprogram run, but what they move is kept instead of carried out.
+//!
+//! Everything is afterwards what it was, parameters included: when a control runs the blocks, and how often, depends on the
+//! cycle. Source: K 6.6 (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Side;
+use crate::ir::captured::{Captured, Unfit};
+use crate::lexer::klartext::QKind;
+use crate::parser::klartext::ast::{Block, Stmt};
+use crate::sema::run::step;
+use crate::text::{Loc, Span};
+
+use super::labels::Label;
+use super::words::{FeedWord, Words};
+use super::{Outcome, Reported, Run};
+
+/// Most elements of a contour, roundings and chamfers counted.
+const MOST_ELEMENTS: usize = 1000;
+/// The last parameter that cycles along contours keep their data in.
+const LAST_OF_CYCLES: u32 = 20;
+
+/// A contour while its blocks run.
+#[derive(Debug)]
+pub(super) struct Capture {
+    label: Label,
+}
+
+impl Run<'_> {
+    /// Runs the subprogram of a contour; `cycle` is where the cycle that takes it is defined.
+    pub(super) fn capture(&mut self, label: &Label, cycle: Loc) -> Outcome<Captured> {
+        let here = self.here;
+        let back = self.program().source.cursor.place();
+        let before = (self.st.clone(), self.vars.clone(), self.locals().clone());
+        let (free, modal) = (self.free.take(), self.cycles.modal());
+        self.cycles.set_modal(false);
+        self.st.begin_contour();
+        let below = self.levels.len();
+        self.capture = Some(Box::new(Capture { label: label.clone() }));
+        self.core.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.core.here.origin);
+        let entered = self.call_subprogram(label);
+        while entered.is_ok() && self.levels.len() > below && !self.has_ended() {
+            step(self);
+        }
+        let closed = self.close_contour();
+        let made = self.core.out.contour_ends(&here.origin);
+        self.capture = None;
+        (self.free, self.here) = (free, here);
+        self.cycles.set_modal(modal);
+        (self.st, self.vars) = (before.0, before.1);
+        if let Some(locals) = super::flow::innermost_locals(&mut self.levels) {
+            *locals = before.2;
+        }
+        entered?;
+        closed?;
+        if self.has_ended() {
+            return Err(Reported);
+        }
+        if self.program().source.cursor.place() != back {
+            self.stop_run();
+            return self.contour_fault(label, "the program jumps out of it", "end the contour by its LBL 0");
+        }
+        made.or_else(|unfit| self.unfit(label, unfit, cycle))
+    }
+
+    pub(super) fn is_capturing(&self) -> bool {
+        self.capture.is_some()
+    }
+
+    fn contour_name(&self) -> String {
+        self.capture.as_ref().map(|capture| capture.label.to_string()).unwrap_or_default()
+    }
+
+    /// Only what shapes a contour may stand in one.
+    #[inline]
+    pub(super) fn may_stand_in_contour(&mut self, block: &Block) -> Outcome {
+        if self.is_capturing() { self.shapes_contour(block) } else { Ok(()) }
+    }
+
+    #[cold]
+    fn shapes_contour(&mut self, block: &Block) -> Outcome {
+        let target = match block.stmt {
+            Stmt::Empty
+            | Stmt::Path(_)
+            | Stmt::Functions
+            | Stmt::Rounding
+            | Stmt::Chamfer
+            | Stmt::Pole
+            | Stmt::Fk(_)
+            | Stmt::Label(_)
+            | Stmt::CallLabel { .. }
+            | Stmt::AssignText(_)
+            | Stmt::If { .. }
+            // What they say of themselves is enough.
+            | Stmt::Bad
+            | Stmt::End { .. } => return Ok(()),
+            Stmt::Assign(target) | Stmt::Fn { target, .. } | Stmt::SystemRead(target) => target,
+            _ => {
+                let message = format!("this block stands in the contour {}, which is a shape for a cycle", self.contour_name());
+                let _: Outcome = self.fail_help(
+                    codes::K2951,
+                    self.block_span(),
+                    message,
+                    "a contour is made of path functions, FK, RND, CHF, parameters and labels; move the block in front of the cycle call",
+                );
+                self.lose_all();
+                return Err(Reported);
+            }
+        };
+        if target.kind != QKind::Q || !(1..=LAST_OF_CYCLES).contains(&target.number) {
+            return Ok(());
+        }
+        let message =
+            format!("the contour {} sets {target}, which cycles 20 to 25 keep their data in", self.contour_name());
+        let _: Outcome =
+            self.fail_help(codes::K2951, self.block_span(), message, "take another parameter, or a local one: QL1");
+        self.lose_all();
+        Err(Reported)
+    }
+
+    /// RL or RR in the first block says on which side of the contour the tool lies.
+    pub(super) fn side_of_contour(&mut self, side: Side, span: Span) -> Outcome {
+        if self.st.compensation.side() != Side::None {
+            let message = format!("RL, RR or R0 stands in the contour {}, behind its first block", self.contour_name());
+            return self.fail_help(codes::K2951, span, message, "write RL or RR into the first block only");
+        }
+        self.st.compensation.select(side);
+        Ok(())
+    }
+
+    /// A cycle moves at its own feeds.
+    pub(super) fn feed_in_contour(&mut self, w: &Words) {
+        if w.feed == FeedWord::None || !self.job.diags.first_time(codes::K2953) {
+            return;
+        }
+        let message =
+            format!("F in the contour {} does not count: the cycle moves at its own feeds", self.contour_name());
+        let found = Diagnostic::new(codes::K2953, self.loc(w.feed_span), message);
+        self.report(found.help("give the feed to the cycle, and remove it here"));
+    }
+
+    pub(super) fn no_m_in_contour(&mut self, w: &Words) -> Outcome {
+        let Some(m) = w.m().first().filter(|_| self.is_capturing()) else { return Ok(()) };
+        let message = format!("M{} stands in the contour {}", m.number, self.contour_name());
+        self.fail_help(
+            codes::K2951,
+            m.span,
+            message,
+            "move it in front of the cycle call: in which pass the control would carry it out is not known",
+        )
+    }
+
+    pub(super) fn contour_fault<T>(&mut self, label: &Label, what: &str, help: &str) -> Outcome<T> {
+        let found = Diagnostic::new(codes::K2951, self.here.origin.loc, format!("the contour {label}: {what}"));
+        self.report(found.help(help));
+        Err(Reported)
+    }
+
+    fn unfit<T>(&mut self, label: &Label, unfit: Unfit, cycle: Loc) -> Outcome<T> {
+        let (origin, what, help) = match unfit {
+            Unfit::Reported => return Err(Reported),
+            Unfit::TooMany(origin) => {
+                (origin, format!("it has more than {MOST_ELEMENTS} elements"), "split the contour")
+            }
+            Unfit::NoStart(origin) => (
+                origin,
+                "it has no start point".to_owned(),
+                "its first block names both axes of the working plane and the side: L X+10 Y+20 RL",
+            ),
+            Unfit::Plane(origin) => {
+                (origin, "the working plane changes inside of it".to_owned(), "a contour lies in one plane")
+            }
+            Unfit::Frame(origin) => (
+                origin,
+                "the coordinate system changes inside of it".to_owned(),
+                "program shifts, rotations and mirrors in front of the cycle call",
+            ),
+            Unfit::Leaves(origin) => (
+                origin,
+                "this block leaves the working plane".to_owned(),
+                "a contour has moves of the two axes of its plane only; the depth belongs to the cycle",
+            ),
+        };
+        let found = Diagnostic::new(codes::K2951, origin.loc, format!("the contour {label}: {what}"));
+        self.report(found.called(origin.call).also(cycle, "the cycle that takes it is defined here").help(help));
+        Err(Reported)
+    }
+}

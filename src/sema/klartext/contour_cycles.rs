@@ -1,0 +1,601 @@
+//! Pockets along contours of subprograms: cycle 14 names them, cycle 20 says how they are milled, cycles 21 to 24 mill them.
+//!
+//! Source: K 6.6; F B7 (docs/sources.md).
+
+use std::rc::Rc;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Element, corner, distance};
+use crate::ir::captured::Captured;
+use crate::ir::cycle::drilling::{Ahead, Levels, Method, usual_ahead};
+use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
+use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
+use crate::ir::cycle::{Cycle, Drilling, PilotHoles, Region};
+use crate::ir::{Feed, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::parser::klartext::ast::Block;
+use crate::text::Loc;
+
+use super::cycle_definition::Open;
+use super::cycles::call::Call;
+use super::cycles::contours::{COARSE_TOOL, FEED_FACTOR, RECIPROCATING_FEED, RETRACT_FEED};
+use super::cycles::contours::{
+    CORNERS, DEPTH, DIRECTION, FLOOR, HEIGHT, INFEED, LEFT, MILLING_FEED, OVERLAP, PLUNGING_FEED, ROUGHING_TOOL,
+    SET_UP, SIDE, SURFACE,
+};
+use super::cycles::{DefinedCycle, Q};
+use super::drilling::steps;
+use super::labels::Label;
+use super::{Outcome, Reported, Run};
+
+/// Most contours that cycle 14 names.
+const MOST_CONTOURS: usize = 14;
+/// What a control takes for rapid traverse.
+const FASTEST: f64 = 99_999.0;
+/// Least and greatest factor of the overlap.
+const OVERLAPS: core::ops::RangeInclusive<f64> = 0.1..=1.9999;
+/// What arithmetic may add to an element that is all rounded away, mm.
+const TOLERANCE: f64 = 1e-6;
+
+/// What cycles 14, 20 and 270 say for the cycles behind them.
+#[derive(Debug, Default)]
+pub(super) struct Contours {
+    named: Known<NamedContours>,
+    pocket: Known<Values>,
+    pub train: Known<Values>,
+    roughed: Option<Roughed>,
+}
+
+#[derive(Debug, Default)]
+pub(super) enum Known<T> {
+    #[default]
+    Nothing,
+    /// Its definition was refused, which was reported.
+    Lost,
+    Given(Rc<T>),
+}
+
+/// Cycle 14.
+#[derive(Debug)]
+pub(super) struct NamedContours {
+    pub labels: Vec<Label>,
+    /// Index of the program whose labels they are.
+    pub program: usize,
+    pub loc: Loc,
+}
+
+/// A definition with the values that it set.
+#[derive(Debug)]
+pub(super) struct Values {
+    pub cycle: DefinedCycle,
+    set: Vec<(u32, f64)>,
+}
+
+/// The last run of cycle 22.
+#[derive(Debug)]
+struct Roughed {
+    named: Rc<NamedContours>,
+    pocket: Rc<Values>,
+    radius: f64,
+}
+
+/// What the cycles of a pocket take.
+struct Pocket {
+    named: Rc<NamedContours>,
+    data: Rc<Values>,
+}
+
+impl Contours {
+    /// The definition of this cycle was refused.
+    pub fn lose(&mut self, number: u32) {
+        match number {
+            14 => self.named = Known::Lost,
+            20 => self.pocket = Known::Lost,
+            _ => self.train = Known::Lost,
+        }
+    }
+}
+
+impl Run<'_> {
+    // Definitions.
+
+    /// `CYCL DEF 14.1 CONTOUR LABEL1 /2 /"NAME"`: the name of the part is written in the language of the control.
+    pub(super) fn contour_labels(&mut self, block: &Block, text: &[u8]) -> Outcome {
+        let code = crate::text::decode::readable(block.span.of(text)).into_owned();
+        let list = code.split_once('.').map_or("", |(_, rest)| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+        let from = list.find(|c: char| c.is_ascii_digit() || c == '"' || c == '/').unwrap_or(list.len());
+        let mut labels = Vec::new();
+        let mut rest = list[from..].trim_start_matches(['/', ' ', '\t']);
+        while !rest.is_empty() {
+            let (label, behind) = match rest.strip_prefix('"') {
+                Some(name) => name.split_once('"').map(|(name, behind)| (Some(Label::Name(name.into())), behind)),
+                None => {
+                    let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+                    Some((rest[..end].parse().ok().filter(|n| *n > 0).map(Label::Number), &rest[end..]))
+                }
+            }
+            .unwrap_or((None, ""));
+            match label {
+                Some(label) if !labels.contains(&label) && starts_another(behind) => labels.push(label),
+                _ => return self.cycle_word(block.span, 14),
+            }
+            rest = behind.trim_start_matches(['/', ' ', '\t']);
+        }
+        let open = self.open_cycle();
+        open.contours.append(&mut labels);
+        Ok(())
+    }
+
+    pub(super) fn contour_geometry(&mut self, open: &Open) -> Outcome {
+        if open.contours.is_empty() || open.contours.len() > MOST_CONTOURS {
+            let message = format!("cycle 14 names {} contours", open.contours.len());
+            let help = format!("write 1 to {MOST_CONTOURS} labels: `CYCL DEF 14.1 CONTOUR LABEL 1 /2`");
+            return self.fail_help(codes::K2402, self.block_span(), message, help);
+        }
+        let (labels, program, loc) = (open.contours.clone(), self.level().program, self.here.origin.loc);
+        self.contours.named = Known::Given(Rc::new(NamedContours { labels, program, loc }));
+        Ok(())
+    }
+
+    pub(super) fn contour_data(&mut self, open: &Open) -> Outcome {
+        self.contours.pocket = Known::Given(self.values_of(open)?);
+        Ok(())
+    }
+
+    pub(super) fn contour_train_data(&mut self, open: &Open) -> Outcome {
+        self.contours.train = Known::Given(self.values_of(open)?);
+        Ok(())
+    }
+
+    fn values_of(&mut self, open: &Open) -> Outcome<Rc<Values>> {
+        let mm = self.level().frame.unit.mm();
+        let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
+        self.all_are_set(&cycle, &format!("cycle {}", open.number))?;
+        Ok(Rc::new(Values { cycle, set: open.parameters.clone() }))
+    }
+
+    // What they say where a cycle runs.
+
+    /// A parameter of cycle 20 or 270, which has to be what it was.
+    pub(super) fn kept(&mut self, data: &Values, q: Q) -> Outcome<f64> {
+        let now = self.cycle_number(&data.cycle, q)?;
+        let set = data.set.iter().rev().find(|(number, _)| *number == q.0).map(|(_, value)| *value);
+        match set {
+            Some(set) if set != now => self.cycle_value(
+                &data.cycle,
+                &format!(
+                    "it set {q} to {set}, and {q} is {now} now: which of the two counts is open; define the cycle anew"
+                ),
+            ),
+            _ => Ok(now),
+        }
+    }
+
+    pub(super) fn kept_length(&mut self, data: &Values, q: Q) -> Outcome<f64> {
+        Ok(self.kept(data, q)? * self.level().frame.unit.mm())
+    }
+
+    fn kept_unsigned(&mut self, data: &Values, q: Q) -> Outcome<f64> {
+        let value = self.kept_length(data, q)?;
+        if value >= 0.0 { Ok(value) } else { self.cycle_value(&data.cycle, &format!("{q} = {value} is below zero")) }
+    }
+
+    /// The contours that the cycle takes.
+    pub(super) fn named_contours(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Rc<NamedContours>> {
+        if call.placed {
+            return self.cycle_unbuilt(cycle, "a contour at the places of a pattern or of CYCL CALL POS");
+        }
+        match &self.contours.named {
+            Known::Lost => Err(Reported),
+            Known::Nothing => {
+                self.lacks(cycle, "no contour is named in front of it", "write CYCL DEF 14.0 and 14.1 CONTOUR LABEL 1")
+            }
+            Known::Given(named) => {
+                let named = Rc::clone(named);
+                if named.program == self.level().program {
+                    return Ok(named);
+                }
+                self.cycle_unbuilt(cycle, "a contour whose label stands in another program than the call")
+            }
+        }
+    }
+
+    fn lacks<T>(&mut self, cycle: &DefinedCycle, what: &str, help: &str) -> Outcome<T> {
+        self.report(
+            Diagnostic::new(codes::K2952, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
+                .also(cycle.loc, "the cycle is defined here")
+                .help(help),
+        );
+        Err(Reported)
+    }
+
+    fn pocket_data(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Pocket> {
+        let named = self.named_contours(cycle, call)?;
+        let data = match &self.contours.pocket {
+            Known::Lost => return Err(Reported),
+            Known::Nothing => {
+                return self.lacks(cycle, "there is no contour data in front of it", "write CYCL DEF 20 with Q1 to Q9");
+            }
+            Known::Given(data) => Rc::clone(data),
+        };
+        if named.labels.len() > 1 {
+            self.report(
+                Diagnostic::new(
+                    codes::K9018,
+                    self.here.origin.loc,
+                    format!(
+                        "cycle {}: {} contours are named; a pocket with islands, and several pockets, are not supported",
+                        cycle.number,
+                        named.labels.len()
+                    ),
+                )
+                .also(named.loc, "they are named here")
+                .help("name one pocket, or have the CAM system put the moves out"),
+            );
+            return Err(Reported);
+        }
+        Ok(Pocket { named, data })
+    }
+
+    /// What all cycles of a pocket take, for a cutter of this radius; nothing where the depth is 0.
+    fn contour_mill(
+        &mut self,
+        cycle: &DefinedCycle,
+        data: &Values,
+        radius: f64,
+        (feeds, step): (Feeds, f64),
+    ) -> Outcome<Option<Mill>> {
+        let deep = self.kept_length(data, DEPTH)?;
+        let surface = self.kept_length(data, SURFACE)?;
+        let heights = Heights {
+            retract: self.kept_length(data, HEIGHT)?,
+            reference: surface,
+            clearance: self.kept_unsigned(data, SET_UP)?,
+            depth: surface + deep,
+            step,
+            division: Division::Whole,
+            allowance: self.kept_unsigned(data, FLOOR)?,
+        };
+        self.mill_down(cycle, deep, Mill { plane: self.st.plane(), heights, radius, feeds })
+    }
+
+    /// A depth has a minus sign; with 0 the control does nothing.
+    pub(super) fn mill_down(&mut self, cycle: &DefinedCycle, deep: f64, mill: Mill) -> Outcome<Option<Mill>> {
+        let axis = self.st.axis();
+        if !AxisSet::MAIN.contains(axis) {
+            return self.cycle_value(cycle, &format!("the tool axis {} cannot mill", axis.letter()));
+        }
+        if deep > 0.0 {
+            return self.cycle_value(cycle, &format!("the depth Q1 = {deep} is positive"));
+        }
+        if deep == 0.0 {
+            self.report(
+                Diagnostic::new(codes::K2404, self.here.origin.loc, format!("cycle {} has depth 0", cycle.number))
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("program the depth Q1 with a minus sign"),
+            );
+            return Ok(None);
+        }
+        Ok(Some(mill))
+    }
+
+    pub(super) fn contour_feeds(&mut self, cycle: &DefinedCycle) -> Outcome<Feeds> {
+        Ok(Feeds {
+            plane: self.cycle_feed(cycle, MILLING_FEED, None)?,
+            depth: self.cycle_feed(cycle, PLUNGING_FEED, None)?,
+        })
+    }
+
+    /// Q10: old programs write the infeed with the sign of the depth.
+    pub(super) fn contour_infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
+        let step = self.cycle_length(cycle, INFEED)?.abs();
+        if step > 0.0 { Ok(step) } else { self.cycle_value(cycle, "the infeed Q10 is 0") }
+    }
+
+    /// Q9 and Q15: does the tool climb?
+    pub(super) fn is_climb(&mut self, cycle: &DefinedCycle, q: Q, value: f64) -> Outcome<bool> {
+        self.turns_by_m3(cycle, q)?;
+        match value {
+            1.0 => Ok(true),
+            -1.0 => Ok(false),
+            other => self.cycle_value(cycle, &format!("the kind of milling {q} = {other} is not +1 or -1")),
+        }
+    }
+
+    /// The pocket, as cycle 22 roughs it with this cutter.
+    fn roughed_pocket(&mut self, cycle: &DefinedCycle, pocket: &Pocket, mill: Mill) -> Outcome<Region> {
+        let data = &pocket.data;
+        let direction = self.kept(data, DIRECTION)?;
+        let counter_clockwise = self.is_climb(cycle, DIRECTION, direction)?;
+        let factor = self.kept(data, OVERLAP)?;
+        if !OVERLAPS.contains(&factor) {
+            return self.cycle_value(&data.cycle, &format!("the overlap factor Q2 = {factor} is not 0.1 to 1.9999"));
+        }
+        let allowance = self.kept_unsigned(data, SIDE)?;
+        let outline = self.outline(cycle, pocket, mill.radius + allowance)?;
+        Ok(Region {
+            outline,
+            islands: Vec::new(),
+            counter_clockwise,
+            allowance,
+            left: 0.0,
+            cleared: true,
+            width: factor * mill.radius,
+            insertion: Insertion::Vertical,
+            start: None,
+            rough: true,
+            finish: None,
+            lifts_high: false,
+            mill,
+        })
+    }
+
+    /// The contour of the pocket; inside corners are rounded so that the path `away` from it keeps the radius Q8.
+    fn outline(&mut self, cycle: &DefinedCycle, pocket: &Pocket, away: f64) -> Outcome<Vec<Element>> {
+        let corners = if pocket.data.cycle.gives_q(CORNERS) { self.kept_unsigned(&pocket.data, CORNERS)? } else { 0.0 };
+        let Some(label) = pocket.named.labels.first() else { return Err(Reported) };
+        let contour = self.capture(label, cycle.loc)?;
+        self.check_contour(label, &contour)?;
+        let elements = self.closed_pocket(label, &contour)?;
+        if corners == 0.0 {
+            return Ok(elements);
+        }
+        rounded(elements, corners + away).or_else(|()| {
+            let help = "set Q8 to 0, or take a smaller cutter";
+            let what = format!("an inside corner has no room for the radius Q8 = {corners} of the path");
+            self.contour_fault(label, &what, help)
+        })
+    }
+
+    /// Elements that make a contour.
+    pub(super) fn check_contour(&mut self, label: &Label, contour: &Captured) -> Outcome {
+        if contour.plane != self.st.plane() || contour.pieces.is_empty() {
+            return self.contour_fault(
+                label,
+                "it has no element in the working plane",
+                "program its elements behind its start point",
+            );
+        }
+        if let Some((first, second)) = contour.crossing()
+            && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
+        {
+            let found = Diagnostic::new(codes::K2951, b.origin.loc, format!("the contour {label} crosses itself"))
+                .called(b.origin.call);
+            self.report(
+                found.also(a.origin.loc, "it crosses the element of this block").help("check the end points of both"),
+            );
+            return Err(Reported);
+        }
+        Ok(())
+    }
+
+    /// The elements of a closed contour inside of which the tool lies.
+    fn closed_pocket(&mut self, label: &Label, contour: &Captured) -> Outcome<Vec<Element>> {
+        if !contour.is_closed() {
+            return self.contour_fault(label, "it is not closed", "end it where it starts");
+        }
+        let mut elements: Vec<Element> = contour.pieces.iter().map(|piece| piece.element).collect();
+        if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = elements.last_mut() {
+            *to = contour.start;
+        }
+        let inside = match contour.side {
+            Some(Side::Left) => is_counter_clockwise(&elements),
+            Some(Side::Right) => !is_counter_clockwise(&elements),
+            Some(Side::None) | None => {
+                let help = "write RL or RR into its first block";
+                return self.contour_fault(label, "neither RL nor RR says whether it is a pocket or an island", help);
+            }
+        };
+        if inside {
+            return Ok(elements);
+        }
+        let found = Diagnostic::new(
+            codes::K9018,
+            self.here.origin.loc,
+            format!("the contour {label} is an island: its RL or RR leads the tool outside of it"),
+        );
+        self.report(found.help("a pocket is needed: swap RL and RR if it is meant as one; islands are not supported"));
+        Err(Reported)
+    }
+
+    // The cycles.
+
+    /// Cycle 21.
+    pub(super) fn pilot_drilling(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let pocket = self.pocket_data(cycle, call)?;
+        let feed = self.cycle_feed(cycle, PLUNGING_FEED, None)?;
+        let number = self.cycle_number(cycle, ROUGHING_TOOL)?;
+        let radius = self.radius_of_tool(cycle, number)?;
+        let step = self.contour_infeed(cycle)?;
+        let feeds = Feeds { plane: feed, depth: feed };
+        let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, step))? else { return Ok(None) };
+        let region = self.roughed_pocket(cycle, &pocket, mill)?;
+        let (heights, axis) = (mill.heights, Axis::ALL[mill.plane.axes().2]);
+        let levels = Levels {
+            retract: heights.retract,
+            reference: heights.reference,
+            clearance: heights.clearance,
+            depth: heights.rough_floor(),
+        };
+        let mut peck = steps(step, (0.0, 0.0), 0.0);
+        peck.removal.ahead = Ahead::Evenly([usual_ahead((levels.reference - levels.depth).abs()); 2]);
+        let hole = Drilling { axis, levels, feed, entry: None, method: Method::Peck(peck) };
+        self.sound(cycle, PilotHoles { pocket: region, hole }).map(|made| Some(Cycle::PilotHoles(made)))
+    }
+
+    /// Cycle 22.
+    pub(super) fn rough_out(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let pocket = self.pocket_data(cycle, call)?;
+        self.no_coarse_tool(cycle)?;
+        if self.cycle_option(cycle, RECIPROCATING_FEED)? != 0.0 {
+            return self.cycle_unbuilt(cycle, "going to and fro into the material (Q19)");
+        }
+        if cycle.gives_q(FEED_FACTOR) && self.cycle_number(cycle, FEED_FACTOR)? != 100.0 {
+            return self.cycle_unbuilt(cycle, "a lower feed at full engagement (Q401)");
+        }
+        self.retracts_at_rapid(cycle)?;
+        let radius = self.cutter_radius(cycle)?;
+        let (feeds, step) = (self.contour_feeds(cycle)?, self.contour_infeed(cycle)?);
+        let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, step))? else { return Ok(None) };
+        let region = self.roughed_pocket(cycle, &pocket, mill)?;
+        let made = self.sound(cycle, region)?;
+        self.contours.roughed = Some(Roughed { named: pocket.named, pocket: pocket.data, radius });
+        Ok(Some(Cycle::Region(made)))
+    }
+
+    /// Cycle 23.
+    pub(super) fn floor_finishing(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let pocket = self.pocket_data(cycle, call)?;
+        self.retracts_at_rapid(cycle)?;
+        let radius = self.cutter_radius(cycle)?;
+        let feeds = self.contour_feeds(cycle)?;
+        let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, 0.0))? else { return Ok(None) };
+        let region = self.roughed_pocket(cycle, &pocket, mill)?;
+        let finish = Some(finishing(feeds.plane, 0.0, (false, None)));
+        let cleared = self.is_roughed(&pocket);
+        self.sound(cycle, Region { rough: false, finish, cleared, ..region }).map(|made| Some(Cycle::Region(made)))
+    }
+
+    /// Cycle 24.
+    pub(super) fn side_finishing(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
+        let pocket = self.pocket_data(cycle, call)?;
+        let radius = self.cutter_radius(cycle)?;
+        let (feeds, step) = (self.contour_feeds(cycle)?, self.contour_infeed(cycle)?);
+        let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, step))? else { return Ok(None) };
+        let mill = Mill { heights: Heights { allowance: 0.0, ..mill.heights }, ..mill };
+        let left = self.not_below_zero(cycle, LEFT)?;
+        let allowance = self.kept_unsigned(&pocket.data, SIDE)?;
+        let roughed = self.contours.roughed.as_ref().filter(|roughed| Rc::ptr_eq(&roughed.named, &pocket.named));
+        let by = roughed.map_or(0.0, |roughed| roughed.radius);
+        if left + radius >= allowance + by {
+            let tool = if by == 0.0 {
+                "0, because no cycle 22 roughed this contour before".to_owned()
+            } else {
+                by.to_string()
+            };
+            return self.cycle_value(
+                cycle,
+                &format!(
+                    "Q14 = {left} and the radius {radius} of the cutter together are not below Q3 = {allowance} and the radius of the cutter that roughed ({tool})"
+                ),
+            );
+        }
+        let direction = self.cycle_number(cycle, DIRECTION)?;
+        let counter_clockwise = self.is_climb(cycle, DIRECTION, direction)?;
+        let outline = self.outline(cycle, &pocket, radius + left)?;
+        let region = Region {
+            outline,
+            islands: Vec::new(),
+            counter_clockwise,
+            allowance,
+            left,
+            cleared: true,
+            width: radius,
+            insertion: Insertion::Vertical,
+            start: None,
+            rough: false,
+            finish: Some(finishing(feeds.plane, step, (true, Some(2.0 * radius)))),
+            lifts_high: false,
+            mill,
+        };
+        self.sound(cycle, region).map(|made| Some(Cycle::Region(made)))
+    }
+
+    /// Was this contour roughed with these data?
+    fn is_roughed(&self, pocket: &Pocket) -> bool {
+        self.contours.roughed.as_ref().is_some_and(|roughed| {
+            Rc::ptr_eq(&roughed.named, &pocket.named) && Rc::ptr_eq(&roughed.pocket, &pocket.data)
+        })
+    }
+
+    /// Q18
+    pub(super) fn no_coarse_tool(&mut self, cycle: &DefinedCycle) -> Outcome {
+        if self.cycle_option(cycle, COARSE_TOOL)? == 0.0 {
+            return Ok(());
+        }
+        self.cycle_unbuilt(cycle, "what a coarse tool (Q18) left")
+    }
+
+    /// Q208
+    fn retracts_at_rapid(&mut self, cycle: &DefinedCycle) -> Outcome {
+        if !cycle.gives_q(RETRACT_FEED) || cycle.word(RETRACT_FEED) == Some("FMAX") {
+            return Ok(());
+        }
+        let feed = self.cycle_number(cycle, RETRACT_FEED)?;
+        if feed >= FASTEST {
+            Ok(())
+        } else {
+            self.cycle_unbuilt(cycle, &format!("going out of the pocket at a feed (Q208 = {feed})"))
+        }
+    }
+
+    /// The radius of the tool that will rough.
+    fn radius_of_tool(&mut self, cycle: &DefinedCycle, number: f64) -> Outcome<f64> {
+        if number.fract() != 0.0 || !(1.0..=32767.0).contains(&number) {
+            return self.cycle_value(cycle, &format!("the tool that roughs, Q13 = {number}, is no number of a tool"));
+        }
+        match self.radius_by_number(number as u32).filter(|radius| *radius > 0.0) {
+            Some(radius) => Ok(radius),
+            None => self.fail_help(
+                codes::K2008,
+                self.block_span(),
+                format!("cycle 21: the radius of tool {number}, which roughs (Q13), is not known"),
+                format!("add `[tools.{number}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+            ),
+        }
+    }
+}
+
+/// A finishing cut of the wall, or of the floor.
+fn finishing(feed: Feed, step: f64, (wall, arc): (bool, Option<f64>)) -> Finish {
+    let onto = arc.map_or(Onto::Usual, Onto::Quarter);
+    Finish { wall, floor: !wall, feed, step, speed: None, onto, inserts: false }
+}
+
+/// Is the list of labels over, or does another one follow?
+fn starts_another(rest: &str) -> bool {
+    rest.is_empty() || rest.starts_with(['/', ' ', '\t'])
+}
+
+/// Does a closed contour turn to the left?
+fn is_counter_clockwise(elements: &[Element]) -> bool {
+    let of = |element: &Element| {
+        let (a, b) = (element.from(), element.to());
+        let segment = match *element {
+            Element::Line { .. } => 0.0,
+            Element::Arc { center, sweep, from, .. } => {
+                let radius = distance(from, center);
+                radius * radius * (sweep - libm::sin(sweep))
+            }
+        };
+        a.x * b.y - a.y * b.x + segment
+    };
+    elements.iter().map(of).sum::<f64>() > 0.0
+}
+
+/// The outline of a pocket with its inside corners rounded.
+fn rounded(mut elements: Vec<Element>, radius: f64) -> Result<Vec<Element>, ()> {
+    let count = elements.len();
+    if count < 2 {
+        return Ok(elements);
+    }
+    let turns = if is_counter_clockwise(&elements) { 1.0 } else { -1.0 };
+    let mut made: Vec<Option<Element>> = vec![None; count];
+    for at in 0..count {
+        let next = (at + 1) % count;
+        let (before, after) = (elements[at], elements[next]);
+        let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else { return Err(()) };
+        let turn = crate::geo::cross(u, w) * turns;
+        if turn < -crate::geo::SAME_DIRECTION || turn.abs() <= crate::geo::SAME_DIRECTION && u.dot(&w) > 0.0 {
+            continue;
+        }
+        let cut = corner::rounding(&before, &after, radius, TOLERANCE).map_err(|_| ())?;
+        let Some((center, ccw)) = cut.arc else { return Err(()) };
+        elements[at] = before.ending_at(cut.leave);
+        elements[next] = after.starting_at(cut.join);
+        let sweep = crate::geo::arc::sweep(cut.leave, cut.join, center, ccw);
+        made[at] = Some(Element::Arc { from: cut.leave, to: cut.join, center, sweep });
+    }
+    let parts = elements.into_iter().zip(made).flat_map(|(element, corner)| [Some(element), corner]).flatten();
+    Ok(parts.filter(|part| part.length() > TOLERANCE).collect())
+}

@@ -1,0 +1,163 @@
+//! Cycles along contours of subprograms: 14, 20 to 25 and 270.
+
+use crate::sema::cycle_table::{Kind, Name, Parameter, Signature, Status};
+
+use super::milling::cycle;
+use super::{Nature, Q, REMOVE, Row, SettingOf, q};
+
+pub(in super::super) const DEPTH: Q = Q(1);
+pub(in super::super) const OVERLAP: Q = Q(2);
+pub(in super::super) const SIDE: Q = Q(3);
+pub(in super::super) const FLOOR: Q = Q(4);
+pub(in super::super) const SURFACE: Q = Q(5);
+pub(in super::super) const SET_UP: Q = Q(6);
+pub(in super::super) const HEIGHT: Q = Q(7);
+pub(in super::super) const CORNERS: Q = Q(8);
+pub(in super::super) const DIRECTION: Q = Q(9);
+pub(in super::super) const INFEED: Q = Q(10);
+pub(in super::super) const PLUNGING_FEED: Q = Q(11);
+pub(in super::super) const MILLING_FEED: Q = Q(12);
+pub(in super::super) const ROUGHING_TOOL: Q = Q(13);
+pub(in super::super) const LEFT: Q = Q(14);
+pub(in super::super) const KIND: Q = Q(15);
+pub(in super::super) const COARSE_TOOL: Q = Q(18);
+pub(in super::super) const RECIPROCATING_FEED: Q = Q(19);
+pub(in super::super) const RETRACT_FEED: Q = Q(208);
+pub(in super::super) const WAY: Q = Q(390);
+pub(in super::super) const COMPENSATION: Q = Q(391);
+pub(in super::super) const WAY_RADIUS: Q = Q(392);
+pub(in super::super) const WAY_ANGLE: Q = Q(393);
+pub(in super::super) const WAY_LENGTH: Q = Q(394);
+pub(in super::super) const FEED_FACTOR: Q = Q(401);
+
+const MANUAL: &str = "HEIDENHAIN iTNC 530 cycle programming; TNC 640 cycles";
+
+const Q1: Parameter = q(DEPTH, Kind::Length, "depth below the surface, with a minus sign").needed();
+const Q10: Parameter = q(INFEED, Kind::Length, "greatest infeed in depth; its sign does not count").needed();
+const Q11: Parameter = q(PLUNGING_FEED, Kind::Feed, "feed for plunging").needed();
+const Q12: Parameter = q(MILLING_FEED, Kind::Feed, "feed for milling").needed();
+const Q208: Parameter =
+    q(RETRACT_FEED, Kind::Feed, "feed out of the pocket: 99999 and FMAX are rapid traverse, others are refused")
+        .default("99999");
+
+const fn setting(
+    number: u32,
+    setting: SettingOf,
+    name: &'static str,
+    what: &'static str,
+    parameters: &'static [Parameter],
+) -> Row {
+    let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
+    let form = if number == 14 { "write the labels: `CYCL DEF 14.1 CONTOUR LABEL 1`" } else { REMOVE };
+    Row { numbers: (number, number), nature: Nature::Setting(setting), signature, form }
+}
+
+pub(super) const ROWS: &[Row] = &[
+    setting(
+        14,
+        |run, open| run.contour_geometry(open),
+        "CYCL DEF 14",
+        "CONTOUR GEOMETRY",
+        &[Parameter::new(Name::Part(1), Kind::Either, "labels of the contours; one of them is milled").needed()],
+    ),
+    setting(
+        20,
+        |run, open| run.contour_data(open),
+        "CYCL DEF 20",
+        "CONTOUR DATA",
+        &[
+            Q1,
+            q(OVERLAP, Kind::Number, "width of a cut in radii of the cutter, 0.1 to 1.9999").needed(),
+            q(SIDE, Kind::Length, "allowance on the wall").needed(),
+            q(FLOOR, Kind::Length, "allowance on the floor").needed(),
+            q(SURFACE, Kind::Length, "coordinate of the surface").needed(),
+            q(SET_UP, Kind::Length, "set-up clearance above the surface, 0 or more").needed(),
+            q(HEIGHT, Kind::Length, "coordinate of the clearance height, where the tool goes in the end").needed(),
+            q(CORNERS, Kind::Length, "radius of the path of the centre in inside corners").default("0"),
+            q(DIRECTION, Kind::Number, "+1 climb, -1 up-cut milling with M3").needed(),
+        ],
+    ),
+    cycle(
+        21,
+        "CYCL DEF 21",
+        "PILOT DRILLING",
+        |run, cycle, call| run.pilot_drilling(cycle, call),
+        &[Q10, Q11, q(ROUGHING_TOOL, Kind::Number, "number of the tool that roughs the pocket").needed()],
+    ),
+    cycle(
+        22,
+        "CYCL DEF 22",
+        "ROUGH-OUT",
+        |run, cycle, call| run.rough_out(cycle, call),
+        &[
+            Q10,
+            Q11,
+            Q12,
+            q(COARSE_TOOL, Kind::Number, "tool that roughed before: 0 is none, others are refused").default("0"),
+            q(
+                RECIPROCATING_FEED,
+                Kind::Feed,
+                "feed to and fro into the material: 0 is straight down, others are refused",
+            )
+            .default("0"),
+            Q208,
+            q(FEED_FACTOR, Kind::Number, "feed at full engagement in %: 100; others are refused").default("100"),
+            q(Q(404), Kind::Number, "how a finer tool goes on").without_effect("it counts with a coarse tool Q18 only"),
+        ],
+    ),
+    cycle(23, "CYCL DEF 23", "FLOOR FINISHING", |run, cycle, call| run.floor_finishing(cycle, call), &[Q11, Q12, Q208]),
+    cycle(
+        24,
+        "CYCL DEF 24",
+        "SIDE FINISHING",
+        |run, cycle, call| run.side_finishing(cycle, call),
+        &[
+            q(DIRECTION, Kind::Number, "+1 climb, -1 up-cut milling with M3").needed(),
+            Q10,
+            Q11,
+            Q12,
+            q(LEFT, Kind::Length, "allowance that is left on the wall").default("0"),
+        ],
+    ),
+    cycle(
+        25,
+        "CYCL DEF 25",
+        "CONTOUR TRAIN",
+        |run, cycle, call| run.contour_train(cycle, call),
+        &[
+            Q1,
+            q(SIDE, Kind::Length, "allowance on the contour").needed(),
+            q(SURFACE, Kind::Length, "coordinate of the surface").needed(),
+            q(HEIGHT, Kind::Length, "coordinate of the clearance height").needed(),
+            Q10,
+            Q11,
+            Q12,
+            q(KIND, Kind::Number, "+1 climb, -1 up-cut milling with M3, 0 both in turns").needed(),
+            q(COARSE_TOOL, Kind::Number, "tool that milled before: 0 is none, others are refused").default("0"),
+            q(Q(446), Kind::Length, "material that may stay").without_effect("it counts with a coarse tool Q18 only"),
+            q(Q(447), Kind::Length, "longest way from cut to cut")
+                .without_effect("it counts with a coarse tool Q18 only"),
+            q(Q(448), Kind::Length, "by which the path is prolonged")
+                .without_effect("it counts with a coarse tool Q18 only"),
+        ],
+    ),
+    setting(
+        270,
+        |run, open| run.contour_train_data(open),
+        "CYCL DEF 270",
+        "CONTOUR TRAIN DATA",
+        &[
+            q(
+                WAY,
+                Kind::Number,
+                "way to the contour and from it: 1 a tangential arc, 2 a tangential line, 3 a line at a right angle",
+            )
+            .needed(),
+            q(COMPENSATION, Kind::Number, "side of the tool: 0 on the contour, 1 left, 2 right of it").needed(),
+            q(WAY_RADIUS, Kind::Length, "radius of the arc, on the path of the centre; for Q390 = 1").default("0"),
+            q(WAY_ANGLE, Kind::Angle, "angle of the arc; for Q390 = 1").default("0"),
+            q(WAY_LENGTH, Kind::Length, "length of the line, on the path of the centre; for Q390 = 2 and 3")
+                .default("0"),
+        ],
+    ),
+];

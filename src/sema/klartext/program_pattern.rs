@@ -1,0 +1,122 @@
+//! CYCL CALL PAT with the program of cycle 12: it runs once for each place.
+//!
+//! What a place is to the program no manual at hand says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
+//! (docs/sources.md).
+
+use crate::diag::{Diagnostic, codes};
+use crate::ir::Pos;
+use crate::ir::contour::Path;
+use crate::machine::Axis;
+use crate::machine::options::klartext_cycles::PatternProgram;
+use crate::sema::run::step;
+
+use super::pattern_def::{Place, Places};
+use super::words::Words;
+use super::{Outcome, Reported, Run};
+
+impl Run<'_> {
+    pub(super) fn run_program_pattern(&mut self, w: &Words, places: &Places, name: &str) -> Outcome {
+        let Some(reading) = self.job.settings.cycles.klartext.pattern_program else {
+            return self.fail_help(
+                codes::K9001,
+                self.block_span(),
+                format!("CYCL CALL PAT with the program `{name}` of cycle 12: what the places are to it is open"),
+                "say it by `[cycles] pattern_program = \"shift\"` or \"position\", or call the program at each place by M99",
+            );
+        };
+        if places.iter().any(|place| place.surface != 0.0) {
+            self.report(
+                Diagnostic::new(
+                    codes::K9001,
+                    self.here.origin.loc,
+                    format!("CYCL CALL PAT with the program `{name}` of cycle 12: the places have a Z, and what it shifts is open"),
+                )
+                .also(places.loc, "the pattern")
+                .help("leave Z out of the pattern"),
+            );
+            return Err(Reported);
+        }
+        self.m_at_start(w, true)?;
+        let (height, feed) = match reading {
+            PatternProgram::Shift => {
+                self.set_feed(w)?;
+                (None, None)
+            }
+            PatternProgram::Position => {
+                let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
+                (Some(self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?), feed)
+            }
+        };
+        for place in places.iter() {
+            self.goes_on()?;
+            match height {
+                None => self.run_shifted(name, place)?,
+                Some(height) => {
+                    self.go_to_place(place, height, Path::straight(feed));
+                    self.run_program(name)?;
+                }
+            }
+        }
+        self.m_at_end(w)
+    }
+
+    /// In the plane, as high as the tool stood in front of the pattern, or at the clearance of the place.
+    fn go_to_place(&mut self, place: &Place, height: f64, path: Path) {
+        let axis = self.st.axis();
+        let free = place.clearance.map_or(height, |clearance| clearance.max(height));
+        if self.st.position.get(axis).is_none_or(|at| at < free) {
+            let mut up = Pos::UNKNOWN;
+            up.set(axis, free);
+            self.send(&up, Path::Rapid);
+        }
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.st.plane(), place.at);
+        self.st.polar.forget_last();
+        self.send(&end, path);
+    }
+
+    /// The program in a system that is shifted to the place, which has to be the same behind it.
+    fn run_shifted(&mut self, name: &str, place: &Place) -> Outcome {
+        let base = self.st.frames.transform().clone();
+        let (first, second, _) = self.st.plane().axes();
+        if !base.is_shift_only() || base.turn.0 != 0.0 {
+            let message = format!(
+                "CYCL CALL PAT with the program `{name}` of cycle 12 under a rotation, mirror or scaling: along which axes the places shift is open"
+            );
+            return self.fail_help(
+                codes::K9001,
+                self.block_span(),
+                message,
+                "end the transformation in front of the pattern",
+            );
+        }
+        let mut shifted = base.clone();
+        for (axis, by) in [(first, place.at.x), (second, place.at.y)] {
+            shifted.shift_by(Axis::ALL[axis], by, true, false);
+        }
+        self.set_transformation(shifted.clone())?;
+        self.run_program(name)?;
+        if *self.st.frames.transform() != shifted {
+            let message =
+                format!("the program `{name}` of cycle 12 changes the coordinate system, and the pattern shifts it");
+            return self.fail_help(
+                codes::K9001,
+                self.block_span(),
+                message,
+                "let the program leave the system as it was",
+            );
+        }
+        self.set_transformation(base)
+    }
+
+    /// The whole program, before the block in hand goes on.
+    fn run_program(&mut self, name: &str) -> Outcome {
+        let (here, below) = (self.here, self.levels.len());
+        self.call_program_named(name)?;
+        while self.levels.len() > below && !self.has_ended() {
+            step(self);
+        }
+        self.here = here;
+        if self.has_ended() || self.levels.len() != below { Err(Reported) } else { Ok(()) }
+    }
+}
